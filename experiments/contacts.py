@@ -15,7 +15,12 @@ from experiments.facts import metrics
 from experiments.facts.case import AS_SHIPPED, STIFF_PADS, Case
 from experiments.facts.trace import ContactRows, Trace
 from experiments.simulation.budget import contact_timeconst_s
-from experiments.simulation.measurement import SETUP_FRAME_COUNT, Conditions, grasp_columns, summarize
+from experiments.simulation.measurement import (
+    SETUP_FRAME_COUNT,
+    Conditions,
+    grasp_columns,
+    summarize,
+)
 from experiments.simulation.simulation import Simulation
 from measured_report.measuring.measurement import Measurement, absent
 from measured_report.measuring.pool import gather, processes, start
@@ -42,12 +47,21 @@ def measure(conditions: Conditions) -> Measurement:
 
 def measure_live(conditions: Conditions, cases: Sequence[Case]) -> Measurement:
     """Return the live contacts of each case, and what their velocities add up to."""
-    traces = conditions.simulate(cases, contact_frames=conditions.contact_frames(), title="contacts")
+    traces = conditions.simulate(
+        cases, contact_frames=conditions.contact_frames(), title="contacts"
+    )
     rows = []
     tables = {}
     for case, trace in zip(cases, traces, strict=True):
         for contacts in trace.contact_rows:
-            rows.append({"case": case.name, "kind": "frame", "frame": contacts.frame, **grasp_columns(contacts)})
+            rows.append(
+                {
+                    "case": case.name,
+                    "kind": "frame",
+                    "frame": contacts.frame,
+                    **grasp_columns(contacts),
+                }
+            )
         middle = trace.contact_rows[len(trace.contact_rows) // 2]
         rows += constraint_rows(case.name, middle)
         tables[case.name] = contact_table(middle)
@@ -57,7 +71,9 @@ def measure_live(conditions: Conditions, cases: Sequence[Case]) -> Measurement:
                 **summarize(case, trace),
                 "slide_mm": metrics.slide_mm(trace),
                 "along_mm": 1e3 * float(metrics.displacement(trace).along_m[-1]),
-                "cone_use_max": float(trace.column("cone_use")[trace.phase == metrics.SHAKE].max()),
+                "cone_use_max": float(
+                    trace.column("cone_use")[trace.phase == metrics.SHAKE].max()
+                ),
             }
         )
     return Measurement(rows, tables)
@@ -111,8 +127,17 @@ def predicted_row(case: Case) -> dict[str, object]:
         simulation.step()
         bias[frame] = mean_along_shake_m_s2(simulation)
     trace = _trace(simulation)
-    slide_m_s = bias[trace.phase == metrics.SHAKE] * 0.5 * case.pad_dmax * contact_timeconst_s(case)
-    row = {"case": f"{case.name}-missing-term", "kind": "missing-term", **_motion(trace)}
+    slide_m_s = (
+        bias[trace.phase == metrics.SHAKE]
+        * 0.5
+        * case.pad_dmax
+        * contact_timeconst_s(case)
+    )
+    row = {
+        "case": f"{case.name}-missing-term",
+        "kind": "missing-term",
+        **_motion(trace),
+    }
     return row | {"predicted_slide_mm": 1e3 * float(slide_m_s.sum() * trace.frame_dt)}
 
 
@@ -121,13 +146,18 @@ def restored_row(case: Case) -> dict[str, object]:
     simulation = _in_c(replace(case, contact_bias=True))
     for _ in range(TWO_PERIODS_FRAME_COUNT):
         simulation.step()
-    return {"case": f"{case.name}-term-restored", "kind": "term-restored", "contact_bias": True} | _motion(
-        _trace(simulation)
-    )
+    return {
+        "case": f"{case.name}-term-restored",
+        "kind": "term-restored",
+        "contact_bias": True,
+    } | _motion(_trace(simulation))
 
 
 def _in_c(case: Case) -> Simulation:
-    return Simulation([replace(case, backend="mujoco", frame_count=TWO_PERIODS_FRAME_COUNT)], wp.get_device("cpu"))
+    return Simulation(
+        [replace(case, backend="mujoco", frame_count=TWO_PERIODS_FRAME_COUNT)],
+        wp.get_device("cpu"),
+    )
 
 
 def _trace(simulation: Simulation) -> Trace:
@@ -152,9 +182,15 @@ def mean_along_shake_m_s2(simulation: Simulation) -> float:
     cube, now = simulation.recorder.cube_geom, _at_end_of_step(engine, data)
     found = []
     for contact in data.contact:
-        if contact.efc_address >= 0 and data.efc_force[contact.efc_address] > 0.0 and cube in contact.geom:
+        if (
+            contact.efc_address >= 0
+            and data.efc_force[contact.efc_address] > 0.0
+            and cube in contact.geom
+        ):
             sign = 1.0 if contact.geom[1] == cube else -1.0
-            found.append(sign * metrics.MAIN_AXIS @ velocity_product(engine, now, contact)[0])
+            found.append(
+                sign * metrics.MAIN_AXIS @ velocity_product(engine, now, contact)[0]
+            )
     return float(np.mean(found)) if found else 0.0
 
 

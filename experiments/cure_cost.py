@@ -21,8 +21,13 @@ WORLD_COUNTS = {"cuda": (1, 4096, 16384), "cpu": (1,)}
 
 
 def measure(conditions: Conditions) -> Plan:
-    counts = WORLD_COUNTS["cuda" if conditions.is_cuda and not conditions.quick else "cpu"]
-    found = yield [Batch(f"worlds-{count}", measure_worlds, (conditions, count), exclusive=True) for count in counts]
+    counts = WORLD_COUNTS[
+        "cuda" if conditions.is_cuda and not conditions.quick else "cpu"
+    ]
+    found = yield [
+        Batch(f"worlds-{count}", measure_worlds, (conditions, count), exclusive=True)
+        for count in counts
+    ]
     return Measurement([row for rows in found for row in rows])
 
 
@@ -30,6 +35,7 @@ def measure_worlds(conditions: Conditions, world_count: int) -> list[dict[str, o
     """Return a row for each case; all start in the same states of the shake."""
     timed = time_cases(CASES, world_count, wp.get_device(conditions.device))
     return [
-        {"case": case.name, "worlds": world_count, "contact_bias": case.contact_bias} | timed[case.name]
+        {"case": case.name, "worlds": world_count, "contact_bias": case.contact_bias}
+        | timed[case.name]
         for case in CASES
     ]

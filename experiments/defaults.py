@@ -9,7 +9,12 @@ import newton
 from newton.solvers import SolverMuJoCo
 
 from experiments.facts.case import AS_SHIPPED, Case
-from experiments.simulation.measurement import Conditions, Measurement, numbers_of, summarize
+from experiments.simulation.measurement import (
+    Conditions,
+    Measurement,
+    numbers_of,
+    summarize,
+)
 
 NEEDS_GPU = False
 """Read by ``measured_report.measuring.machine``: options are the same on any machine, and the run is one on a CPU."""
@@ -27,8 +32,19 @@ def own_case() -> Case:
     """Return the scene as shipped, with the contact parameters and the gap that this release has by default."""
     builder = newton.ModelBuilder()
     config = builder.ShapeConfig()
-    pads = {"pad_ke": config.ke, "pad_kd": config.kd, "pad_kf": config.kf, "pad_mu": config.mu}
-    return replace(AS_SHIPPED, name="own-defaults", device="cpu", cube_gap_m=builder.rigid_gap, **pads)
+    pads = {
+        "pad_ke": config.ke,
+        "pad_kd": config.kd,
+        "pad_kf": config.kf,
+        "pad_mu": config.mu,
+    }
+    return replace(
+        AS_SHIPPED,
+        name="own-defaults",
+        device="cpu",
+        cube_gap_m=builder.rigid_gap,
+        **pads,
+    )
 
 
 def default_rows() -> list[dict[str, object]]:
@@ -37,7 +53,11 @@ def default_rows() -> list[dict[str, object]]:
     builder.add_shape_box(builder.add_body(), hx=0.1, hy=0.1, hz=0.1)
     engine = SolverMuJoCo(builder.finalize(device="cpu")).mjw_model
     joint = vars(builder.JointDofConfig())
-    numbers = {name: float(value) for name, value in sorted(joint.items()) if isinstance(value, (bool, int, float))}
+    numbers = {
+        name: float(value)
+        for name, value in sorted(joint.items())
+        if isinstance(value, (bool, int, float))
+    }
     settings = {"solver": dict(numbers_of(engine.opt)), "joint": numbers}
     return [
         {"kind": kind, "case": f"{kind}-{name}", "name": name, "value": value}

@@ -14,10 +14,21 @@ from experiments.facts import metrics
 from experiments.facts.case import AS_SHIPPED, POSITIONS, Case
 from experiments.simulation.budget import Watched, friction_timeconst_s, softness
 from experiments.simulation.limits import step_s
-from experiments.simulation.measurement import Conditions, Measurement, absent, summarize
+from experiments.simulation.measurement import (
+    Conditions,
+    Measurement,
+    absent,
+    summarize,
+)
 from measured_report.measuring.pool import gather, processes, start
 
-PREDICTED = ("left_out_mm_s", "step_mm_s", "damping_mm_s", "creep_mm_s", "predicted_drift_mm_s")
+PREDICTED = (
+    "left_out_mm_s",
+    "step_mm_s",
+    "damping_mm_s",
+    "creep_mm_s",
+    "predicted_drift_mm_s",
+)
 
 
 @dataclass(frozen=True)
@@ -34,14 +45,22 @@ class Slopes:
 
 def measure(conditions: Conditions) -> Measurement:
     """Return a row for each case of section stiffness: its parts, their sum, and its drift with no position rounded."""
-    shaken = replace(AS_SHIPPED, frame_count=conditions.frame_count(AS_SHIPPED.frame_count))
-    cases = [replace(case, **POSITIONS["kept"]) for case in stiffness.cases(conditions.profile)]
+    shaken = replace(
+        AS_SHIPPED, frame_count=conditions.frame_count(AS_SHIPPED.frame_count)
+    )
+    cases = [
+        replace(case, **POSITIONS["kept"])
+        for case in stiffness.cases(conditions.profile)
+    ]
     with processes(1) as pool:
         waiting = start(pool, measure_slopes, [(shaken,)])
         traces = conditions.simulate(cases, title="drift_law")
         [slopes] = gather(waiting, "drift_law, in C")
     return Measurement(
-        [summarize(case, trace) | predicted_columns(case, slopes) for case, trace in zip(cases, traces, strict=True)]
+        [
+            summarize(case, trace) | predicted_columns(case, slopes)
+            for case, trace in zip(cases, traces, strict=True)
+        ]
     )
 
 
@@ -51,9 +70,13 @@ def measure_slopes(case: Case) -> Slopes:
     if run.failure:
         return Slopes(*[np.nan] * 5, failure=run.failure)  # type: ignore[misc]  # five are no sixth
     frames = run.frames.copy()
-    frames[: run.shaking[0] + 1] = 0.0  # the displacement counts from the end of the first
+    frames[: run.shaking[0] + 1] = (
+        0.0  # the displacement counts from the end of the first
+    )
     poses = run.trace.poses[run.shaking[0]].astype(float)
-    along = frames.cumsum(axis=0)[run.shaking] @ metrics.rotate_inverse(poses[metrics.TCP, 3:], metrics.MAIN_AXIS)
+    along = frames.cumsum(axis=0)[run.shaking] @ metrics.rotate_inverse(
+        poses[metrics.TCP, 3:], metrics.MAIN_AXIS
+    )
     slopes = np.polyfit(run.trace.frame_dt * np.arange(len(run.shaking)), along, 1)[0]
     left_out, damping, load, _ = map(float, slopes)
     return Slopes(left_out, damping, load, run.depth_m, run.inverse_mass_1_kg)
@@ -71,5 +94,7 @@ def predicted_columns(case: Case, slopes: Slopes) -> dict[str, object]:
         0.5 * response_s * slopes.damping,
         -0.5 * response_s * softness(case, AS_SHIPPED, slopes.depth_m) * slopes.load,
     )
-    found = dict(zip(PREDICTED, (1e3 * part for part in (*parts, sum(parts))), strict=True))
+    found = dict(
+        zip(PREDICTED, (1e3 * part for part in (*parts, sum(parts))), strict=True)
+    )
     return columns | {"response_s": response_s} | found

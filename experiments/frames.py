@@ -14,14 +14,22 @@ PAIRS = (
     ("fr3_leftfinger", "fr3_hand"),
     ("fr3_hand", "fr3_link7"),
 )
-NAMES = dict(zip(TRACKED_BODIES, ("cube", "TCP", "hand", "left finger", "right finger", "link7"), strict=True))
+NAMES = dict(
+    zip(
+        TRACKED_BODIES,
+        ("cube", "TCP", "hand", "left finger", "right finger", "link7"),
+        strict=True,
+    )
+)
 
 
 def measure(conditions: Conditions) -> Measurement:
     [trace] = conditions.simulate([AS_SHIPPED], title="frames")
     rows = []
     for body, frame in PAIRS:
-        moved = metrics.displacement(trace, *(TRACKED_BODIES.index(name) for name in (body, frame)))
+        moved = metrics.displacement(
+            trace, *(TRACKED_BODIES.index(name) for name in (body, frame))
+        )
         pair = f"{NAMES[body]} in {NAMES[frame]}"
         rows.append(
             {

@@ -6,7 +6,10 @@ from experiments.facts.case import AS_SHIPPED
 from experiments.simulation.measurement import Conditions, Measurement
 
 CASES = (
-    *(replace(AS_SHIPPED, name=f"pad-mu-{mu:g}", pad_mu=mu) for mu in (0.2, 0.5, 1.0, 3.0, 10.0)),
+    *(
+        replace(AS_SHIPPED, name=f"pad-mu-{mu:g}", pad_mu=mu)
+        for mu in (0.2, 0.5, 1.0, 3.0, 10.0)
+    ),
     *(replace(AS_SHIPPED, name=f"cube-mu-{mu:g}", cube_mu=mu) for mu in (0.3, 20.0)),
 )
 

@@ -9,7 +9,13 @@ from experiments.simulation.measurement import Conditions, Measurement, summariz
 CASES = (
     replace(AS_SHIPPED, name="cube-gap-default"),
     replace(AS_SHIPPED, name="cube-gap-0.005", cube_gap_m=0.005),
-    replace(AS_SHIPPED, name="all-gaps-zero", cube_gap_m=0.0, robot_gap_m=0.0, ground_gap_m=0.0),
+    replace(
+        AS_SHIPPED,
+        name="all-gaps-zero",
+        cube_gap_m=0.0,
+        robot_gap_m=0.0,
+        ground_gap_m=0.0,
+    ),
 )
 
 

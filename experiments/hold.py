@@ -11,7 +11,12 @@ import warp as wp
 from experiments.facts import metrics
 from experiments.facts.case import AS_SHIPPED, HOLD, STIFF_PADS, Case
 from experiments.facts.trace import Trace
-from experiments.simulation.measurement import SETUP_FRAME_COUNT, Conditions, displacement_table, summarize
+from experiments.simulation.measurement import (
+    SETUP_FRAME_COUNT,
+    Conditions,
+    displacement_table,
+    summarize,
+)
 from experiments.simulation.reference import ENGINES_AGREE
 from experiments.simulation.simulation import Simulation
 from experiments.simulation.task import FRAME_RATE
@@ -21,7 +26,12 @@ LONG_FRAME_COUNT = SETUP_FRAME_COUNT + 60 * FRAME_RATE + 1
 CASES = (
     HOLD,
     replace(HOLD, name="hold-60s", frame_count=LONG_FRAME_COUNT),
-    replace(STIFF_PADS, name="hold-60s-stiff", shake_amplitude_m=0.0, frame_count=LONG_FRAME_COUNT),
+    replace(
+        STIFF_PADS,
+        name="hold-60s-stiff",
+        shake_amplitude_m=0.0,
+        frame_count=LONG_FRAME_COUNT,
+    ),
     AS_SHIPPED,
 )
 CREEP_COLUMNS = ("creep_z_mm_s", "increment_final_mm")
@@ -32,9 +42,18 @@ SECONDS = {"full": 4, "quick": 1}
 
 def measure(conditions: Conditions) -> Measurement:
     traces = conditions.simulate(CASES, title="hold")
-    rows = [summarize(case, trace) | creep(trace) for case, trace in zip(CASES, traces, strict=True)]
+    rows = [
+        summarize(case, trace) | creep(trace)
+        for case, trace in zip(CASES, traces, strict=True)
+    ]
     rows += measure_precision(conditions)
-    return Measurement(rows, {case.name: displacement_table(trace) for case, trace in zip(CASES, traces, strict=True)})
+    return Measurement(
+        rows,
+        {
+            case.name: displacement_table(trace)
+            for case, trace in zip(CASES, traces, strict=True)
+        },
+    )
 
 
 def creep(trace: Trace) -> dict[str, object]:
@@ -42,11 +61,19 @@ def creep(trace: Trace) -> dict[str, object]:
     ends up; None without a whole second."""
     moved = metrics.displacement(trace)
     if trace.failure or len(moved.time_s) <= FRAME_RATE:
-        reason = str(trace.failure or "the time after the lift is shorter than a second")
+        reason = str(
+            trace.failure or "the time after the lift is shorter than a second"
+        )
         return absent(CREEP_COLUMNS, reason)
     slope = 1e3 * np.polyfit(moved.time_s, moved.vector_m, 1)[0]
     way = moved.vector_m @ (moved.vector_m[-1] / np.linalg.norm(moved.vector_m[-1]))
-    return dict(zip(CREEP_COLUMNS, (float(slope[2]), 1e3 * float(np.diff(way[::FRAME_RATE])[-1])), strict=True))
+    return dict(
+        zip(
+            CREEP_COLUMNS,
+            (float(slope[2]), 1e3 * float(np.diff(way[::FRAME_RATE])[-1])),
+            strict=True,
+        )
+    )
 
 
 def measure_precision(conditions: Conditions) -> list[dict[str, object]]:
@@ -60,7 +87,12 @@ def measure_precision(conditions: Conditions) -> list[dict[str, object]]:
         "precision-c-single": _in_c(in_c, seconds, _round_positions),
     }
     return [
-        {"case": case, "creep_mm_s": float(np.linalg.norm(1e3 * (place_m[-1] - place_m[0]) / seconds))}
+        {
+            "case": case,
+            "creep_mm_s": float(
+                np.linalg.norm(1e3 * (place_m[-1] - place_m[0]) / seconds)
+            ),
+        }
         for case, place_m in runs.items()
     ]
 
@@ -83,18 +115,26 @@ def _in_warp(simulation: Simulation, seconds: int) -> list[np.ndarray]:
     return held
 
 
-def _in_c(simulation: Simulation, seconds: int, after_step: Callable[[mujoco.MjData], None]) -> list[np.ndarray]:
+def _in_c(
+    simulation: Simulation, seconds: int, after_step: Callable[[mujoco.MjData], None]
+) -> list[np.ndarray]:
     """Step a copy without Newton, which would hand its state over in single precision at every step."""
     engine, data = simulation.solver.mj_model, copy.copy(simulation.solver.mj_data)
     cube = engine.geom_bodyid[simulation.recorder.cube_geom]
-    tcp = next(body for body in range(engine.nbody) if engine.body(body).name.endswith("fr3_hand_tcp"))
+    tcp = next(
+        body
+        for body in range(engine.nbody)
+        if engine.body(body).name.endswith("fr3_hand_tcp")
+    )
     places_m = []
     for second in range(seconds + 1):
         for _ in range(FRAME_RATE * simulation.case.substeps if second else 0):
             mujoco.mj_step(engine, data)
             after_step(data)
         mujoco.mj_kinematics(engine, data)
-        places_m.append(data.xmat[tcp].reshape(3, 3).T @ (data.xpos[cube] - data.xpos[tcp]))
+        places_m.append(
+            data.xmat[tcp].reshape(3, 3).T @ (data.xpos[cube] - data.xpos[tcp])
+        )
     return places_m
 
 

@@ -3,7 +3,12 @@
 from dataclasses import replace
 
 from experiments.facts.case import AS_SHIPPED, STIFF_PADS
-from experiments.simulation.measurement import Conditions, Measurement, grasp_columns, summarize
+from experiments.simulation.measurement import (
+    Conditions,
+    Measurement,
+    grasp_columns,
+    summarize,
+)
 
 CASES = (
     replace(AS_SHIPPED, name="cube-ke-8e3", cube_ke=8e3),

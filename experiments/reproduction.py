@@ -3,7 +3,12 @@
 from dataclasses import replace
 
 from experiments.facts.case import AS_SHIPPED, HOLD, STIFF_PADS
-from experiments.simulation.measurement import Conditions, Measurement, displacement_table, summarize
+from experiments.simulation.measurement import (
+    Conditions,
+    Measurement,
+    displacement_table,
+    summarize,
+)
 from experiments.simulation.timing import wall_time
 from measured_report.measuring.batch import Batch, Plan
 
@@ -22,12 +27,21 @@ def measure(conditions: Conditions) -> Plan:
 
 def measure_runs(conditions: Conditions) -> Measurement:
     cases = [AS_SHIPPED, STIFF_PADS, HOLD]
-    cases += [replace(case, name=f"{case.name}-mujoco-c", backend="mujoco") for case in cases[:2]]
+    cases += [
+        replace(case, name=f"{case.name}-mujoco-c", backend="mujoco")
+        for case in cases[:2]
+    ]
     if conditions.is_cuda:
-        cases += [replace(case, name=f"{case.name}-warp-cpu", device="cpu") for case in cases[:2]]
+        cases += [
+            replace(case, name=f"{case.name}-warp-cpu", device="cpu")
+            for case in cases[:2]
+        ]
     traces = conditions.simulate(cases, title="reproduction")
     rows = [summarize(case, trace) for case, trace in zip(cases, traces, strict=True)]
-    tables = {case.name: displacement_table(trace) for case, trace in zip(cases[:3], traces[:3], strict=True)}
+    tables = {
+        case.name: displacement_table(trace)
+        for case, trace in zip(cases[:3], traces[:3], strict=True)
+    }
     return Measurement(rows, tables)
 
 
@@ -37,12 +51,21 @@ def batch_rows(conditions: Conditions) -> list[dict[str, object]]:
     On the CPU also without graphs: there launching costs more than computing, and a batch shares the launches.
     """
     kind = "cuda" if conditions.is_cuda else "cpu"
-    case = replace(AS_SHIPPED, frame_count=QUICK_FRAME_COUNT if conditions.quick else BATCH_FRAME_COUNT[kind])
+    case = replace(
+        AS_SHIPPED,
+        frame_count=QUICK_FRAME_COUNT if conditions.quick else BATCH_FRAME_COUNT[kind],
+    )
     rows = []
     for graph in (True,) if conditions.is_cuda else (True, False):
         for size in (1, BATCH_SIZE[kind]):
             name = f"batch-{size}" if graph else f"batch-{size}-launched"
-            traces = conditions.simulate([replace(case, name=name, graph=graph)] * size, title=name)
-            row = {"case": name, "world_count": size, "frame_count": len(traces[0].phase)}
+            traces = conditions.simulate(
+                [replace(case, name=name, graph=graph)] * size, title=name
+            )
+            row = {
+                "case": name,
+                "world_count": size,
+                "frame_count": len(traces[0].phase),
+            }
             rows.append(row | wall_time(traces))
     return rows

@@ -49,10 +49,18 @@ def create_parser():
     parser.set_defaults(num_frames=AS_SHIPPED.frame_count)
     for name, (option, text) in OPTIONS.items():
         default = getattr(AS_SHIPPED, name)
-        parser.add_argument(option, dest=name, type=type(default), default=default, help=text)
-    backends = {"choices": ("warp", "mujoco"), "default": "warp", "help": "MuJoCo Warp or MuJoCo's C engine"}
+        parser.add_argument(
+            option, dest=name, type=type(default), default=default, help=text
+        )
+    backends = {
+        "choices": ("warp", "mujoco"),
+        "default": "warp",
+        "help": "MuJoCo Warp or MuJoCo's C engine",
+    }
     parser.add_argument("--backend", **backends)
-    parser.add_argument("--json", type=Path, metavar="FILE", help="write the measured summary there")
+    parser.add_argument(
+        "--json", type=Path, metavar="FILE", help="write the measured summary there"
+    )
     return parser
 
 
@@ -105,9 +113,13 @@ class Example:
         """Raise TestFailed if the cube is not in the grasp any more."""
         summary = self.summary()
         if summary["slip_mm"] is None:
-            raise TestFailed(f"{summary['slip_mm_reason']} in {self.frame_count} frames")
+            raise TestFailed(
+                f"{summary['slip_mm_reason']} in {self.frame_count} frames"
+            )
         if summary["dropped"] or summary["slip_mm"] > SLIP_LIMIT_MM:
-            raise TestFailed(f"the cube left the grasp (slip {summary['slip_mm']:.2f} mm)")
+            raise TestFailed(
+                f"the cube left the grasp (slip {summary['slip_mm']:.2f} mm)"
+            )
 
 
 def run() -> int:
@@ -120,7 +132,9 @@ def run() -> int:
     try:
         viewer, args = newton.examples.init(parser)
     except Exception as error:  # viewers raise what they like
-        raise CaseError(f"--viewer {args.viewer} --device {args.device}: {' '.join(str(error).split())}") from None
+        raise CaseError(
+            f"--viewer {args.viewer} --device {args.device}: {' '.join(str(error).split())}"
+        ) from None
     example = Example(viewer, case)
     status = 0
     try:
@@ -130,11 +144,17 @@ def run() -> int:
         status = 1
     summary = example.summary()
     if args.json:
-        args.json.write_text(json.dumps(summary, indent=1, default=np.generic.item) + "\n", encoding="utf-8")
+        args.json.write_text(
+            json.dumps(summary, indent=1, default=np.generic.item) + "\n",
+            encoding="utf-8",
+        )
     if summary["slip_mm"] is None:
         print(f"no slip: {summary['slip_mm_reason']}", flush=True)
     else:
-        print(f"slip {summary['slip_mm']:.3g} mm, drift {summary['drift_mm_s']:.3g} mm/s", flush=True)
+        print(
+            f"slip {summary['slip_mm']:.3g} mm, drift {summary['drift_mm_s']:.3g} mm/s",
+            flush=True,
+        )
     return status
 
 

@@ -4,7 +4,12 @@ from dataclasses import replace
 from importlib import metadata
 
 from experiments.facts.case import AS_SHIPPED, STIFF_PADS
-from experiments.simulation.measurement import SHAKE_COLUMNS, Conditions, Measurement, absent
+from experiments.simulation.measurement import (
+    SHAKE_COLUMNS,
+    Conditions,
+    Measurement,
+    absent,
+)
 from experiments.simulation.stepper_c import has_noslip
 
 CASES = (
@@ -21,16 +26,25 @@ PLAIN = tuple(
     for ending, backend in (("mujoco-c", "mujoco"), ("warp", "warp"))
     for case in (AS_SHIPPED, STIFF_PADS)
 )
-NOSLIP = tuple(replace(case, name=f"{case.name}-noslip", noslip_iterations=10) for case in PLAIN)
+NOSLIP = tuple(
+    replace(case, name=f"{case.name}-noslip", noslip_iterations=10) for case in PLAIN
+)
 
 
 def measure(conditions: Conditions) -> Measurement:
     """Measure a row for each case; without numbers where MuJoCo Warp has no noslip."""
     there = [case for case in NOSLIP if has_noslip(case)]
-    rows = [*conditions.measure(CASES, "solver").rows, *conditions.measure([*PLAIN, *there], "noslip").rows]
+    rows = [
+        *conditions.measure(CASES, "solver").rows,
+        *conditions.measure([*PLAIN, *there], "noslip").rows,
+    ]
     reason = f"mujoco-warp {metadata.version('mujoco-warp')} has no noslip"
     for case in NOSLIP:
         if case not in there:
-            row = {"case": case.name, "backend": case.backend, "noslip_iterations": case.noslip_iterations}
+            row = {
+                "case": case.name,
+                "backend": case.backend,
+                "noslip_iterations": case.noslip_iterations,
+            }
             rows.append(row | absent(SHAKE_COLUMNS, reason))
     return Measurement(rows)

@@ -14,7 +14,13 @@ CASES = (  # compared with the first of them
     AS_SHIPPED,
     replace(UNTRIMMED, name="as-shipped-untrimmed"),
     replace(STIFF_PADS, name="stiff-pads-only"),
-    replace(AS_SHIPPED, name="all-gaps-zero", cube_gap_m=0.0, robot_gap_m=0.0, ground_gap_m=0.0),
+    replace(
+        AS_SHIPPED,
+        name="all-gaps-zero",
+        cube_gap_m=0.0,
+        robot_gap_m=0.0,
+        ground_gap_m=0.0,
+    ),
     FIXED,
 )
 MANY = 16384  # worlds in which only the pads are compared
@@ -31,15 +37,25 @@ def measure(conditions: Conditions) -> Plan:
 def measure_times(conditions: Conditions) -> list[dict[str, object]]:
     """Return a row for each case."""
     # On a CPU the large buffers take a quarter of a second a frame: that case is left to a GPU there.
-    cases = CASES if conditions.is_cuda else [case for case in CASES if case.name != "as-shipped-untrimmed"]
+    cases = (
+        CASES
+        if conditions.is_cuda
+        else [case for case in CASES if case.name != "as-shipped-untrimmed"]
+    )
     timed = time_cases(cases, 1, wp.get_device(conditions.device))
-    return [{"case": case.name, **differences(case), **with_rates(timed[case.name])} for case in cases]
+    return [
+        {"case": case.name, **differences(case), **with_rates(timed[case.name])}
+        for case in cases
+    ]
 
 
 def measure_many(conditions: Conditions) -> list[dict[str, object]]:
     """Return a row for shipped and for stiff pads in MANY worlds."""
     timed = time_cases([AS_SHIPPED, STIFF_PADS], MANY, wp.get_device(conditions.device))
-    return [{"case": f"{name}-{MANY}", "worlds": MANY, **columns} for name, columns in timed.items()]
+    return [
+        {"case": f"{name}-{MANY}", "worlds": MANY, **columns}
+        for name, columns in timed.items()
+    ]
 
 
 def with_rates(row: dict) -> dict[str, object]:

@@ -5,20 +5,45 @@ from dataclasses import replace
 import numpy as np
 
 from experiments.facts.case import AS_SHIPPED, Case
-from experiments.simulation.measurement import Conditions, Measurement, grasp_columns, summarize
+from experiments.simulation.measurement import (
+    Conditions,
+    Measurement,
+    grasp_columns,
+    summarize,
+)
 
-CRITICAL = ((2.5e3, 1e2), (2.5e4, 3e2), (2.5e5, 1e3), (2.5e6, 3e3))  # ke and kd that keep the damping ratio near 1
+CRITICAL = (
+    (2.5e3, 1e2),
+    (2.5e4, 3e2),
+    (2.5e5, 1e3),
+    (2.5e6, 3e3),
+)  # ke and kd that keep the damping ratio near 1
 SWEEP = {"full": np.logspace(2, 8, 40), "quick": np.logspace(2, 8, 7)}
 
 
 def cases(profile: str) -> list[Case]:
-    variants = [replace(AS_SHIPPED, name=f"pad-ke-{name(ke)}", pad_ke=ke, pad_kd=kd) for ke, kd in CRITICAL]
-    variants += [replace(AS_SHIPPED, name=f"pad-ke-{name(ke)}-kd-100", pad_ke=ke) for ke, _ in CRITICAL[1:]]
-    variants += [replace(AS_SHIPPED, name=f"solimp-dmax-{dmax}", pad_dmax=dmax) for dmax in (0.99, 0.9999)]
+    variants = [
+        replace(AS_SHIPPED, name=f"pad-ke-{name(ke)}", pad_ke=ke, pad_kd=kd)
+        for ke, kd in CRITICAL
+    ]
+    variants += [
+        replace(AS_SHIPPED, name=f"pad-ke-{name(ke)}-kd-100", pad_ke=ke)
+        for ke, _ in CRITICAL[1:]
+    ]
+    variants += [
+        replace(AS_SHIPPED, name=f"solimp-dmax-{dmax}", pad_dmax=dmax)
+        for dmax in (0.99, 0.9999)
+    ]
     for ke in (float(value) for value in SWEEP[profile]):
         # Damping ratio 1 means kd = 2 sqrt(ke): dampratio = kd / (2 sqrt(ke)).
-        variants.append(replace(AS_SHIPPED, name=f"sweep-ke-{ke:.3g}", pad_ke=ke, pad_kd=2.0 * ke**0.5))
-        variants.append(replace(AS_SHIPPED, name=f"sweep-ke-{ke:.3g}-kd-100", pad_ke=ke))
+        variants.append(
+            replace(
+                AS_SHIPPED, name=f"sweep-ke-{ke:.3g}", pad_ke=ke, pad_kd=2.0 * ke**0.5
+            )
+        )
+        variants.append(
+            replace(AS_SHIPPED, name=f"sweep-ke-{ke:.3g}-kd-100", pad_ke=ke)
+        )
     return variants
 
 

@@ -8,5 +8,8 @@ from measured_report.measuring.measurement import Conditions, Measurement
 
 def measure(conditions: Conditions) -> Measurement:
     bodies = tqdm(contact_tumbles.BODIES, desc="tumbles", unit="body", delay=3.0)
-    rows = [contact_tumbles.measure(body, conditions.profile, conditions.device) for body in bodies]
+    rows = [
+        contact_tumbles.measure(body, conditions.profile, conditions.device)
+        for body in bodies
+    ]
     return Measurement([row for of_body in rows for row in of_body])

@@ -30,9 +30,13 @@ from measured_report.site.build import build
 from measured_report.site.check import check_site
 from tests.perturbed import load_trace_once
 
-MOTION = re.compile(r"(total_|creep_)?(slip|drift|wander|oscillation|increment|creep|displacement|along)_.*|[xyz]_mm")
+MOTION = re.compile(
+    r"(total_|creep_)?(slip|drift|wander|oscillation|increment|creep|displacement|along)_.*|[xyz]_mm"
+)
 """Columns of how the cube moves in the grasp."""
-SIGNED = re.compile(r"(total_)?(drift|along)_.*|increment_(mean|last)_mm|creep_[xyz]_mm_s|[xyz]_mm")
+SIGNED = re.compile(
+    r"(total_)?(drift|along)_.*|increment_(mean|last)_mm|creep_[xyz]_mm_s|[xyz]_mm"
+)
 """Those of them that say in which direction."""
 PERCENTILE = re.compile("_p(5|95)$")
 FAILURE = "the state was not finite in frame 300"
@@ -62,21 +66,38 @@ class Scenario:
 
 def measured(row: Row) -> dict[str, float]:
     """The numbers of a row that nobody chose."""
-    return {column: value for column, value in row.items() if is_number(value) and not column_of(column).is_setting}
+    return {
+        column: value
+        for column, value in row.items()
+        if is_number(value) and not column_of(column).is_setting
+    }
 
 
-def changed(rows: Sequence[Row], section: str, change: Callable[[str, float], float]) -> list[Row]:
+def changed(
+    rows: Sequence[Row], section: str, change: Callable[[str, float], float]
+) -> list[Row]:
     """Rows with their measured numbers changed; how far apart runs of one case are stays as it was."""
     found = []
     for row, mean in zip(rows, _means(rows, section), strict=True):
-        middles = {column: mean.get(column, value) for column, value in measured(row).items()}
-        new = {column: change(column, middle) + row[column] - middle for column, middle in middles.items()}
-        found.append({**row, **{column: _sized(column, value) for column, value in new.items()}})
+        middles = {
+            column: mean.get(column, value) for column, value in measured(row).items()
+        }
+        new = {
+            column: change(column, middle) + row[column] - middle
+            for column, middle in middles.items()
+        }
+        found.append(
+            {**row, **{column: _sized(column, value) for column, value in new.items()}}
+        )
     return found
 
 
 def _sized(column: str, value: float) -> float:
-    return abs(value) if MOTION.fullmatch(column) and not SIGNED.fullmatch(column) else value
+    return (
+        abs(value)
+        if MOTION.fullmatch(column) and not SIGNED.fullmatch(column)
+        else value
+    )
 
 
 def _means(rows: Sequence[Row], section: str) -> list[dict[str, float]]:
@@ -88,7 +109,10 @@ def _means(rows: Sequence[Row], section: str) -> list[dict[str, float]]:
         for column, value in measured(row).items():
             cells.setdefault((row.get("of"), column), []).append(value)
     return [
-        {column: fmean(cells[row["of"], column]) for column in measured(row)} if "of" in row else {} for row in rows
+        {column: fmean(cells[row["of"], column]) for column in measured(row)}
+        if "of" in row
+        else {}
+        for row in rows
     ]
 
 
@@ -106,19 +130,35 @@ def moving(name: str, factor: float) -> Scenario:
     return Scenario(name, rows, lambda path, found: _moved(found, moved))
 
 
-def _moved(frame: pd.DataFrame, change: Callable[[str, pd.Series], pd.Series]) -> pd.DataFrame:
-    return frame.assign(**{column: change(column, frame[column]) for column in frame if MOTION.fullmatch(column)})
+def _moved(
+    frame: pd.DataFrame, change: Callable[[str, pd.Series], pd.Series]
+) -> pd.DataFrame:
+    return frame.assign(
+        **{
+            column: change(column, frame[column])
+            for column in frame
+            if MOTION.fullmatch(column)
+        }
+    )
 
 
 def reversed_rows(records: Records, place: Place) -> list[Row]:
     """What was large is small and the other way round: motion about the middle of shipped and stiff pads, on a
     logarithmic scale, and any other number about the middle of its column."""
-    shipped, stiff = (measured(row) for row in records[place[0], "reproduction"].rows[:2])
-    products = {column: abs(value * stiff[column]) for column, value in shipped.items() if MOTION.fullmatch(column)}
+    shipped, stiff = (
+        measured(row) for row in records[place[0], "reproduction"].rows[:2]
+    )
+    products = {
+        column: abs(value * stiff[column])
+        for column, value in shipped.items()
+        if MOTION.fullmatch(column)
+    }
     sizes: dict[str, list[float]] = {}
     for row in records[place].rows:
         for column, value in measured(row).items():
-            sizes.setdefault(PERCENTILE.sub("", column), []).extend([abs(value)] if value else [])
+            sizes.setdefault(PERCENTILE.sub("", column), []).extend(
+                [abs(value)] if value else []
+            )
 
     def turned(column: str, value: float) -> float:
         if not value:
@@ -128,7 +168,10 @@ def reversed_rows(records: Records, place: Place) -> list[Row]:
         return max(1, round(new)) if isinstance(value, int) else new
 
     rows = changed(records[place].rows, place[1], turned)
-    return [_with_ends_turned(row, before) for row, before in zip(rows, records[place].rows, strict=True)]
+    return [
+        _with_ends_turned(row, before)
+        for row, before in zip(rows, records[place].rows, strict=True)
+    ]
 
 
 def _with_ends_turned(row: Row, before: Row) -> Row:
@@ -141,17 +184,23 @@ def _with_ends_turned(row: Row, before: Row) -> Row:
         if column.endswith("_as_shipped_count"):
             other = column.replace("as_shipped", "stiff")
             found[column], found[other] = before[other], before[column]
-    return found | ({"exit_status": 1 - before["exit_status"]} if "exit_status" in row else {})
+    return found | (
+        {"exit_status": 1 - before["exit_status"]} if "exit_status" in row else {}
+    )
 
 
 def reversed_frame(path: Path, frame: pd.DataFrame) -> pd.DataFrame:
     if "side" in frame:
         sides = frame["side"].unique()
-        return frame.assign(side=frame["side"].map(dict(zip(sides, sides[::-1], strict=True))))
+        return frame.assign(
+            side=frame["side"].map(dict(zip(sides, sides[::-1], strict=True)))
+        )
     if "x_mm" not in frame:
         return frame
     end = float(np.linalg.norm(frame[["x_mm", "y_mm", "z_mm"]].iloc[-1]))
-    factor = 2.0 / end**2 if end else 1.0  # 2 mm² is the slip as shipped times that with stiff pads
+    factor = (
+        2.0 / end**2 if end else 1.0
+    )  # 2 mm² is the slip as shipped times that with stiff pads
     return _moved(frame, lambda column, cells: factor * cells)
 
 
@@ -160,14 +209,23 @@ def noisier(name: str, times: float) -> Scenario:
 
     def rows(records: Records, place: Place) -> list[Row]:
         found = records[place].rows
-        return [{**row, **_farther(row, mean, times)} for row, mean in zip(found, _means(found, place[1]), strict=True)]
+        return [
+            {**row, **_farther(row, mean, times)}
+            for row, mean in zip(found, _means(found, place[1]), strict=True)
+        ]
 
     return Scenario(name, rows)
 
 
 def _farther(row: Row, mean: Row, times: float) -> Row:
-    new = {column: value + times * (row[column] - value) for column, value in mean.items()}
-    new = {column: _sized(column, value) for column, value in new.items() if isinstance(row[column], float)}
+    new = {
+        column: value + times * (row[column] - value) for column, value in mean.items()
+    }
+    new = {
+        column: _sized(column, value)
+        for column, value in new.items()
+        if isinstance(row[column], float)
+    }
     for column, value in measured(row).items():
         middle = row.get(PERCENTILE.sub("", column))
         if PERCENTILE.search(column) and is_number(middle):
@@ -180,7 +238,10 @@ def _farther(row: Row, mean: Row, times: float) -> Row:
 def failing(records: Records, place: Place) -> list[Row]:
     """A tenth of the runs fail."""
     chance = Random(f"0 {place[1]}")
-    return [failed(row) if chance.random() < SHARE else row for row in as_measured(records, place)]
+    return [
+        failed(row) if chance.random() < SHARE else row
+        for row in as_measured(records, place)
+    ]
 
 
 def lacking(records: Records, place: Place) -> list[Row]:
@@ -192,9 +253,18 @@ def lacking(records: Records, place: Place) -> list[Row]:
 
 def failed(row: Row) -> Row:
     lost = measured(row)
-    ended = {"failure": FAILURE, "dropped": None, "class": "non-finite", "finite": False}
+    ended = {
+        "failure": FAILURE,
+        "dropped": None,
+        "class": "non-finite",
+        "finite": False,
+    }
     gone = dict.fromkeys(lost) | {column + REASON: FAILURE for column in lost}
-    return {**row, **gone, **{column: value for column, value in ended.items() if column in row}}
+    return {
+        **row,
+        **gone,
+        **{column: value for column, value in ended.items() if column in row},
+    }
 
 
 SCENARIOS = (
@@ -208,14 +278,24 @@ SCENARIOS = (
 )
 CHECKED = "reversed"
 """The scenario whose site is built, with that of the newest release."""
-NEWEST = [release for release in Project(own_release()).releases if "+" not in release][-1]
+NEWEST = [release for release in Project(own_release()).releases if "+" not in release][
+    -1
+]
 
 
 @cache
 def tracked_records() -> Records:
     own = Project(own_release())
-    paths = [path for release in own.releases for path in own.of(release).results.glob("*.json")]
-    records = [(path.parent.name.removeprefix("newton-"), load_record(path)) for path in paths if path.stem != "clips"]
+    paths = [
+        path
+        for release in own.releases
+        for path in own.of(release).results.glob("*.json")
+    ]
+    records = [
+        (path.parent.name.removeprefix("newton-"), load_record(path))
+        for path in paths
+        if path.stem != "clips"
+    ]
     return {(release, record.section): record for release, record in records}
 
 
@@ -229,17 +309,25 @@ def project_of(scenario: Scenario, releases: Sequence[str]) -> Iterator[Project]
             (project.root / name).symlink_to(ROOT / name)
         for (release, section), record in records.items():
             if release in releases:
-                path, rows = project.of(release).record_path(section), scenario.rows(records, (release, section))
+                path, rows = (
+                    project.of(release).record_path(section),
+                    scenario.rows(records, (release, section)),
+                )
                 path.parent.mkdir(parents=True, exist_ok=True)
                 for trace in own.of(release).results.glob(f"{section}.*.csv.gz"):
                     shutil.copy(trace, path.parent)
-                path.write_text(record_text(replace(record, rows=rows, units=units_of(rows))), encoding="utf-8")
+                path.write_text(
+                    record_text(replace(record, rows=rows, units=units_of(rows))),
+                    encoding="utf-8",
+                )
 
         def load(path: Path, seal: object = None) -> pd.DataFrame:
             tracked = ROOT / path.relative_to(project.root)
             return scenario.frame(tracked, load_trace_once(tracked))
 
-        with mock.patch("measured_report.values.results.load_trace", load):  # to write a trace takes long
+        with mock.patch(
+            "measured_report.values.results.load_trace", load
+        ):  # to write a trace takes long
             yield project
 
 
@@ -252,22 +340,40 @@ def said_of(editions: Mapping[str, Edition], release: str) -> dict[str, str]:
     """Return the outcome of every claim on the pages of the release, by section and name."""
     lost = [state for state in editions[release].left_out if state.kind != "missing"]
     assert not lost, f"lost: {[state.notes for state in lost]}"
-    parts = [part for content in contents(editions, TEMPLATES, release) for part in content.parts]
-    return {claim: "opposite" if is_other else said for claim, said, is_other in CLAIM.findall(undrawn(parts))}
+    parts = [
+        part
+        for content in contents(editions, TEMPLATES, release)
+        for part in content.parts
+    ]
+    return {
+        claim: "opposite" if is_other else said
+        for claim, said, is_other in CLAIM.findall(undrawn(parts))
+    }
 
 
 @cache
 def said(scenario: Scenario) -> tuple[dict[str, str], list[str]]:
     """What claims of the own release say in a scenario, and what a check of its site, without drawings, finds."""
     own = own_release()
-    with project_of(scenario, [own, NEWEST] if scenario.name == CHECKED else [own]) as project:
-        with mock.patch("measured_report.parts.figures.draw_svgs", _undrawn):  # most of the time goes into them
+    with project_of(
+        scenario, [own, NEWEST] if scenario.name == CHECKED else [own]
+    ) as project:
+        with mock.patch(
+            "measured_report.parts.figures.draw_svgs", _undrawn
+        ):  # most of the time goes into them
             found = said_of(worded_editions(project, TEMPLATES), own)
             if scenario.name != CHECKED:
                 return found, []
             editions = build(project)
-        lost = [state for edition in editions.values() for state in edition.left_out if state.kind != "missing"]
-        return found, [f"{state.section}: {state.notes}" for state in lost] + check_site(project.site)
+        lost = [
+            state
+            for edition in editions.values()
+            for state in edition.left_out
+            if state.kind != "missing"
+        ]
+        return found, [
+            f"{state.section}: {state.notes}" for state in lost
+        ] + check_site(project.site)
 
 
 def _undrawn(draw: Callable[[], object], *, name: str) -> list[Picture]:

@@ -11,7 +11,17 @@ from pathlib import Path
 import pytest
 import warp as wp
 from markupsafe import Markup
-from toys import HERE, KEPT, REPORT, Toy, forget_sections, lay_out, link, made_once, program
+from toys import (
+    HERE,
+    KEPT,
+    REPORT,
+    Toy,
+    forget_sections,
+    lay_out,
+    link,
+    made_once,
+    program,
+)
 
 from measured_report.editions.project import Project, own_release
 from measured_report.files.atomic import replace, staging_folder
@@ -31,7 +41,9 @@ from report import sections
 wp.config.enable_backward = False  # before kernels are imported, of which gradients are half of what is compiled
 INSTALLED = package_versions()
 IMPORTED = (ROOT, *(ROOT / "packages").iterdir(), ROOT / "tests", HERE)
-os.environ["PYTHONPATH"] = os.pathsep.join(map(str, IMPORTED))  # of the programs that the tests start
+os.environ["PYTHONPATH"] = os.pathsep.join(
+    map(str, IMPORTED)
+)  # of the programs that the tests start
 # To compile the kernels takes minutes, and Warp tells what has changed.
 os.environ.setdefault("WARP_CACHE_PATH", str(KEPT / "warp-of-tests"))
 
@@ -40,7 +52,15 @@ needs_boxes_in_c = pytest.mark.skipif(
     reason="MuJoCo 3.11 in C finds contacts 75 mm deep between boxes that are 30 mm apart",
 )
 """For a shake through MuJoCo's C engine. Release 1.5 comes with it; seen in fixed_scene.py, as the hand comes down."""
-SOURCES = ("packages", "experiments", "report", "templates", "assets", "pyproject.toml", "report.toml")
+SOURCES = (
+    "packages",
+    "experiments",
+    "report",
+    "templates",
+    "assets",
+    "pyproject.toml",
+    "report.toml",
+)
 SIMULATING = ("tests/experiments", "tests/newton_lint/newton_models")
 
 
@@ -51,10 +71,21 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     the tracked site, which it builds.
     """
     slow = Counter(item.path for item in items for _ in item.iter_markers("slow"))
-    simulating = {path for path in slow if any(path.is_relative_to(ROOT / each) for each in SIMULATING)}
+    simulating = {
+        path
+        for path in slow
+        if any(path.is_relative_to(ROOT / each) for each in SIMULATING)
+    }
     waiting = simulating | {item.path for item in items if "site" in item.fixturenames}
     first = max(sorted(simulating), key=slow.get, default=None)
-    items.sort(key=lambda item: (item.path != first, not slow[item.path], item.path in waiting, -slow[item.path]))
+    items.sort(
+        key=lambda item: (
+            item.path != first,
+            not slow[item.path],
+            item.path in waiting,
+            -slow[item.path],
+        )
+    )
     for item in items:
         if any(item.path.is_relative_to(ROOT / path) for path in SIMULATING):
             item.fixturenames.insert(0, "kernels")
@@ -82,7 +113,10 @@ def site(tmp_path_factory) -> Path:
     def make(root: Path) -> None:
         link(root, "results", *SOURCES)
         kept = KEPT / "caches-of-tests"
-        caches = {"derived": Cache(root).folder, "sources": Cache(Path(code.HERE)).folder}
+        caches = {
+            "derived": Cache(root).folder,
+            "sources": Cache(Path(code.HERE)).folder,
+        }
         for name, cache in caches.items():
             with suppress(FileNotFoundError):
                 shutil.copytree(kept / name, cache, dirs_exist_ok=True)
@@ -113,13 +147,19 @@ def unchanged() -> Iterator[None]:
 @pytest.fixture
 def toy(tmp_path, monkeypatch) -> Iterator[Toy]:
     """A section of this report, whose others are there as well."""
-    monkeypatch.setattr(sys, "dont_write_bytecode", True)  # a file changes here within the second that a cache tells
+    monkeypatch.setattr(
+        sys, "dont_write_bytecode", True
+    )  # a file changes here within the second that a cache tells
     lay_out(folder := tmp_path / "project")
     for name in ("report.toml", "pyproject.toml"):
         (folder / name).unlink()
     shutil.copy(ROOT / "templates/investigation.md.j2", folder / "templates")
-    shutil.copytree(ROOT / "templates" / "pages", folder / "templates" / "pages", dirs_exist_ok=True)
-    monkeypatch.setattr(sections, "__path__", [str(folder / "report" / "sections"), *sections.__path__])
+    shutil.copytree(
+        ROOT / "templates" / "pages", folder / "templates" / "pages", dirs_exist_ok=True
+    )
+    monkeypatch.setattr(
+        sections, "__path__", [str(folder / "report" / "sections"), *sections.__path__]
+    )
     toy = Toy(Project("1.4.0", root=folder))
     toy.measure()
     yield toy
@@ -138,13 +178,17 @@ def poses_path(tmp_path_factory) -> Path:
 
 def tracked_mm(folder: Path, case: str, frame_count: int) -> float:
     """How far a tracked run had slipped after so many frames."""
-    from experiments.simulation.measurement import SETUP_FRAME_COUNT  # most tests need no simulator
+    from experiments.simulation.measurement import (
+        SETUP_FRAME_COUNT,  # most tests need no simulator
+    )
 
     moved = load_trace(folder / f"reproduction.{case}.csv.gz")[["x_mm", "y_mm", "z_mm"]]
     return float((moved.loc[frame_count - SETUP_FRAME_COUNT - 1] ** 2).sum() ** 0.5)
 
 
-def contents(editions: Mapping[str, Edition], templates: Templates, release: str) -> list[Content]:
+def contents(
+    editions: Mapping[str, Edition], templates: Templates, release: str
+) -> list[Content]:
     """The pages of one release as they are without a site."""
     return contents_of(editions, release, templates)
 
@@ -153,6 +197,13 @@ def undrawn(parts: Sequence[Prose]) -> str:
     """The words of some parts; of a figure those below it."""
     figure = Markup("<figure><figcaption>{}</figcaption></figure>")
     shown = (
-        {each.anchor: figure.format(each.wording("caption", each.numbers)) for each in part.figures} for part in parts
+        {
+            each.anchor: figure.format(each.wording("caption", each.numbers))
+            for each in part.figures
+        }
+        for part in parts
     )
-    return "".join(f"<h2>{part.title}</h2>{part.html(figures)}" for part, figures in zip(parts, shown, strict=True))
+    return "".join(
+        f"<h2>{part.title}</h2>{part.html(figures)}"
+        for part, figures in zip(parts, shown, strict=True)
+    )

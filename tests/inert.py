@@ -17,7 +17,10 @@ from measured_report.values.quantities import VALUES_FILE, Pointer, Quantity, Va
 from tests.perturbed import FACTORS, Perturbation
 
 SOURCE = re.compile('data-src="([^"]*)"')
-PASSAGE = re.compile('class="passage" data-needs="([^"]*)" data-outcome="holds"[^>]*>(.*?)</(?:div|span)>', re.DOTALL)
+PASSAGE = re.compile(
+    'class="passage" data-needs="([^"]*)" data-outcome="holds"[^>]*>(.*?)</(?:div|span)>',
+    re.DOTALL,
+)
 NUMBER = re.compile("<data[^>]*>[^<]*</data>(&nbsp;[^ .,;)<]+)?")
 """A number as it is printed, with its unit."""
 LEAVES_TRIED = 4
@@ -40,7 +43,9 @@ def measured(values: Mapping[str, Value], pointer: str) -> list[str]:
     """The measured numbers and traces that a number comes from; none for what was chosen."""
     roots = values[pointer].reads if pointer in values else {pointer}
     return sorted(
-        root for root in roots if VALUES_FILE not in root and not column_of(root.rpartition("/")[2]).is_setting
+        root
+        for root in roots
+        if VALUES_FILE not in root and not column_of(root.rpartition("/")[2]).is_setting
     )
 
 
@@ -65,9 +70,16 @@ class Survey:
 
     def numbers(self) -> Iterator[tuple[Claim, str, str]]:
         """Claim, name and pointer of every measured number that the words of a claim name."""
-        for claim in self.perturbation.releases[self.release][self.section].section.claims:
-            lacks_number = any(isinstance(each, Quantity) and each.value is None for each in claim.numbers.values())
-            if lacks_number and claim.outcome.answer == "cannot tell":  # which is all that is said
+        for claim in self.perturbation.releases[self.release][
+            self.section
+        ].section.claims:
+            lacks_number = any(
+                isinstance(each, Quantity) and each.value is None
+                for each in claim.numbers.values()
+            )
+            if (
+                lacks_number and claim.outcome.answer == "cannot tell"
+            ):  # which is all that is said
                 continue
             for name in sorted(claim.wording.names & set(claim.numbers)):
                 for pointer in dict.fromkeys(named_pointers(claim.numbers[name])):
@@ -79,7 +91,10 @@ class Survey:
         return {
             f"{self.section}.{claim.name} {name}"
             for claim, name, pointer in self.numbers()
-            if not ({pointer} <= claim.outcome.reads or set(measured(self.values, pointer)) <= claim.outcome.reads)
+            if not (
+                {pointer} <= claim.outcome.reads
+                or set(measured(self.values, pointer)) <= claim.outcome.reads
+            )
         }
 
     def inert(self) -> set[str]:
@@ -88,34 +103,61 @@ class Survey:
         Where claims read nothing of each other's, numbers of all of them are changed at once.
         """
         waiting = {
-            (claim.name, name, pointer): (claim, list(changes(measured(self.values, pointer))))
+            (claim.name, name, pointer): (
+                claim,
+                list(changes(measured(self.values, pointer))),
+            )
             for claim, name, pointer in self.numbers()
             if not self.perturbation.says_before(self.release, self.section, claim)
         }
         for step in count():
-            tried = {key: (claim, *tries[step]) for key, (claim, tries) in waiting.items() if step < len(tries)}
+            tried = {
+                key: (claim, *tries[step])
+                for key, (claim, tries) in waiting.items()
+                if step < len(tries)
+            }
             if not tried:
                 return {f"{self.section}.{claim} {name}" for claim, name, _ in waiting}
             for group in _independent(tried):
-                leaves, change = {leaf for key in group for leaf in tried[key][1]}, tried[group[0]][2]
-                after = _claims(self.perturbation.of(self.release, self.section, map(Pointer, sorted(leaves)), change))
+                leaves, change = (
+                    {leaf for key in group for leaf in tried[key][1]},
+                    tried[group[0]][2],
+                )
+                after = _claims(
+                    self.perturbation.of(
+                        self.release, self.section, map(Pointer, sorted(leaves)), change
+                    )
+                )
                 for key, before in [(key, waiting[key][0]) for key in group]:
                     claim = after.get(before.name)
-                    if not claim or _shape(before) != _shape(replace(claim, wording=before.wording)):
+                    if not claim or _shape(before) != _shape(
+                        replace(claim, wording=before.wording)
+                    ):
                         del waiting[key]
 
 
-def _independent(tried: Mapping[Any, tuple[Claim, tuple[str, ...], str]]) -> list[list[Any]]:
+def _independent(
+    tried: Mapping[Any, tuple[Claim, tuple[str, ...], str]],
+) -> list[list[Any]]:
     """Group numbers whose claims read none of what is changed for another of the group."""
 
     def are_apart(key: Any, other: Any) -> bool:
         (claim, leaves, _), (other_claim, other_leaves, _) = tried[key], tried[other]
         reads = claim.outcome.reads, other_claim.outcome.reads
-        return leaves == other_leaves or (reads[0].isdisjoint(other_leaves) and reads[1].isdisjoint(leaves))
+        return leaves == other_leaves or (
+            reads[0].isdisjoint(other_leaves) and reads[1].isdisjoint(leaves)
+        )
 
     groups: list[list[Any]] = []
     for key in tried:
-        group = next((group for group in groups if all(are_apart(key, other) for other in group)), None)
+        group = next(
+            (
+                group
+                for group in groups
+                if all(are_apart(key, other) for other in group)
+            ),
+            None,
+        )
         if group is None:
             groups.append(group := [])
         group.append(key)
@@ -136,29 +178,47 @@ def inert_passages(perturbation: Perturbation, release: str) -> set[str]:
     values, told = _values(perturbation), list(perturbation.pages).index(release)
 
     @cache
-    def outcomes(section: str, leaves: tuple[str, ...], change: str) -> dict[str, Claim]:
+    def outcomes(
+        section: str, leaves: tuple[str, ...], change: str
+    ) -> dict[str, Claim]:
         return _claims(perturbation.of(release, section, map(Pointer, leaves), change))
 
     def falls(needs: str, leaves: tuple[str, ...], change: str) -> bool:
-        return not all(need.is_met(outcomes(need.section, leaves, change).get(need.claim)) for need in needs_of(needs))
+        return not all(
+            need.is_met(outcomes(need.section, leaves, change).get(need.claim))
+            for need in needs_of(needs)
+        )
 
-    said_before = {needs for page in list(perturbation.pages.values())[:told] for needs, _ in PASSAGE.findall(page)}
+    said_before = {
+        needs
+        for page in list(perturbation.pages.values())[:told]
+        for needs, _ in PASSAGE.findall(page)
+    }
     return {
         f"{needs} {pointer.partition('/')[2]}"
         for needs, said in PASSAGE.findall(perturbation.pages[release])
         if needs not in said_before
         for pointer in SOURCE.findall(said)
-        if (leaves := measured(values, pointer)) and not any(falls(needs, *change) for change in changes(leaves))
+        if (leaves := measured(values, pointer))
+        and not any(falls(needs, *change) for change in changes(leaves))
     }
 
 
 def _values(perturbation: Perturbation) -> dict[str, Value]:
     """Every derived value by its pointer."""
-    results = [chapter.results for chapters in perturbation.releases.values() for chapter in chapters.values()]
+    results = [
+        chapter.results
+        for chapters in perturbation.releases.values()
+        for chapter in chapters.values()
+    ]
     return {value.source: value for each in results for value in each.derived.values()}
 
 
 def surveys(perturbation: Perturbation) -> list[Survey]:
     """One for every section of every release."""
     releases, values = perturbation.releases, _values(perturbation)
-    return [Survey(perturbation, release, section, values) for release in releases for section in releases[release]]
+    return [
+        Survey(perturbation, release, section, values)
+        for release in releases
+        for section in releases[release]
+    ]

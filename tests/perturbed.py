@@ -27,7 +27,14 @@ from measured_report.values.results import Results, Series
 if TYPE_CHECKING:
     import pandas as pd
 
-FACTORS = {"×0": 0.0, "×1000": 1000.0, "×−1": -1.0, "×0.001": 0.001, "×2": 2.0, "×½": 0.5}
+FACTORS = {
+    "×0": 0.0,
+    "×1000": 1000.0,
+    "×−1": -1.0,
+    "×0.001": 0.001,
+    "×2": 2.0,
+    "×½": 0.5,
+}
 """What is done to a number."""
 load_trace_once = lru_cache(maxsize=None)(load_trace)
 
@@ -59,7 +66,11 @@ class PerturbedResults(Results):
         change = self.traces.get(series.source)
         if change and series.value is not None:
             names = set(series.value.select_dtypes("number")) - {"time_s"}
-            scaled = {name: FACTORS[change] * series.value[name] for name in names if not column_of(name).is_setting}
+            scaled = {
+                name: FACTORS[change] * series.value[name]
+                for name in names
+                if not column_of(name).is_setting
+            }
             return replace(series, value=series.value.assign(**scaled))
         return series
 
@@ -73,9 +84,15 @@ class Perturbation:
     pages: Mapping[str, str] = field(default_factory=dict)
     """Words of a release."""
 
-    def of(self, release: str, name: str, pointers: Iterable[Pointer], change: str) -> Section:
+    def of(
+        self, release: str, name: str, pointers: Iterable[Pointer], change: str
+    ) -> Section:
         """A section with the same change made to some numbers and traces."""
-        tracked = (chapter.results for chapters in self.releases.values() for chapter in chapters.values())
+        tracked = (
+            chapter.results
+            for chapters in self.releases.values()
+            for chapter in chapters.values()
+        )
         whole = {results.source: results.record for results in tracked}
         records: dict[str, Record] = {}
         traces = {}
@@ -88,7 +105,11 @@ class Perturbation:
         return self.section(release, name, records, traces)
 
     def section(
-        self, release: str, name: str, records: Mapping[str, Record], traces: Mapping[str, str] = MappingProxyType({})
+        self,
+        release: str,
+        name: str,
+        records: Mapping[str, Record],
+        traces: Mapping[str, str] = MappingProxyType({}),
     ) -> Section:
         """A section, or what a text tells, as these records, by their file below ``data/``, and changed traces make it.
 
@@ -97,13 +118,22 @@ class Perturbation:
         releases = {each: dict(chapters) for each, chapters in self.releases.items()}
         for each, chapters in releases.items():
             for section, chapter in chapters.items():
-                if chapter.results.source in records and (each, section) != (release, name):
+                if chapter.results.source in records and (each, section) != (
+                    release,
+                    name,
+                ):
                     results = self._results(each, section, records, traces)
                     derive_section(results, self.releases)
                     chapters[section] = replace(chapter, results=results)
-        if name not in releases[release]:  # what a text of a page tells has no record of its own
+        if (
+            name not in releases[release]
+        ):  # what a text of a page tells has no record of its own
             derive = import_module(f"{config().text_modules}.{name}").derive
-            return derive(releases, release) if len(signature(derive).parameters) > 1 else derive(releases[release])
+            return (
+                derive(releases, release)
+                if len(signature(derive).parameters) > 1
+                else derive(releases[release])
+            )
         own = self._results(release, name, records, traces)
         releases[release][name] = replace(releases[release][name], results=own)
         others = {other: releases[release][other].results for other in own.others}
@@ -116,25 +146,64 @@ class Perturbation:
 
     def says_before(self, release: str, section: str, claim: Claim) -> bool:
         """Whether a release that is told before this one answers so too: of the same numbers, in the same words."""
-        earlier = [self.releases[name] for name in list(self.pages)[: list(self.pages).index(release)]]
-        claims = [each for chapters in earlier if section in chapters for each in chapters[section].section.claims]
-        return (claim.name, claim.outcome.answer) in [(each.name, each.outcome.answer) for each in claims]
+        earlier = [
+            self.releases[name]
+            for name in list(self.pages)[: list(self.pages).index(release)]
+        ]
+        claims = [
+            each
+            for chapters in earlier
+            if section in chapters
+            for each in chapters[section].section.claims
+        ]
+        return (claim.name, claim.outcome.answer) in [
+            (each.name, each.outcome.answer) for each in claims
+        ]
 
     def _results(
-        self, release: str, name: str, records: Mapping[str, Record], traces: Mapping[str, str]
+        self,
+        release: str,
+        name: str,
+        records: Mapping[str, Record],
+        traces: Mapping[str, str],
     ) -> PerturbedResults:
         """Nothing is derived from them yet."""
         tracked = self.releases[release][name].results
         record = records.get(tracked.source, tracked.record)
         noise = records.get(f"{tracked.path.parent.name}/{config().noise_section}.json")
-        repeats = repeats_of(noise.rows, tracked.columns) if noise else tracked.evidence.repeats
-        evidence = tracked.evidence if record is tracked.record and not noise else Evidence(repeats=repeats)
-        changed = {"record": record, "derived": {}, "evidence": evidence, "traces": traces}
-        return PerturbedResults(**{each.name: getattr(tracked, each.name) for each in fields(tracked)} | changed)
+        repeats = (
+            repeats_of(noise.rows, tracked.columns)
+            if noise
+            else tracked.evidence.repeats
+        )
+        evidence = (
+            tracked.evidence
+            if record is tracked.record and not noise
+            else Evidence(repeats=repeats)
+        )
+        changed = {
+            "record": record,
+            "derived": {},
+            "evidence": evidence,
+            "traces": traces,
+        }
+        return PerturbedResults(
+            **{each.name: getattr(tracked, each.name) for each in fields(tracked)}
+            | changed
+        )
 
 
-def of_editions(editions: Mapping[str, Edition], templates: Templates, told: Iterable[str]) -> Perturbation:
+def of_editions(
+    editions: Mapping[str, Edition], templates: Templates, told: Iterable[str]
+) -> Perturbation:
     """Of what the results of some editions make, with the words of those that are told."""
     there = {release: contents(editions, templates, release) for release in told}
-    pages = {release: "".join(undrawn(content.parts) for content in found) for release, found in there.items()}
-    return Perturbation({release: edition.chapters for release, edition in editions.items()}, templates, pages)
+    pages = {
+        release: "".join(undrawn(content.parts) for content in found)
+        for release, found in there.items()
+    }
+    return Perturbation(
+        {release: edition.chapters for release, edition in editions.items()},
+        templates,
+        pages,
+    )

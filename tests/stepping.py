@@ -14,8 +14,12 @@ BALL = """<mujoco><option timestep="0.002" cone="elliptic" integrator="implicitf
 """A ball on the ground, and one on a slide that touches nothing: one scene, for whose sizes kernels are compiled."""
 
 
-def in_two_worlds(model: mujoco.MjModel, data: mujoco.MjData) -> tuple[mjw.Model, mjw.Data]:
-    return mjw.put_model(model), mjw.put_data(model, data, nworld=2, nconmax=4, njmax=16)
+def in_two_worlds(
+    model: mujoco.MjModel, data: mujoco.MjData
+) -> tuple[mjw.Model, mjw.Data]:
+    return mjw.put_model(model), mjw.put_data(
+        model, data, nworld=2, nconmax=4, njmax=16
+    )
 
 
 def take_steps(m: mjw.Model, d: mjw.Data, count: int) -> None:

@@ -19,15 +19,34 @@ PACKAGES = {
     "number_audit": ROOT / "packages/number-audit",
 }
 FOLDERS = ("experiments", "report", *PACKAGES)
-TERM = ROOT / "packages/contact-bias"  # whose modules are in no folder: the site offers two of them as files
-OUTSIDE = ("build", "experiments.facts", "experiments", "report", "newton_lint", "contact_bias", "number_audit")
+TERM = (
+    ROOT / "packages/contact-bias"
+)  # whose modules are in no folder: the site offers two of them as files
+OUTSIDE = (
+    "build",
+    "experiments.facts",
+    "experiments",
+    "report",
+    "newton_lint",
+    "contact_bias",
+    "number_audit",
+)
 """Rooms beside the generator's."""
 ARROW = re.compile(r"^ +([\w.]+) --> ([\w.]+)$", re.MULTILINE)
 
-SIMULATOR = re.compile(r"^\s*(?:import|from) (warp|newton|mujoco|mujoco_warp)\b", re.MULTILINE)
-WORDING = re.compile(r"\b(holds|fails|unknown|explanation|caption|alt)=f?[\"']|\bcannot be told\b")
-CARRYING = {f"measured_report.measuring.{name}" for name in ("batch", "measurement", "pool")}
-CARRYING |= {f"measured_report.{name}" for name in ("files.errors", "files.root", "editions.environment")}
+SIMULATOR = re.compile(
+    r"^\s*(?:import|from) (warp|newton|mujoco|mujoco_warp)\b", re.MULTILINE
+)
+WORDING = re.compile(
+    r"\b(holds|fails|unknown|explanation|caption|alt)=f?[\"']|\bcannot be told\b"
+)
+CARRYING = {
+    f"measured_report.measuring.{name}" for name in ("batch", "measurement", "pool")
+}
+CARRYING |= {
+    f"measured_report.{name}"
+    for name in ("files.errors", "files.root", "editions.environment")
+}
 """What carries calls to where they are made: its code is no part of a record's identity, and changes no row."""
 MOST_ROOMS, MOST_ARROWS = 11, 60
 
@@ -36,10 +55,25 @@ MOST_ROOMS, MOST_ARROWS = 11, 60
 def modules() -> Mapping[str, Path]:
     """Every module of the project by its name, but for what a new report begins as."""
     roots = {folder: PACKAGES.get(folder, ROOT) for folder in FOLDERS}
-    files = {path: root for folder, root in roots.items() for path in sorted((root / folder).rglob("*.py"))}
-    names = {path: ".".join(path.relative_to(root).with_suffix("").parts) for path, root in files.items()}
-    named = {name.removesuffix(".__init__"): path for path, name in names.items() if "skeleton" not in path.parts}
-    return {"build": ROOT / "build.py", **named, **{path.stem: path for path in TERM.glob("*.py")}}
+    files = {
+        path: root
+        for folder, root in roots.items()
+        for path in sorted((root / folder).rglob("*.py"))
+    }
+    names = {
+        path: ".".join(path.relative_to(root).with_suffix("").parts)
+        for path, root in files.items()
+    }
+    named = {
+        name.removesuffix(".__init__"): path
+        for path, name in names.items()
+        if "skeleton" not in path.parts
+    }
+    return {
+        "build": ROOT / "build.py",
+        **named,
+        **{path.stem: path for path in TERM.glob("*.py")},
+    }
 
 
 @cache
@@ -47,7 +81,10 @@ def imports() -> Mapping[str, frozenset[str]]:
     """The project's modules that each of its modules imports, wherever in it the import stands, and their packages."""
     graph = Code(ROOT)
     names = {str(path): name for name, path in modules().items()}
-    named = {name: {names[file] for file in graph.imported(str(path))} for name, path in modules().items()}
+    named = {
+        name: {names[file] for file in graph.imported(str(path))}
+        for name, path in modules().items()
+    }
     return {name: frozenset(found - {name}) for name, found in named.items()}
 
 
@@ -63,8 +100,16 @@ def room_of(module: str) -> str:
 @cache
 def arrows() -> frozenset[tuple[str, str]]:
     """Pairs of rooms of which the first imports the second; packages themselves, which all may name, left out."""
-    pairs = ((room_of(module), room_of(named)) for module, found in imports().items() for named in found)
-    return frozenset(pair for pair in pairs if all(pair) and pair[0] != pair[1] and pair[1] not in FOLDERS[:2])
+    pairs = (
+        (room_of(module), room_of(named))
+        for module, found in imports().items()
+        for named in found
+    )
+    return frozenset(
+        pair
+        for pair in pairs
+        if all(pair) and pair[0] != pair[1] and pair[1] not in FOLDERS[:2]
+    )
 
 
 @pytest.mark.parametrize(
@@ -80,38 +125,82 @@ def arrows() -> frozenset[tuple[str, str]]:
 )
 def test_each_side_reads_no_more_of_the_others_than_it_may(side, allowed):
     def is_in(name: str, room: str) -> bool:
-        return f"{name}.".startswith(f"{room}.") or (room == "contact_bias" and name.startswith("contact_"))
+        return f"{name}.".startswith(f"{room}.") or (
+            room == "contact_bias" and name.startswith("contact_")
+        )
 
-    named = {(module, name) for module, found in imports().items() if is_in(module, side) for name in found}
-    outside = {(module, name) for module, name in named if not any(is_in(name, room) for room in (side, *allowed))}
-    assert {(module, name) for module, name in outside if name != "experiments"} == set()
+    named = {
+        (module, name)
+        for module, found in imports().items()
+        if is_in(module, side)
+        for name in found
+    }
+    outside = {
+        (module, name)
+        for module, name in named
+        if not any(is_in(name, room) for room in (side, *allowed))
+    }
+    assert {
+        (module, name) for module, name in outside if name != "experiments"
+    } == set()
 
 
 def test_the_page_s_side_never_imports_the_simulator():
-    reached = {name for name in modules() if name.partition(".")[0] in ("build", "measured_report", "report")}
+    reached = {
+        name
+        for name in modules()
+        if name.partition(".")[0] in ("build", "measured_report", "report")
+    }
     while more := {named for name in reached for named in imports()[name]} - reached:
         reached |= more
     files = [modules()[name] for name in reached]
-    assert [path for path in files if SIMULATOR.search(path.read_text(encoding="utf-8"))] == []
+    assert [
+        path for path in files if SIMULATOR.search(path.read_text(encoding="utf-8"))
+    ] == []
 
 
 def test_what_computes_rows_has_the_generator_for_carrying_alone():
     """Besides ROOT and the errors: an identity stops at the generator."""
     reached = {f"experiments.{section}" for section in sections()}
-    while more := {n for name in reached for n in imports()[name] if n.startswith("experiments.")} - reached:
+    while (
+        more := {
+            n
+            for name in reached
+            for n in imports()[name]
+            if n.startswith("experiments.")
+        }
+        - reached
+    ):
         reached |= more
-    used = {name for module in reached for name in imports()[module] if name.startswith("measured_report.")}
-    assert {name for name in used if name.count(".") > 1} == CARRYING  # not the packages that these are in
+    used = {
+        name
+        for module in reached
+        for name in imports()[module]
+        if name.startswith("measured_report.")
+    }
+    assert {
+        name for name in used if name.count(".") > 1
+    } == CARRYING  # not the packages that these are in
 
 
 def test_no_import_leads_in_a_circle_and_the_generator_has_few_rooms():
     names = imports()
     # A package is there before the modules in it, so that what they take from it is no circle.
-    inner = {module: {name for name in found if not module.startswith(f"{name}.")} for module, found in names.items()}
+    inner = {
+        module: {name for name in found if not module.startswith(f"{name}.")}
+        for module, found in names.items()
+    }
     assert len(list(TopologicalSorter(inner).static_order())) == len(names)
     inside = [pair for pair in arrows() if not {*pair} & {*OUTSIDE}]
-    below = {room: {low for high, low in inside if high == room} for pair in inside for room in pair}
-    assert len(list(TopologicalSorter(below).static_order())) <= MOST_ROOMS and len(inside) <= MOST_ARROWS
+    below = {
+        room: {low for high, low in inside if high == room}
+        for pair in inside
+        for room in pair
+    }
+    assert (
+        len(list(TopologicalSorter(below).static_order())) <= MOST_ROOMS
+        and len(inside) <= MOST_ARROWS
+    )
 
 
 def test_findings_exist_without_words():
@@ -121,17 +210,28 @@ def test_findings_exist_without_words():
 
 
 def test_words_are_in_templates():
-    files = [path for name, path in modules().items() if name.startswith("report.sections.")]
+    files = [
+        path for name, path in modules().items() if name.startswith("report.sections.")
+    ]
     files += (ROOT / "packages/measured-report/measured_report/pages").glob("*.py")
     texts = {path.name: path.read_text(encoding="utf-8") for path in files}
-    assert [(name, match[0]) for name, text in texts.items() for match in WORDING.finditer(text)] == []
+    assert [
+        (name, match[0])
+        for name, text in texts.items()
+        for match in WORDING.finditer(text)
+    ] == []
 
 
 def test_the_picture_has_the_arrows_that_the_imports_make_but_for_those_that_others_imply():
     text = (ROOT / "docs/architecture.md").read_text(encoding="utf-8")
     drawn = set(ARROW.findall(text.replace("experiments_facts", "experiments.facts")))
     implied = set(drawn)
-    while more := {(high, end) for high, low in implied for start, end in drawn if start == low} - implied:
+    while (
+        more := {
+            (high, end) for high, low in implied for start, end in drawn if start == low
+        }
+        - implied
+    ):
         implied |= more
     assert drawn <= arrows() <= implied
 
@@ -149,12 +249,23 @@ OF_LANGUAGES = re.compile(r"\bpad(?:Start|End)\b")
 
 def generator_files() -> dict[str, str]:
     """Texts of all files of the generator, by path."""
-    files = [path for path in sorted((GENERATOR / "measured_report").rglob("*")) if path.is_file()]
+    files = [
+        path
+        for path in sorted((GENERATOR / "measured_report").rglob("*"))
+        if path.is_file()
+    ]
     files = [path for path in files if "__pycache__" not in path.parts]
-    return {path.relative_to(GENERATOR).as_posix(): path.read_text(encoding="utf-8", errors="ignore") for path in files}
+    return {
+        path.relative_to(GENERATOR).as_posix(): path.read_text(
+            encoding="utf-8", errors="ignore"
+        )
+        for path in files
+    }
 
 
 def test_the_generator_names_no_subject():
     for path, text in generator_files().items():
         for number, line in enumerate([path, *text.splitlines()]):
-            assert not SUBJECT.search(OF_LANGUAGES.sub("", line)), f"{path}:{number}: {line.strip()}"
+            assert not SUBJECT.search(OF_LANGUAGES.sub("", line)), (
+                f"{path}:{number}: {line.strip()}"
+            )

@@ -18,10 +18,19 @@ WORDS = ["$(shell touch {})", "$$(touch {})", "`touch {}`", "'; touch {}; '"]
 
 def make(*arguments: str | Path, level: str = "0") -> subprocess.CompletedProcess:
     # These tests may run below a make themselves.
-    environment = {name: value for name, value in os.environ.items() if name not in ("MAKEFLAGS", "MAKEOVERRIDES")}
+    environment = {
+        name: value
+        for name, value in os.environ.items()
+        if name not in ("MAKEFLAGS", "MAKEOVERRIDES")
+    }
     command = ["make", "--silent", *arguments]
     return subprocess.run(
-        command, cwd=ROOT, env={**environment, "MAKELEVEL": level}, capture_output=True, text=True, check=False
+        command,
+        cwd=ROOT,
+        env={**environment, "MAKELEVEL": level},
+        capture_output=True,
+        text=True,
+        check=False,
     )
 
 
@@ -36,18 +45,30 @@ def python(tmp_path) -> str:
 
 def test_the_makefile_itself_names_what_can_be_asked_for():
     """Programs outside read that file and follow no include."""
-    named = set(re.findall(r"^([a-z]+):", (ROOT / "Makefile").read_text(), re.MULTILINE))
-    assert named >= set("report test status rerun check serve publish help page verify trace clips upgrade".split())
+    named = set(
+        re.findall(r"^([a-z]+):", (ROOT / "Makefile").read_text(), re.MULTILINE)
+    )
+    assert named >= set(
+        "report test status rerun check serve publish help page verify trace clips upgrade".split()
+    )
     assert named >= {"bisect", "history", "diff"}
 
 
-@pytest.mark.parametrize(("name", "word"), [("SECTON", "friction"), ("section", WORDS[0]), ("SECTON", WORDS[3])])
+@pytest.mark.parametrize(
+    ("name", "word"),
+    [("SECTON", "friction"), ("section", WORDS[0]), ("SECTON", WORDS[3])],
+)
 def test_a_misspelt_variable_is_refused_and_not_executed(name, word, tmp_path):
     canary = tmp_path / "canary"
     done = make("rerun", f"PYTHON={sys.executable}", f"{name}={word.format(canary)}")
-    [line] = [line for line in done.stderr.splitlines() if not line.startswith("make: ")]
+    [line] = [
+        line for line in done.stderr.splitlines() if not line.startswith("make: ")
+    ]
     assert (done.returncode, done.stdout) == (2, "")
-    assert line.startswith(f"{name}= is no variable of make here") and "similar: SECTION" in line
+    assert (
+        line.startswith(f"{name}= is no variable of make here")
+        and "similar: SECTION" in line
+    )
     assert not canary.exists()
 
 
@@ -62,7 +83,11 @@ def test_no_value_and_no_goal_is_executed(word, python, tmp_path):
 
 @pytest.mark.parametrize("goal", ["rerun", "lint"])
 def test_every_variable_arrives_as_it_was_typed(goal, python, tmp_path):
-    given = {name: f"a '$(b)' $${name} \"\t\\ \n=`c` \\" for name in [*NAMES, *OF_THE_MAKEFILES] if name != "PYTHON"}
+    given = {
+        name: f"a '$(b)' $${name} \"\t\\ \n=`c` \\"
+        for name in [*NAMES, *OF_THE_MAKEFILES]
+        if name != "PYTHON"
+    }
     done = make(goal, python, *(f"{name}={value}" for name, value in given.items()))
     assert done.returncode == 0, done.stderr
     assert variables_of((tmp_path / "typed").read_text()) == given

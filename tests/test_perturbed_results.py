@@ -41,7 +41,11 @@ def test_no_words_name_what_their_test_has_not_read(perturbation):
 @pytest.mark.slow
 def test_no_number_in_a_claim_or_a_passage_could_be_anything(perturbation):
     """Zero, negated, a thousand times as large or as small, it changes the outcome or the words."""
-    found = [survey.inert() for survey in surveys(perturbation) if survey.release in OWN_AND_NEWEST]
+    found = [
+        survey.inert()
+        for survey in surveys(perturbation)
+        if survey.release in OWN_AND_NEWEST
+    ]
     found += [inert_passages(perturbation, release) for release in OWN_AND_NEWEST]
     assert set().union(*found) == set()
 
@@ -54,14 +58,22 @@ def damaged(record: Record, chance: random.Random) -> Record:
         return replace(record, rows=[*rows[:index], *rows[index + 1 :]])
     row = rows[index]
     # Not a reason: without it nobody can say why its number is not there.
-    column = chance.choice([column for column in row if column != "case" and not column.endswith(REASON)])
+    column = chance.choice(
+        [column for column in row if column != "case" and not column.endswith(REASON)]
+    )
     change, value = chance.choice((*FACTORS, "missing")), row[column]
     if change == "missing" and chance.random() < 0.3:
         rows[index] = {name: cell for name, cell in row.items() if name != column}
     elif change == "missing":
         rows[index] = row | {column: None, column + REASON: "as a test"}
     else:
-        other = not value if isinstance(value, bool) else "" if isinstance(value, str) else perturbed(value, change)
+        other = (
+            not value
+            if isinstance(value, bool)
+            else ""
+            if isinstance(value, str)
+            else perturbed(value, change)
+        )
         rows[index] = row | {column: other}
     return replace(record, rows=rows)
 
@@ -80,16 +92,29 @@ def lost_pointers(results: Results, record: Record) -> set[str]:
 @pytest.mark.slow
 def test_a_damaged_record_takes_nothing_down(perturbation):
     chance = random.Random(0)
-    pairs = [(release, name) for release, chapters in perturbation.releases.items() for name in chapters]
+    pairs = [
+        (release, name)
+        for release, chapters in perturbation.releases.items()
+        for name in chapters
+    ]
     for _ in range(60):
         release, name = chance.choice(pairs)
         chapter = perturbation.releases[release][name]
-        results, held = chapter.results, {claim.name for claim in chapter.section.claims if claim.outcome == HOLDS}
+        results, held = (
+            chapter.results,
+            {claim.name for claim in chapter.section.claims if claim.outcome == HOLDS},
+        )
         record = damaged(results.record, chance)
-        section = perturbation.worded(perturbation.section(release, name, {results.source: record}), name)
+        section = perturbation.worded(
+            perturbation.section(release, name, {results.source: record}), name
+        )
         lost = lost_pointers(results, record)
-        said = [claim.sentence for claim in section.claims] + [table.__html__() for table in section.tables.values()]
-        said += [figure.wording("alt", figure.numbers) for figure in section.figures.values()]
+        said = [claim.sentence for claim in section.claims] + [
+            table.__html__() for table in section.tables.values()
+        ]
+        said += [
+            figure.wording("alt", figure.numbers) for figure in section.figures.values()
+        ]
         for text in said:
             assert not NO_NUMBER.search(text.striptags()), (release, name, text)
             assert not UNNAMED.search(text), (release, name, text)
@@ -98,4 +123,6 @@ def test_a_damaged_record_takes_nothing_down(perturbation):
             assert claim.outcome.name == "unknown" or ABSENT not in claim.text, place
             # What did not hold before may fail by another number still.
             answers = {"unknown"} if claim.name in held else {"unknown", "fails"}
-            assert claim.outcome.name in answers or not lost & claim.outcome.reads, place
+            assert claim.outcome.name in answers or not lost & claim.outcome.reads, (
+                place
+            )

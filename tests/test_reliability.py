@@ -13,16 +13,36 @@ from measured_report.files.root import ROOT
 def test_reliability_counts_what_is_tried():
     text = (ROOT / "docs/reliability.md").read_text(encoding="utf-8")
     counted = [[*RECORD_WAYS, *TRACE_WAYS], SCENARIOS, OF_REPLICAS, OF_SITES]
-    assert re.findall(r"(\d+) (?:ways|scenarios|damages)", text) == [str(len(each)) for each in counted]
+    assert re.findall(r"(\d+) (?:ways|scenarios|damages)", text) == [
+        str(len(each)) for each in counted
+    ]
 
 
 def test_every_promise_names_the_test_that_holds_it():
-    rows = [row for row in (ROOT / "docs/reliability.md").read_text().splitlines() if row.startswith("| ")][1:]
-    promises = (ROOT / "SECURITY.md").read_text().partition("## What is not\n")[2].split("\n- ")[1:]
+    rows = [
+        row
+        for row in (ROOT / "docs/reliability.md").read_text().splitlines()
+        if row.startswith("| ")
+    ][1:]
+    promises = (
+        (ROOT / "SECURITY.md")
+        .read_text()
+        .partition("## What is not\n")[2]
+        .split("\n- ")[1:]
+    )
     assert len(rows) > 15 and len(promises) > 7
     folders = (ROOT / "tests", ROOT / "packages/measured-report/tests")
-    sources = [path.read_text() for folder in folders for path in folder.rglob("test_*.py")]
-    there = {name for source in sources for name in re.findall(r"^def (test_\w+)\(", source, re.MULTILINE)}
+    sources = [
+        path.read_text() for folder in folders for path in folder.rglob("test_*.py")
+    ]
+    there = {
+        name
+        for source in sources
+        for name in re.findall(r"^def (test_\w+)\(", source, re.MULTILINE)
+    }
     assert all(re.search("`test_", promise) for promise in (*rows, *promises))
-    named = re.findall(r"`(test_\w+)`", (ROOT / "docs/reliability.md").read_text() + (ROOT / "SECURITY.md").read_text())
+    named = re.findall(
+        r"`(test_\w+)`",
+        (ROOT / "docs/reliability.md").read_text() + (ROOT / "SECURITY.md").read_text(),
+    )
     assert {*named} <= there, {*named} - there

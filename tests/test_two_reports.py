@@ -22,20 +22,30 @@ from measured_report.site.build import build
 def pendulum(folder: Path) -> None:
     new(folder)
     text = (folder / "pyproject.toml").read_text()
-    (folder / "pyproject.toml").write_text(text.replace("numpy==2.4.6", f"numpy=={np.__version__}"))
+    (folder / "pyproject.toml").write_text(
+        text.replace("numpy==2.4.6", f"numpy=={np.__version__}")
+    )
 
 
 def built(folder: Path) -> dict[str, str]:
     """The site that a process of its own makes."""
     environment = {**os.environ, "PYTHONPATH": str(ROOT / "packages/measured-report")}
-    subprocess.run([sys.executable, "build.py", "report"], cwd=folder, env=environment, capture_output=True, check=True)
+    subprocess.run(
+        [sys.executable, "build.py", "report"],
+        cwd=folder,
+        env=environment,
+        capture_output=True,
+        check=True,
+    )
     return digests_below(folder / "site")
 
 
 def built_here(project: Project, monkeypatch) -> dict[str, str]:
     """The site that this process makes, which has kept nothing."""
     shutil.rmtree(project.site, ignore_errors=True)
-    monkeypatch.setenv("XDG_CACHE_HOME", str(project.root / f"cache-{len([*project.root.iterdir()])}"))
+    monkeypatch.setenv(
+        "XDG_CACHE_HOME", str(project.root / f"cache-{len([*project.root.iterdir()])}")
+    )
     build(project)
     return digests_below(project.site)
 
@@ -46,11 +56,16 @@ def project_in(folder: Path) -> Project:
 
 
 @pytest.mark.slow
-def test_one_process_builds_two_reports_as_a_process_each_does(toy, tmp_path, monkeypatch):
+def test_one_process_builds_two_reports_as_a_process_each_does(
+    toy, tmp_path, monkeypatch
+):
     """Besides theirs it has the modules and settings of this repository's own report, of which the toy is."""
     pendulum(second := tmp_path / "second")
     apart, own = built(second), built_here(toy.project, monkeypatch)
     assert built_here(project_in(second), monkeypatch) == apart
     assert min(len(own), len(apart)) > 10
     assert built_here(toy.project, monkeypatch) == own
-    assert (sys.modules["experiments"], sys.modules["report.sections"]) == (experiments, report.sections)
+    assert (sys.modules["experiments"], sys.modules["report.sections"]) == (
+        experiments,
+        report.sections,
+    )

@@ -33,49 +33,97 @@ esac
 
 
 def run_script(
-    folder: Path, number: int, workflow: Path = WORKFLOWS[0] / "upgrade.yml", **settings: str
+    folder: Path,
+    number: int,
+    workflow: Path = WORKFLOWS[0] / "upgrade.yml",
+    **settings: str,
 ) -> subprocess.CompletedProcess:
     """A script of the workflow as a runner runs it, in a folder with programs that note what they are called with."""
-    for path in (folder / name for name in ("gh", ".venv/bin/python", "nvidia-smi") if not (folder / name).exists()):
+    for path in (
+        folder / name
+        for name in ("gh", ".venv/bin/python", "nvidia-smi")
+        if not (folder / name).exists()
+    ):
         path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text("#!/bin/bash\nexit 1\n" if path.name == "nvidia-smi" else PROGRAM)
+        path.write_text(
+            "#!/bin/bash\nexit 1\n" if path.name == "nvidia-smi" else PROGRAM
+        )
         path.chmod(0o755)
     script = textwrap.dedent(SCRIPT.findall(workflow.read_text())[number])
-    given = {"FOLDER": folder, "GITHUB_OUTPUT": folder / "output", "PATH": f"{folder}:{os.environ['PATH']}", **settings}
+    given = {
+        "FOLDER": folder,
+        "GITHUB_OUTPUT": folder / "output",
+        "PATH": f"{folder}:{os.environ['PATH']}",
+        **settings,
+    }
     command = ["bash", "--noprofile", "--norc", "-eo", "pipefail", "-c", script]
-    return subprocess.run(command, cwd=folder, env=given, capture_output=True, text=True, check=False)
+    return subprocess.run(
+        command, cwd=folder, env=given, capture_output=True, text=True, check=False
+    )
 
 
 @pytest.mark.parametrize(
     ("answer", "status", "comment"),
-    [("all is well", "0", "all is well"), ("it flips", "1", "it flips"), ("", "1", "It could not be")]
+    [
+        ("all is well", "0", "all is well"),
+        ("it flips", "1", "it flips"),
+        ("", "1", "It could not be"),
+    ]
     + [("", "2", "It could")],
 )
-def test_the_workflow_comments_with_the_answer_or_with_why_there_is_none(tmp_path, answer, status, comment):
-    done = run_script(tmp_path, 3, NEWTON="1.9.0", WITH="", ANSWER=answer, STATUS=status)
-    assert done.returncode == 0 and (tmp_path / "output").read_text().startswith(f"status={status}\ncomment<<")
+def test_the_workflow_comments_with_the_answer_or_with_why_there_is_none(
+    tmp_path, answer, status, comment
+):
+    done = run_script(
+        tmp_path, 3, NEWTON="1.9.0", WITH="", ANSWER=answer, STATUS=status
+    )
+    assert done.returncode == 0 and (tmp_path / "output").read_text().startswith(
+        f"status={status}\ncomment<<"
+    )
     said = (tmp_path / "comment.md").read_text()
     assert said.startswith(comment) and ("it took a while" in said) == (not answer)
     called = (tmp_path / "log").read_text()
-    assert called == "python|build.py|upgrade|--newton|1.9.0|--with||--profile|quick|--format|markdown|\n"
+    assert (
+        called
+        == "python|build.py|upgrade|--newton|1.9.0|--with||--profile|quick|--format|markdown|\n"
+    )
 
 
 def test_finding_8_workflows_name_what_they_run_by_its_content_and_keep_no_credentials():
     shown = [ROOT / "packages/newton-lint/README.md", ROOT / "docs/audit.md"]
     for workflow in (*shown, *chain(*(folder.glob("*.yml") for folder in WORKFLOWS))):
-        text = textwrap.dedent(workflow.read_text().partition("scenes.yml\n")[2] or workflow.read_text())
+        text = textwrap.dedent(
+            workflow.read_text().partition("scenes.yml\n")[2] or workflow.read_text()
+        )
         used = re.findall(r"uses: (\S+)", text)
-        assert used and all(re.fullmatch(r"[\w/-]+@[0-9a-f]{40}", action) for action in used), workflow
-        kept_nothing = re.findall(r"actions/checkout@.*\n        with:\n          persist-credentials: false\n", text)
+        assert used and all(
+            re.fullmatch(r"[\w/-]+@[0-9a-f]{40}", action) for action in used
+        ), workflow
+        kept_nothing = re.findall(
+            r"actions/checkout@.*\n        with:\n          persist-credentials: false\n",
+            text,
+        )
         assert len(kept_nothing) == text.count("actions/checkout@"), workflow
-        assert workflow in shown or not re.search(r"pip install|astral\.sh|setup-uv", text), "the lock says which uv"
+        assert workflow in shown or not re.search(
+            r"pip install|astral\.sh|setup-uv", text
+        ), "the lock says which uv"
 
 
-@pytest.mark.parametrize(("open_issue", "call"), [("", "gh|issue|create|--label|upgrade"), ("7", "gh|issue|edit|7")])
+@pytest.mark.parametrize(
+    ("open_issue", "call"),
+    [("", "gh|issue|create|--label|upgrade"), ("7", "gh|issue|edit|7")],
+)
 def test_the_workflow_keeps_one_issue(tmp_path, open_issue, call):
     title = 'Upgrade: newton 1.9.0 "$(touch evil)"'
-    assert run_script(tmp_path, 4, OPEN_ISSUE=open_issue, TITLE=title, COMMENT="$(touch evil)").returncode == 0
-    assert (tmp_path / "log").read_text().splitlines()[-1] == f"{call}|--title|{title}|--body-file|comment.md|"
+    assert (
+        run_script(
+            tmp_path, 4, OPEN_ISSUE=open_issue, TITLE=title, COMMENT="$(touch evil)"
+        ).returncode
+        == 0
+    )
+    assert (tmp_path / "log").read_text().splitlines()[
+        -1
+    ] == f"{call}|--title|{title}|--body-file|comment.md|"
     assert not (tmp_path / "evil").exists()
 
 
@@ -83,8 +131,15 @@ def test_the_workflow_keeps_one_issue(tmp_path, open_issue, call):
 def test_the_job_that_may_write_runs_nothing_that_was_measured(folder):
     before, rest = (folder / "upgrade.yml").read_text().split("\n  upgrade:\n")
     measuring, writing = rest.split("\n  issue:\n")
-    assert ": write" not in before + measuring and "github.token" not in measuring and "issues: write" in writing
-    assert not any(re.search("build.py|make ", job) for job in (before.partition("jobs:")[2], writing))
+    assert (
+        ": write" not in before + measuring
+        and "github.token" not in measuring
+        and "issues: write" in writing
+    )
+    assert not any(
+        re.search("build.py|make ", job)
+        for job in (before.partition("jobs:")[2], writing)
+    )
     assert "uses:" not in writing
 
 
@@ -92,25 +147,42 @@ def test_the_job_that_may_write_runs_nothing_that_was_measured(folder):
 def test_what_was_measured_is_kept_and_used_the_next_time(folder, tmp_path):
     run_script(tmp_path, 0, workflow=folder / "upgrade.yml", RUNS="3 2 1")
     calls = (tmp_path / "log").read_text().splitlines()[1:]
-    assert calls == [f"gh|run|download|{run}|--pattern|results-*|--dir|measured|" for run in (3, 2)], "3 has none"
+    assert calls == [
+        f"gh|run|download|{run}|--pattern|results-*|--dir|measured|" for run in (3, 2)
+    ], "3 has none"
     kept = ("newton-1.9.0", "quick/newton-1.9.0", "newton-1.9.0@cpu")
-    for name in (*kept, "newton-1.9.0.1", "newton-1.4.0", "quick/newton-1.4.0", "newton-99.0.0", "timed/newton-1.9.0"):
+    for name in (
+        *kept,
+        "newton-1.9.0.1",
+        "newton-1.4.0",
+        "quick/newton-1.4.0",
+        "newton-99.0.0",
+        "timed/newton-1.9.0",
+    ):
         (tmp_path / "before/results-1.9.0" / name).mkdir(parents=True)
     (tmp_path / "results/newton-1.9.0").mkdir(parents=True)  # tracked
     assert run_script(tmp_path, 1, workflow=folder / "upgrade.yml").returncode == 0
     assert {
-        str(path.parent.relative_to(tmp_path / "results") / path.name) for path in (tmp_path / "results").rglob("*-*")
+        str(path.parent.relative_to(tmp_path / "results") / path.name)
+        for path in (tmp_path / "results").rglob("*-*")
     } == {*kept}
     assert not (tmp_path / "results/newton-1.9.0/newton-1.9.0").exists()
 
 
-def test_a_pull_request_that_moves_to_another_release_is_compared_with_that_of_its_base(tmp_path):
+def test_a_pull_request_that_moves_to_another_release_is_compared_with_that_of_its_base(
+    tmp_path,
+):
     lay_out(folder := tmp_path / "project")
     for release in ("1.4.0", "1.9.0"):
         with report_in(folder):
             toy = Toy(Project(release, root=folder))
-            toy.write("pyproject.toml", f'[project]\ndependencies = ["newton[sim]=={release}"]\n')
-            toy.measure(({**ROWS[0], "slip_mm": 9.0}, ROWS[1]) if release == "1.9.0" else ROWS)
+            toy.write(
+                "pyproject.toml",
+                f'[project]\ndependencies = ["newton[sim]=={release}"]\n',
+            )
+            toy.measure(
+                ({**ROWS[0], "slip_mm": 9.0}, ROWS[1]) if release == "1.9.0" else ROWS
+            )
         git(folder, "init", "--quiet")
         git(folder, "add", "--all")
         git(folder, "commit", "--quiet", "--message", release)
@@ -118,14 +190,29 @@ def test_a_pull_request_that_moves_to_another_release_is_compared_with_that_of_i
     (folder / ".venv/bin/python").chmod(0o755)
     paths = f"{folder}{os.pathsep}{ROOT / 'packages/measured-report'}"
     base = git(folder, "rev-parse", "HEAD~1")
-    done = run_script(folder, 0, SKELETON / "dot.github/workflows/changes.yml", BASE=base, PYTHONPATH=paths)
+    done = run_script(
+        folder,
+        0,
+        SKELETON / "dot.github/workflows/changes.yml",
+        BASE=base,
+        PYTHONPATH=paths,
+    )
     comment = (folder / "comment.md").read_text()
-    assert done.returncode == 0 and "newton 1.4.0@base → newton 1.9.0: " in comment, comment + done.stderr
+    assert done.returncode == 0 and "newton 1.4.0@base → newton 1.9.0: " in comment, (
+        comment + done.stderr
+    )
     assert "+41 % worse (toy soft)" in comment and "trusted: 0" in comment, comment
 
 
 def test_a_new_report_takes_the_uv_of_the_lock_by_its_bytes():
-    version, *hashes = re.findall(r"uv==(\S+)|hash=(\S+)", (SKELETON / "uv.txt").read_text())
-    lock = (ROOT / "uv.lock").read_text().partition('name = "uv"\nversion = "' + version[0])[2].partition("\n\n")[0]
+    version, *hashes = re.findall(
+        r"uv==(\S+)|hash=(\S+)", (SKELETON / "uv.txt").read_text()
+    )
+    lock = (
+        (ROOT / "uv.lock")
+        .read_text()
+        .partition('name = "uv"\nversion = "' + version[0])[2]
+        .partition("\n\n")[0]
+    )
     assert len(hashes) == 4 and all(digest in lock for _, digest in hashes)
     assert "--require-hashes" in (SKELETON / "Makefile").read_text()

@@ -11,7 +11,9 @@ import pytest
 from measured_report.files.root import ROOT
 
 DOCUMENT = (ROOT / "docs" / "your-own.md").read_text(encoding="utf-8")
-FILE = re.compile(r"`([\w/.]+)` (?:measures|derives|says)[^`]*?.*?\n\n```\w+\n(.*?)```", re.DOTALL)
+FILE = re.compile(
+    r"`([\w/.]+)` (?:measures|derives|says)[^`]*?.*?\n\n```\w+\n(.*?)```", re.DOTALL
+)
 SCRIPT = re.compile(r"way is better:\n\n```python\n(.*?)```", re.DOTALL)
 LINES = re.compile(r"^ {4}(make .*)$", re.MULTILINE)
 UV = Path(sys.executable).with_name("uv")
@@ -23,17 +25,34 @@ def files() -> dict[str, str]:
 
 
 def run(*command: str | Path, cwd: Path) -> str:
-    settings = {name: value for name, value in os.environ.items() if name not in ("PYTHONPATH", "MAKEFLAGS")}
+    settings = {
+        name: value
+        for name, value in os.environ.items()
+        if name not in ("PYTHONPATH", "MAKEFLAGS")
+    }
     settings["PATH"] = f"{UV.parent}{os.pathsep}{os.environ['PATH']}"
-    done = subprocess.run(command, cwd=cwd, env=settings, capture_output=True, text=True, check=False)
+    done = subprocess.run(
+        command, cwd=cwd, env=settings, capture_output=True, text=True, check=False
+    )
     assert done.returncode == 0, f"{command}: {done.stdout}{done.stderr}"
     return done.stdout
 
 
 @pytest.mark.slow
-@pytest.mark.skipif(not UV.exists(), reason="there is no uv to install a new report with")
+@pytest.mark.skipif(
+    not UV.exists(), reason="there is no uv to install a new report with"
+)
 def test_the_document_works_line_by_line(tmp_path):
-    run(UV, "build", "--wheel", "--quiet", ROOT / "packages/measured-report", "-o", tmp_path, cwd=tmp_path)
+    run(
+        UV,
+        "build",
+        "--wheel",
+        "--quiet",
+        ROOT / "packages/measured-report",
+        "-o",
+        tmp_path,
+        cwd=tmp_path,
+    )
     [wheel] = tmp_path.glob("*.whl")
     command = ["uvx", "--isolated", "--from", str(wheel), "measured-report"]
     try:
@@ -46,7 +65,9 @@ def test_the_document_works_line_by_line(tmp_path):
             pytest.skip("there is no index to install a new report from")
         raise
     run(*second.split(), cwd=report)
-    assert sum(path.lstat().st_size for path in (report / ".venv").rglob("*")) < MOST_BYTES
+    assert (
+        sum(path.lstat().st_size for path in (report / ".venv").rglob("*")) < MOST_BYTES
+    )
     for name, text in files().items():
         (report / name).write_text(text, encoding="utf-8")
     run(sys.executable, "-c", SCRIPT.search(DOCUMENT)[1], cwd=report)

@@ -20,7 +20,9 @@ HELD = (
     replace(MINUTE, name="kept", **POSITIONS["kept"]),
     replace(MINUTE, name="best", **BEST),
 )
-SIDES = {"best": replace(AS_SHIPPED, **BEST)}  # the one side of the map of section envelope: with the whole cure
+SIDES = {
+    "best": replace(AS_SHIPPED, **BEST)
+}  # the one side of the map of section envelope: with the whole cure
 PARTS = {
     "limits": limits.measure,
     "turntable": turntable.measure,
@@ -32,18 +34,32 @@ PARTS = {
 
 def measure(conditions: Conditions) -> Plan:
     """Measure the combinations by their kind of contacts, and each other part."""
-    groups = {kind: combinations.cases(kind, conditions.quick) for kind in combinations.CONTACTS}
+    groups = {
+        kind: combinations.cases(kind, conditions.quick)
+        for kind in combinations.CONTACTS
+    }
     held, cells, *measured = yield [
         Batch("hold", measure_held, (conditions,)),
         Batch("envelope", measure_map, (conditions, SIDES)),
-        *(Batch(kind, combinations.measure, (conditions, cases)) for kind, cases in groups.items() if cases),
+        *(
+            Batch(kind, combinations.measure, (conditions, cases))
+            for kind, cases in groups.items()
+            if cases
+        ),
         *(Batch(name, function, (conditions,)) for name, function in PARTS.items()),
     ]
-    best = {"case": "map-best", "contact_bias": True, "cell_count": MAP_SIZE[conditions.profile] ** 2}
+    best = {
+        "case": "map-best",
+        "contact_bias": True,
+        "cell_count": MAP_SIZE[conditions.profile] ** 2,
+    }
     return Measurement([*held, best, *chain(*measured)], {"map": cells})
 
 
 def measure_held(conditions: Conditions) -> list[dict]:
     """Measure a row for each minute with the arm held still, with the creep in its last second."""
     runs = zip(HELD, conditions.simulate(HELD, title="cure, held"), strict=True)
-    return [summarize(case, trace) | {"contact_bias": case.contact_bias} | creep(trace) for case, trace in runs]
+    return [
+        summarize(case, trace) | {"contact_bias": case.contact_bias} | creep(trace)
+        for case, trace in runs
+    ]

@@ -30,7 +30,10 @@ SECONDS = {"plane": {"full": 1.0, "quick": 0.5}, "table": {"full": 4.0, "quick":
 COLUMNS = {"plane": ("travel_mm", "sideways_mm", "rise_mm"), "table": ("growth_per_s",)}
 CAUGHT_S = 2.0  # time by which a body that was put down at rest turns with the table; its growth is measured after it
 CUBE = " ".join(
-    f"{x} {y} {z}" for x in (-RADIUS_M, RADIUS_M) for y in (-RADIUS_M, RADIUS_M) for z in (-RADIUS_M, RADIUS_M)
+    f"{x} {y} {z}"
+    for x in (-RADIUS_M, RADIUS_M)
+    for y in (-RADIUS_M, RADIUS_M)
+    for z in (-RADIUS_M, RADIUS_M)
 )
 FOOT = "0 0 -0.01  0.01 0 0.01  -0.005 0.008 0.01  -0.005 -0.008 0.01"
 """Corners of a tetrahedron that stands on one of them."""
@@ -62,20 +65,36 @@ class Motion:
 
 
 def on_plane(
-    name: str, body: str, *, height_m: float = 0.0, roll: bool = False, spin: float = 0.0, runs=IN_C
+    name: str,
+    body: str,
+    *,
+    height_m: float = 0.0,
+    roll: bool = False,
+    spin: float = 0.0,
+    runs=IN_C,
 ) -> Motion:
     """Throw a body along x, from ``height_m`` above the plane, rolling or not, with a spin about z [rad/s]."""
     scene = f"""<geom type="plane" size="5 5 1" friction="{FRICTION}"/>
       <body><freejoint/><geom {GEOMS[body]} mass="0.2" friction="{FRICTION}"/></body>"""
     positions = numbers([0.0, 0.0, RADIUS_M + height_m, 1.0, 0.0, 0.0, 0.0])
-    velocity = numbers([SPEED_M_S, 0.0, 0.0, 0.0, SPEED_M_S / RADIUS_M if roll else 0.0, spin])
-    return Motion(name, body, "plane", SCENE.format(10.0, CUBE, FOOT, scene, positions, velocity), runs)
+    velocity = numbers(
+        [SPEED_M_S, 0.0, 0.0, 0.0, SPEED_M_S / RADIUS_M if roll else 0.0, spin]
+    )
+    return Motion(
+        name,
+        body,
+        "plane",
+        SCENE.format(10.0, CUBE, FOOT, scene, positions, velocity),
+        runs,
+    )
 
 
 def on_table(name: str, feet: str) -> Motion:
     """Put a body on the turning table: ``carried`` along, or ``caught`` at rest against the ground."""
     corners = [(x, y) for x in (0.04, -0.04) for y in (0.04, -0.04)]
-    stand = "".join(f'<geom {FEET[feet]} pos="{x} {y} -0.04" mass="0"/>' for x, y in corners)
+    stand = "".join(
+        f'<geom {FEET[feet]} pos="{x} {y} -0.04" mass="0"/>' for x, y in corners
+    )
     scene = f"""<body><joint axis="0 0 1" armature="1000"/><geom type="box" size="{TABLE_M} {TABLE_M} 0.05"/></body>
       <body><freejoint/>
         <geom type="box" size="0.05 0.05 0.04" mass="0.2" contype="0" conaffinity="0"/>{stand}
@@ -83,11 +102,20 @@ def on_table(name: str, feet: str) -> Motion:
     positions = numbers([0.0, PLACE_M, 0.0, 0.1, 1.0, 0.0, 0.0, 0.0])
     turn = TURN_RAD_S if name == "carried" else 0.0
     velocity = numbers([TURN_RAD_S, 0.0, turn * PLACE_M, 0.0, 0.0, 0.0, turn])
-    return Motion(name, feet, "table", SCENE.format(100.0, CUBE, FOOT, scene, positions, velocity), EXACT)
+    return Motion(
+        name,
+        feet,
+        "table",
+        SCENE.format(100.0, CUBE, FOOT, scene, positions, velocity),
+        EXACT,
+    )
 
 
 MOTIONS = [
-    *(on_plane("impact", body, height_m=HEIGHT_M) for body in ("sphere", "cylinder", "mesh")),
+    *(
+        on_plane("impact", body, height_m=HEIGHT_M)
+        for body in ("sphere", "cylinder", "mesh")
+    ),
     *(on_plane("roll", body, roll=True) for body in ("sphere", "cylinder", "capsule")),
     on_plane("pivot", "sphere", roll=True, spin=SPIN_RAD_S, runs=(*IN_C, *EXACT)),
     on_plane("slide", "mesh"),
@@ -99,16 +127,32 @@ def measure(conditions: Conditions) -> list[dict]:
     """Measure a row for each motion, variant and engine: where the body is at the end, or how it walks on the table."""
     runs = [(motion, *each) for motion in MOTIONS for each in motion.runs]
     bar = tqdm(runs, desc="cure, bodies", unit="run", delay=3.0)
-    return [row_of(motion, variant, engine, conditions) for motion, variant, engine in bar]
+    return [
+        row_of(motion, variant, engine, conditions) for motion, variant, engine in bar
+    ]
 
 
-def row_of(motion: Motion, variant: str, engine: str, conditions: Conditions) -> dict[str, object]:
-    row: dict = {"case": f"{motion.name}-{motion.body}-{variant}-{engine}", "motion": motion.name, "body": motion.body}
+def row_of(
+    motion: Motion, variant: str, engine: str, conditions: Conditions
+) -> dict[str, object]:
+    row: dict = {
+        "case": f"{motion.name}-{motion.body}-{variant}-{engine}",
+        "motion": motion.name,
+        "body": motion.body,
+    }
     row |= {"variant": variant, "backend": engine, "contact_bias": variant != "plain"}
     exact = partial(contact_place.install, centred=motion.place == "table", normal=True)
-    term = {"plain": None, "term": contact_bias_c.subtract_bias, "exact": exact}[variant]
+    term = {"plain": None, "term": contact_bias_c.subtract_bias, "exact": exact}[
+        variant
+    ]
     try:
-        path, _ = run(engine, motion.mjcf, SECONDS[motion.place][conditions.profile], conditions.device, term)  # type: ignore[arg-type]  # a dict joins functions into objects
+        path, _ = run(
+            engine,
+            motion.mjcf,
+            SECONDS[motion.place][conditions.profile],
+            conditions.device,
+            term,  # type: ignore[arg-type]  # a dict joins functions into objects
+        )
         return row | columns_of(motion, path)
     except RunFailed as failed:
         return row | absent(COLUMNS[motion.place], str(failed))
@@ -121,7 +165,9 @@ def columns_of(motion: Motion, path: np.ndarray) -> dict[str, float]:
         RunFailed: It leaves the table.
     """
     if motion.place == "plane":
-        return dict(zip(COLUMNS["plane"], (1e3 * (path[-1] - path[0])).tolist(), strict=True))
+        return dict(
+            zip(COLUMNS["plane"], (1e3 * (path[-1] - path[0])).tolist(), strict=True)
+        )
     radius_m = np.hypot(*path[:, :2].T)
     if radius_m.max() > TABLE_M:
         raise RunFailed("it leaves the table")

@@ -7,20 +7,43 @@ from itertools import product
 import numpy as np
 
 from experiments.facts import metrics
-from experiments.facts.case import AS_SHIPPED, IMPRATIO, POSITIONS, STIFF_PADS, TERMS, Case
+from experiments.facts.case import (
+    AS_SHIPPED,
+    IMPRATIO,
+    POSITIONS,
+    STIFF_PADS,
+    TERMS,
+    Case,
+)
 from experiments.facts.trace import Trace
 from experiments.simulation.budget import Motion, measure_motion, predicted_mm
-from experiments.simulation.measurement import SHAKE_COLUMNS, Conditions, absent, summarize
+from experiments.simulation.measurement import (
+    SHAKE_COLUMNS,
+    Conditions,
+    absent,
+    summarize,
+)
 from measured_report.measuring.pool import gather, processes, start
 from newton_lint.newton_models.compat import kf_is_read
 
 PADS = {"shipped": AS_SHIPPED, "stiff": STIFF_PADS}
 AMPLITUDES_M = {"held": 0.0, "3cm": 0.03, "10cm": 0.1}
-CONTACTS = {"newton": {}, "mujoco": {"contacts": "mujoco"}, "pyramidal": {"cone": "pyramidal"}}  # type: dict[str, dict]
+CONTACTS = {
+    "newton": {},
+    "mujoco": {"contacts": "mujoco"},
+    "pyramidal": {"cone": "pyramidal"},
+}  # type: dict[str, dict]
 ALONG = {"x": 0, "z": 2}  # axes of the TCP frame along the pads, by their place
-OTHERS = [("implicitfast", 50.0), ("implicitfast", IMPRATIO), ("rk4", 50.0), ("euler", IMPRATIO)]
+OTHERS = [
+    ("implicitfast", 50.0),
+    ("implicitfast", IMPRATIO),
+    ("rk4", 50.0),
+    ("euler", IMPRATIO),
+]
 SETTINGS = {
-    "newton": list(product(("implicitfast", "euler", "rk4"), (AS_SHIPPED.impratio, IMPRATIO))),
+    "newton": list(
+        product(("implicitfast", "euler", "rk4"), (AS_SHIPPED.impratio, IMPRATIO))
+    ),
     "mujoco": OTHERS,
     "pyramidal": OTHERS,
 }
@@ -54,7 +77,14 @@ def cases(kind: str, quick: bool) -> list[Case]:
         for shake, amplitude_m in AMPLITUDES_M.items():
             if not (quick and shake == "10cm"):
                 name = f"{stem}-{shake}-kf-off"
-                combinations.append(replace(AS_SHIPPED, name=name, shake_amplitude_m=amplitude_m, pad_kf=-1.0))
+                combinations.append(
+                    replace(
+                        AS_SHIPPED,
+                        name=name,
+                        shake_amplitude_m=amplitude_m,
+                        pad_kf=-1.0,
+                    )
+                )
     return combinations
 
 
@@ -64,13 +94,19 @@ def measure(conditions: Conditions, variants: Sequence[Case]) -> list[dict]:
     # MuJoCo's C engine runs on the CPU: each run has a process of its own, beside the GPU and the others.
     frame_count = conditions.frame_count(AS_SHIPPED.frame_count)
     moved = [
-        replace(PADS[pads], shake_amplitude_m=AMPLITUDES_M[shake], frame_count=frame_count) for pads, shake in shakes
+        replace(
+            PADS[pads], shake_amplitude_m=AMPLITUDES_M[shake], frame_count=frame_count
+        )
+        for pads, shake in shakes
     ]
     with processes(len(moved)) as pool:
         waiting = start(pool, measure_motion, [(case,) for case in moved])
         traces = conditions.simulate(variants, title="cure")
         motions = dict(zip(shakes, gather(waiting, "cure, in C"), strict=True))
-    return [row_of(case, trace, motions[shake_of(case)]) for case, trace in zip(variants, traces, strict=True)]
+    return [
+        row_of(case, trace, motions[shake_of(case)])
+        for case, trace in zip(variants, traces, strict=True)
+    ]
 
 
 def shake_of(case: Case) -> tuple[str, str]:
@@ -82,14 +118,31 @@ def shake_of(case: Case) -> tuple[str, str]:
 def row_of(case: Case, trace: Trace, motion: Motion) -> dict[str, object]:
     """Make the row of a run: its slip in the TCP frame, whose y is across the pads, and the parts along them."""
     pads, shake = shake_of(case)
-    row = {"kind": "run", **summarize(case, trace), "pads": pads, "shake": shake, "contact_bias": case.contact_bias}
+    row = {
+        "kind": "run",
+        **summarize(case, trace),
+        "pads": pads,
+        "shake": shake,
+        "contact_bias": case.contact_bias,
+    }
     parts = predicted_mm(case, motion)
     vectors = {**parts, "predicted": sum(parts.values())}
-    row |= cells({name: value for term, mm in vectors.items() for name, value in along(term, mm)}, motion.failure)
+    row |= cells(
+        {
+            name: value
+            for term, mm in vectors.items()
+            for name, value in along(term, mm)
+        },
+        motion.failure,
+    )
     reason = row.get(f"{SHAKE_COLUMNS[0]}_reason")
-    slip = np.full(3, np.nan) if reason else 1e3 * metrics.displacement(trace).vector_m[-1]
+    slip = (
+        np.full(3, np.nan) if reason else 1e3 * metrics.displacement(trace).vector_m[-1]
+    )
     row |= cells(dict(along("slip", slip)), reason)
-    remainder = float(np.linalg.norm((slip - vectors["predicted"])[list(ALONG.values())]))
+    remainder = float(
+        np.linalg.norm((slip - vectors["predicted"])[list(ALONG.values())])
+    )
     return row | cells({"remainder_mm": remainder}, reason or motion.failure)
 
 

@@ -21,23 +21,38 @@ from experiments.facts.case import AS_SHIPPED
 from experiments.simulation.measurement import Conditions, summarize
 from experiments.simulation.reference import NativeShake, pilot_at_shake, starts_of
 
-SHAKE_M, SHAKE_RAD_S = 0.03, 2.0 * np.pi  # the arm's own shake, a period of which is the time in which the cube settles
+SHAKE_M, SHAKE_RAD_S = (
+    0.03,
+    2.0 * np.pi,
+)  # the arm's own shake, a period of which is the time in which the cube settles
 PLACE_M = SHAKE_M * SHAKE_RAD_S**2 / TURN_RAD_S**2
 """Distance from the axis at which what turns is accelerated by as much as the shake at its most."""
 SECONDS = {"full": 6.0, "quick": 3.0}
-JACOBIANS = {"dense": mujoco.mjtJacobian.mjJAC_DENSE, "sparse": mujoco.mjtJacobian.mjJAC_SPARSE}
+JACOBIANS = {
+    "dense": mujoco.mjtJacobian.mjJAC_DENSE,
+    "sparse": mujoco.mjtJacobian.mjJAC_SPARSE,
+}
 HALF_M, PRESSED_M = 0.025, 0.002
-FEET_M = [(x, y, z) for x in (-0.02, 0.02) for y in (-HALF_M, HALF_M) for z in (-0.02, 0.02)]
-HINGE, SLIDE = '<joint axis="0 {sign} 0" pos="{at} 0 0" {spring}/>', '<joint type="slide" axis="{axis}" {spring}/>'
+FEET_M = [
+    (x, y, z) for x in (-0.02, 0.02) for y in (-HALF_M, HALF_M) for z in (-0.02, 0.02)
+]
+HINGE, SLIDE = (
+    '<joint axis="0 {sign} 0" pos="{at} 0 0" {spring}/>',
+    '<joint type="slide" axis="{axis}" {spring}/>',
+)
 SWING = f'stiffness="{1e3 * SHAKE_RAD_S**2}" armature="1000"'
-ARC_M = SHAKE_M**2 / (4.0 * PLACE_M)  # by so much the middle of the arc's way along its radius is off its lowest point
+ARC_M = SHAKE_M**2 / (
+    4.0 * PLACE_M
+)  # by so much the middle of the arc's way along its radius is off its lowest point
 ALONG = f'springref="{-ARC_M}" stiffness="{4e3 * SHAKE_RAD_S**2}" armature="1000"'  # twice a period
 JOINTS = {
     "straight": SLIDE.format(axis="1 0 0", spring=SWING),
     "turning": '<joint axis="0 0 1" armature="1000"/>',
     "hinge": HINGE.format(sign=-1, at=-PLACE_M, spring=SWING),
-    "two-hinges": HINGE.format(sign=-1, at=-PLACE_M, spring=SWING) + HINGE.format(sign=1, at=0, spring=SWING),
-    "two-slides": SLIDE.format(axis="1 0 0", spring=ALONG) + SLIDE.format(axis="0 0 1", spring=SWING),
+    "two-hinges": HINGE.format(sign=-1, at=-PLACE_M, spring=SWING)
+    + HINGE.format(sign=1, at=0, spring=SWING),
+    "two-slides": SLIDE.format(axis="1 0 0", spring=ALONG)
+    + SLIDE.format(axis="0 0 1", spring=SWING),
 }
 ON_AN_ARC = ("hinge", "two-hinges", "two-slides")
 SPEED_M_S = SHAKE_M * SHAKE_RAD_S  # of a shake in its middle
@@ -54,7 +69,10 @@ STARTS = {  # at an end of the shake, at rest; turning; and in the middle of the
 def walls(motion: str) -> str:
     """Write the scene: walls on joints, and between them a cube on feet, without gravity."""
     place_m = 0.0 if motion == "straight" else PLACE_M
-    feet = "".join(f'<geom type="sphere" size="0.01" pos="{x} {y} {z}" mass="0"/>' for x, y, z in FEET_M)
+    feet = "".join(
+        f'<geom type="sphere" size="0.01" pos="{x} {y} {z}" mass="0"/>'
+        for x, y, z in FEET_M
+    )
     at_body = f"{place_m} 0 0" if motion in ON_AN_ARC else "0 0 0"
     offset_m = 0.0 if motion in ON_AN_ARC else place_m
     sides = "".join(
@@ -71,25 +89,52 @@ def walls(motion: str) -> str:
 
 def measure(conditions: Conditions) -> list[dict]:
     """Make a row for each control and engine: how fast the cube creeps along the walls, once it has settled."""
-    return [row_of(motion, engine, conditions) for motion in JOINTS for engine in ("warp", "c")]
+    return [
+        row_of(motion, engine, conditions)
+        for motion in JOINTS
+        for engine in ("warp", "c")
+    ]
 
 
 def row_of(motion: str, engine: str, conditions: Conditions) -> dict[str, object]:
-    path, contacts = turntable.run(engine, walls(motion), SECONDS[conditions.profile], conditions.device)
-    outward = path[:, 0] if motion == "straight" else np.hypot(*path[:, [0, 2 if motion in ON_AN_ARC else 1]].T)
+    path, contacts = turntable.run(
+        engine, walls(motion), SECONDS[conditions.profile], conditions.device
+    )
+    outward = (
+        path[:, 0]
+        if motion == "straight"
+        else np.hypot(*path[:, [0, 2 if motion in ON_AN_ARC else 1]].T)
+    )
     settled = outward[round(SETTLE_S / SAMPLE_S) :]
-    row = {"case": f"control-{motion}-plain-{engine}", "control": motion, "backend": engine, "contact_bias": False}
-    row["drift_mm_s"] = float(1e3 * (settled[-1] - settled[0]) / (SAMPLE_S * (len(settled) - 1)))
+    row = {
+        "case": f"control-{motion}-plain-{engine}",
+        "control": motion,
+        "backend": engine,
+        "contact_bias": False,
+    }
+    row["drift_mm_s"] = float(
+        1e3 * (settled[-1] - settled[0]) / (SAMPLE_S * (len(settled) - 1))
+    )
     if motion != "turning":
         return row
     row["growth_per_s"] = turntable.growth_per_s(outward, SETTLE_S)
-    return row | {"predicted_growth_per_s": turntable.predicted_growth_per_s(turntable.Variant(), contacts)}
+    return row | {
+        "predicted_growth_per_s": turntable.predicted_growth_per_s(
+            turntable.Variant(), contacts
+        )
+    }
 
 
 def measure_jacobians(conditions: Conditions) -> list[dict]:
     """Make a row for the shake in MuJoCo's C engine with either form of the Jacobian."""
-    case = replace(AS_SHIPPED, backend="mujoco", frame_count=conditions.frame_count(AS_SHIPPED.frame_count))
-    [start] = starts_of(pilot_at_shake([AS_SHIPPED], wp.get_device(conditions.device)), case.frame_count)
+    case = replace(
+        AS_SHIPPED,
+        backend="mujoco",
+        frame_count=conditions.frame_count(AS_SHIPPED.frame_count),
+    )
+    [start] = starts_of(
+        pilot_at_shake([AS_SHIPPED], wp.get_device(conditions.device)), case.frame_count
+    )
     rows = []
     for form, number in JACOBIANS.items():
         shake = NativeShake(case, start)

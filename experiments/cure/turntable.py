@@ -67,16 +67,26 @@ class Variant:
 
     contact_bias: bool = False
     bias_centred: bool = False
-    options: Mapping[str, Any] = field(default_factory=dict)  # options of MJCF that are not as in the scene
+    options: Mapping[str, Any] = field(
+        default_factory=dict
+    )  # options of MJCF that are not as in the scene
     timeconst_s: float = 0.02
 
     @property
     def mjcf(self) -> str:
         """Write the scene, which begins with the box at rest on the turning table."""
-        options = " ".join(f'{name}="{WORDS.get(value, value)}"' for name, value in self.options.items())
-        start = numbers([TURN_RAD_S, 0.0, TURN_RAD_S * RADIUS_M, 0.0, 0.0, 0.0, TURN_RAD_S])
+        options = " ".join(
+            f'{name}="{WORDS.get(value, value)}"'
+            for name, value in self.options.items()
+        )
+        start = numbers(
+            [TURN_RAD_S, 0.0, TURN_RAD_S * RADIUS_M, 0.0, 0.0, 0.0, TURN_RAD_S]
+        )
         settings = f'<option {options}/><default><geom solref="{self.timeconst_s} 1"/></default>'
-        return MJCF.replace("<worldbody>", f'{settings}<keyframe><key qvel="{start}"/></keyframe><worldbody>')
+        return MJCF.replace(
+            "<worldbody>",
+            f'{settings}<keyframe><key qvel="{start}"/></keyframe><worldbody>',
+        )
 
 
 WORDS = {"rk4": "RK4", "euler": "Euler"}  # integrators as MJCF spells them
@@ -97,7 +107,9 @@ VARIANTS = {
     "term-rk4": Variant(contact_bias=True, options=RK4),
     "term-rk4-impratio": Variant(contact_bias=True, options=RK4 | HIGH_IMPRATIO),
     "term-centred": Variant(contact_bias=True, bias_centred=True),
-    "term-centred-impratio": Variant(contact_bias=True, bias_centred=True, options=HIGH_IMPRATIO),
+    "term-centred-impratio": Variant(
+        contact_bias=True, bias_centred=True, options=HIGH_IMPRATIO
+    ),
 }
 TERM = {"warp": contact_bias.install, "c": contact_bias_c.subtract_bias}  # type: dict[str, Callable]
 
@@ -105,30 +117,55 @@ TERM = {"warp": contact_bias.install, "c": contact_bias_c.subtract_bias}  # type
 def measure(conditions: Conditions) -> list[dict]:
     """Measure a row for each run: how fast the box's distance from the axis grows, measured and predicted."""
     runs = list(product(TERM, VARIANTS))
-    return [row_of(engine, name, conditions) for engine, name in tqdm(runs, desc="turntable", unit="run", delay=3.0)]
+    return [
+        row_of(engine, name, conditions)
+        for engine, name in tqdm(runs, desc="turntable", unit="run", delay=3.0)
+    ]
 
 
 def row_of(engine: str, name: str, conditions: Conditions) -> dict[str, object]:
     variant = VARIANTS[name]
-    row = {"case": f"{name}-{engine}", "backend": engine, "contact_bias": variant.contact_bias, **variant.options}
+    row = {
+        "case": f"{name}-{engine}",
+        "backend": engine,
+        "contact_bias": variant.contact_bias,
+        **variant.options,
+    }
     row |= {"bias_centred": variant.bias_centred, "timeconst_s": variant.timeconst_s}
-    if engine == "warp" and "noslip_iterations" in variant.options and not warp_has_noslip():
+    if (
+        engine == "warp"
+        and "noslip_iterations" in variant.options
+        and not warp_has_noslip()
+    ):
         return row | absent(GROWTHS, "MuJoCo Warp here has no noslip")
-    term = partial(TERM[engine], centred=variant.bias_centred) if variant.contact_bias else None
+    term = (
+        partial(TERM[engine], centred=variant.bias_centred)
+        if variant.contact_bias
+        else None
+    )
     try:
-        path, contacts = run(engine, variant.mjcf, SECONDS[conditions.profile], conditions.device, term)
+        path, contacts = run(
+            engine, variant.mjcf, SECONDS[conditions.profile], conditions.device, term
+        )
         if contacts.count == 0:
             raise RunFailed("nothing is touched at the end")
     except RunFailed as failed:
         return row | absent(GROWTHS, str(failed))
     radius_m = np.hypot(*path[:, :2].T)
     row |= {"start_radius_mm": 1e3 * float(radius_m[round(SETTLE_S / SAMPLE_S)])}
-    row |= {"loaded_contact_count": contacts.count, "growth_per_s": growth_per_s(radius_m, SETTLE_S)}
+    row |= {
+        "loaded_contact_count": contacts.count,
+        "growth_per_s": growth_per_s(radius_m, SETTLE_S),
+    }
     return row | {"predicted_growth_per_s": predicted_growth_per_s(variant, contacts)}
 
 
 def run(
-    engine: str, mjcf: str, seconds: float, device: str, term: Callable[..., None] | None = None
+    engine: str,
+    mjcf: str,
+    seconds: float,
+    device: str,
+    term: Callable[..., None] | None = None,
 ) -> tuple[np.ndarray, Contacts]:
     """Return the places of a scene's free body every SAMPLE_S [m], shape [samples, 3], and its contacts in the end.
 
@@ -165,7 +202,15 @@ def growth_per_s(radius_m: np.ndarray, since_s: float) -> float:
 def predicted_growth_per_s(variant: Variant, contacts: Contacts) -> float:
     """Predict the growth by the law in the module's text, with the contacts that a run ends with."""
     h, b = variant.options.get("timestep", STEP_S), contacts.damping_per_s
-    creep = 0.0 if "noslip_iterations" in variant.options else MASS_KG * contacts.softness_1_kg
+    creep = (
+        0.0
+        if "noslip_iterations" in variant.options
+        else MASS_KG * contacts.softness_1_kg
+    )
     left_out = 1.0 - variant.contact_bias * (1.0 - 0.5 * h * b * variant.bias_centred)
     step = 0.0 if variant.options.get("integrator") == "rk4" else 0.5 * h
-    return float(TURN_RAD_S**2 * ((left_out + creep) / b - step) * (1.0 - 5.0 * (TURN_RAD_S / b) ** 2))
+    return float(
+        TURN_RAD_S**2
+        * ((left_out + creep) / b - step)
+        * (1.0 - 5.0 * (TURN_RAD_S / b) ** 2)
+    )

@@ -20,7 +20,12 @@ from experiments.facts.case import AS_SHIPPED
 from experiments.scenes.capsule import PAD_HALF_SIZE_M
 from experiments.scenes.pinch import pinch
 from experiments.scenes.turntable import FOOT_M, turntable
-from experiments.simulation.measurement import SETUP_FRAME_COUNT, Conditions, Measurement, absent
+from experiments.simulation.measurement import (
+    SETUP_FRAME_COUNT,
+    Conditions,
+    Measurement,
+    absent,
+)
 from measured_report.measuring.batch import Batch, Plan
 
 NEEDS_GPU = False  # read by ``measured_report.measuring.machine``: it takes minutes

@@ -21,7 +21,12 @@ from experiments.facts import metrics
 from experiments.facts.case import AS_SHIPPED, Case
 from experiments.facts.trace import FRAME_COLUMNS, Trace, first_failure
 from experiments.simulation import scene
-from experiments.simulation.measurement import SHAKE_COLUMNS, Conditions, absent, summarize
+from experiments.simulation.measurement import (
+    SHAKE_COLUMNS,
+    Conditions,
+    absent,
+    summarize,
+)
 from experiments.simulation.simulation import Simulation
 from experiments.simulation.task import FRAME_RATE
 

@@ -9,37 +9,72 @@ from typing import Any
 import numpy as np
 import warp as wp
 
-from experiments.error_runtime.settings import FRAME_COUNT, PADS, Setting, native_of, reference_of, settings
+from experiments.error_runtime.settings import (
+    FRAME_COUNT,
+    PADS,
+    Setting,
+    native_of,
+    reference_of,
+    settings,
+)
 from experiments.facts import metrics
 from experiments.facts.case import FIXED, Case, differences
 from experiments.facts.trace import Trace
 from experiments.simulation import frame_benchmark
-from experiments.simulation.frame_benchmark import Frames, WarmState, build_frames, untimed, warm_state
+from experiments.simulation.frame_benchmark import (
+    Frames,
+    WarmState,
+    build_frames,
+    untimed,
+    warm_state,
+)
 from experiments.simulation.measurement import Conditions, Measurement, absent
 from experiments.simulation.paired_timing import PairedTimes, time_in_turn
-from experiments.simulation.reference import NativeShake, Start, pilot_at_shake, starts_of
+from experiments.simulation.reference import (
+    NativeShake,
+    Start,
+    pilot_at_shake,
+    starts_of,
+)
 from experiments.simulation.simulation import Simulation, run
 from experiments.simulation.task import FRAME_RATE
-from experiments.simulation.timing import WARMUP_COUNT, elapsed_ms, invalid_reason, put_in_state_of
+from experiments.simulation.timing import (
+    WARMUP_COUNT,
+    elapsed_ms,
+    invalid_reason,
+    put_in_state_of,
+)
 from measured_report.measuring.batch import Batch, Plan
 
 REFERENCE_SUBSTEPS = {"full": 1024, "quick": 128}
 """Substeps of the reference; a second one with half as many tells how far it has converged."""
-WORLD_COUNTS = {"cuda": (1, 4, 16, 64, 256, 1024, 4096, 16384), "cpu": (1, 4, 16, 64), "quick": (1, 4)}
+WORLD_COUNTS = {
+    "cuda": (1, 4, 16, 64, 256, 1024, 4096, 16384),
+    "cpu": (1, 4, 16, 64),
+    "quick": (1, 4),
+}
 HALF_CYCLE = 30  # frames in C that are timed together: as long as the force on the cube takes to have had all its sizes
 CAP_S = 64.0  # seconds after which the settings are not looked at again
 WORLDS_CAP_S = 10.0  # seconds for the numbers of worlds: C on a core that others share is never known to the resolution
-REFERENCE = "as-shipped/newton/substeps-16"  # setting that the time of each is compared with
+REFERENCE = (
+    "as-shipped/newton/substeps-16"  # setting that the time of each is compared with
+)
 ERROR_COLUMNS = ("grasp_error_mm_per_cycle", "numerical_error_mm")
 RATIO = ("time_ratio", "time_ratio_p5", "time_ratio_p95", "ratio_resolution")
 TIME_COLUMNS = ("ms_per_s", "ms_per_s_p5", "ms_per_s_p95", *RATIO)
-ONE_CORE = replace(FIXED, name="one-core", backend="mujoco", frame_count=FRAME_COUNT)  # fixed scene in C on one core
+ONE_CORE = replace(
+    FIXED, name="one-core", backend="mujoco", frame_count=FRAME_COUNT
+)  # fixed scene in C on one core
 
 
 def measure(conditions: Conditions) -> Plan:
-    by_pads = yield [Batch(f"points-{pads}", measure_points, (conditions, pads)) for pads in PADS]
+    by_pads = yield [
+        Batch(f"points-{pads}", measure_points, (conditions, pads)) for pads in PADS
+    ]
     rows = [row for point_rows in by_pads for row in point_rows]
-    valid = [row["case"] for row in rows if row["valid"] and row["method"] != "reference"]
+    valid = [
+        row["case"] for row in rows if row["valid"] and row["method"] != "reference"
+    ]
     valid.sort(key=lambda name: name != REFERENCE)
     times, worlds = yield [
         Batch("times", measure_times, (conditions, valid), exclusive=True),
@@ -51,15 +86,31 @@ def measure(conditions: Conditions) -> Plan:
 def measure_points(conditions: Conditions, pads: str) -> list[dict]:
     """Return a row for each setting and reference with these pads, all from one state of the shake; none is timed."""
     device = wp.get_device(conditions.device)
-    points = [point for point in settings(conditions.profile, cpu_too=conditions.is_cuda) if point.pads == pads]
+    points = [
+        point
+        for point in settings(conditions.profile, cpu_too=conditions.is_cuda)
+        if point.pads == pads
+    ]
     finest = REFERENCE_SUBSTEPS[conditions.profile]
-    references = list(dict.fromkeys(reference_of(point, n) for point in points for n in (finest, finest // 2)))
+    references = list(
+        dict.fromkeys(
+            reference_of(point, n) for point in points for n in (finest, finest // 2)
+        )
+    )
 
     pilot = pilot_at_shake(PADS.values(), device)  # type: ignore[arg-type]  # they are gone through once
-    shakes = {point: in_warp(point, pilot, device) for point in points if not point.is_native}
+    shakes = {
+        point: in_warp(point, pilot, device) for point in points if not point.is_native
+    }
     start = starts_by_pads(pilot, FRAME_COUNT)[pads]
-    natives = {point: NativeShake(point.case, start) for point in (*references, *points) if point.is_native}
-    with ThreadPoolExecutor(max(1, (os.cpu_count() or 1) - 1)) as pool:  # C runs on the CPU, beside the GPU
+    natives = {
+        point: NativeShake(point.case, start)
+        for point in (*references, *points)
+        if point.is_native
+    }
+    with ThreadPoolExecutor(
+        max(1, (os.cpu_count() or 1) - 1)
+    ) as pool:  # C runs on the CPU, beside the GPU
         native_traces = pool.map(NativeShake.run, natives.values())
         traces = run_shakes(shakes)
         traces |= dict(zip(natives, native_traces, strict=True))
@@ -72,14 +123,21 @@ def measure_points(conditions: Conditions, pads: str) -> list[dict]:
         if not point.is_native:
             row |= number("c_difference_mm", distance_mm(traces[point], traces[native]))
             row["backend"] = backend_on(shakes[point].device)
-        rows.append(row if row["valid"] else row | untimed(TIME_COLUMNS, row["invalid_reason"]))
+        rows.append(
+            row if row["valid"] else row | untimed(TIME_COLUMNS, row["invalid_reason"])
+        )
     for point in references:
         if point.case.substeps == finest:
             # As its error counts how far it is from the solution with twice the step. The integrator is of higher than
             # first order, so more than half of the error goes when the step is halved: less than that is left.
             row = describe(point, traces[point], natives[point])
             row |= errors(traces[point], traces[reference_of(point, finest // 2)])
-            rows.append(row | absent(TIME_COLUMNS, "a reference runs beside others and is not timed"))
+            rows.append(
+                row
+                | absent(
+                    TIME_COLUMNS, "a reference runs beside others and is not timed"
+                )
+            )
     return rows
 
 
@@ -89,11 +147,15 @@ def starts_by_pads(pilot: Simulation, frame_count: int) -> Mapping[str, Start]:
 
 def in_warp(point: Setting, pilot: Simulation, device: wp.Device) -> Simulation:
     """Return a setting as a simulation of one world, compiled, captured and at the start of the shake."""
-    simulation = Simulation([point.case], wp.get_device(point.case.device) if point.case.device else device)
+    simulation = Simulation(
+        [point.case], wp.get_device(point.case.device) if point.case.device else device
+    )
     world = list(PADS).index(point.pads)
     put_in_state_of(simulation, pilot, world)
     simulation.step()
-    put_in_state_of(simulation, pilot, world)  # the frame that was captured must not count
+    put_in_state_of(
+        simulation, pilot, world
+    )  # the frame that was captured must not count
     simulation.recorder.cursor.zero_()
     wp.synchronize_device(simulation.device)
     return simulation
@@ -107,7 +169,11 @@ def run_shakes(shakes: Mapping[Setting, Simulation]) -> dict[Setting, Trace]:
     """Run all frames of all settings, those of one device side by side."""
     traces: dict[Setting, Trace] = {}
     for device in dict.fromkeys(shake.device.alias for shake in shakes.values()):
-        mine = {point: shake for point, shake in shakes.items() if shake.device.alias == device}
+        mine = {
+            point: shake
+            for point, shake in shakes.items()
+            if shake.device.alias == device
+        }
         results = run(list(mine.values()), title=f"error_runtime on {device}")
         traces |= {point: trace for point, [trace] in zip(mine, results, strict=True)}
     return traces
@@ -135,40 +201,66 @@ def describe(point: Setting, trace: Trace, native: NativeShake) -> dict[str, Any
 
 def errors(trace: Trace, reference: Trace) -> dict[str, object]:
     """Return grasp error and numerical error of a run."""
-    grasp = metrics.cycle_drift_mm(metrics.displacement(trace), PADS["as-shipped"].shake_frequency_hz)
-    return number("grasp_error_mm_per_cycle", grasp) | number("numerical_error_mm", distance_mm(trace, reference))
+    grasp = metrics.cycle_drift_mm(
+        metrics.displacement(trace), PADS["as-shipped"].shake_frequency_hz
+    )
+    return number("grasp_error_mm_per_cycle", grasp) | number(
+        "numerical_error_mm", distance_mm(trace, reference)
+    )
 
 
 def distance_mm(trace: Trace, other: Trace) -> float:
     """Return how far apart two runs have the cube in the TCP frame, root mean square over the shake [mm]."""
-    paths = (metrics.relative_position(motion.poses, metrics.CUBE, metrics.TCP) for motion in (trace, other))
+    paths = (
+        metrics.relative_position(motion.poses, metrics.CUBE, metrics.TCP)
+        for motion in (trace, other)
+    )
     return metrics.distance_rms_mm(*paths)
 
 
 def number(name: str, value: float) -> dict[str, object]:
     """Return a column, with the reason where the number does not exist."""
-    return {name: float(value)} if np.isfinite(value) else absent((name,), "the positions are not finite")
+    return (
+        {name: float(value)}
+        if np.isfinite(value)
+        else absent((name,), "the positions are not finite")
+    )
 
 
-def measure_times(conditions: Conditions, names: Sequence[str]) -> dict[str, dict[str, object]]:
+def measure_times(
+    conditions: Conditions, names: Sequence[str]
+) -> dict[str, dict[str, object]]:
     """Time frames of the settings of these names in turn, against the first of them; columns by name."""
     device = wp.get_device(conditions.device)
-    by_name = {point.case.name: point for point in settings(conditions.profile, cpu_too=conditions.is_cuda)}
+    by_name = {
+        point.case.name: point
+        for point in settings(conditions.profile, cpu_too=conditions.is_cuda)
+    }
     warm = warm_state(conditions.device)
-    starts = starts_by_pads(pilot_at_shake(PADS.values(), device), WARMUP_COUNT + HALF_CYCLE)  # type: ignore[arg-type]  # as above
+    starts = starts_by_pads(
+        pilot_at_shake(PADS.values(), device),  # type: ignore[arg-type]  # as above
+        WARMUP_COUNT + HALF_CYCLE,
+    )
     blocks = {name: blocks_of(by_name[name], warm, starts) for name in names}
     found = time_in_turn(list(blocks.values()), cap_s=CAP_S)
-    columns = {name: time_columns(blocks[name].reason, each) for name, each in zip(names, found, strict=True)}
+    columns = {
+        name: time_columns(blocks[name].reason, each)
+        for name, each in zip(names, found, strict=True)
+    }
     if names[:1] == [REFERENCE]:
         return columns
     no_ratio = absent(RATIO, f"{REFERENCE} has no time here")
     return {name: row | no_ratio for name, row in columns.items()}
 
 
-def blocks_of(point: Setting, warm: WarmState, starts: Mapping[str, Start]) -> "Frames | NativeFrames":
+def blocks_of(
+    point: Setting, warm: WarmState, starts: Mapping[str, Start]
+) -> "Frames | NativeFrames":
     if point.is_native:
         return NativeFrames(point.case, starts[point.pads])
-    return build_frames(point.case, 1, warm, point.case.device and wp.get_device(point.case.device))
+    return build_frames(
+        point.case, 1, warm, point.case.device and wp.get_device(point.case.device)
+    )
 
 
 class NativeFrames:
@@ -185,7 +277,9 @@ class NativeFrames:
         shake.data.qacc_warmstart[:] = start.qacc_warmstart
         shake.frame_index = 0
         self._run(WARMUP_COUNT)
-        return elapsed_ms(wp.get_device("cpu"), lambda: self._run(HALF_CYCLE)) / HALF_CYCLE
+        return (
+            elapsed_ms(wp.get_device("cpu"), lambda: self._run(HALF_CYCLE)) / HALF_CYCLE
+        )
 
     def _run(self, frame_count: int) -> None:
         for _ in range(frame_count):
@@ -196,7 +290,9 @@ def time_columns(reason: str | None, found: PairedTimes) -> dict[str, object]:
     """Return wall time per simulated second, and over that of the reference, unless it does not count."""
     if reason:
         return untimed(TIME_COLUMNS, reason)
-    return frame_benchmark.time_columns(replace(found, times=FRAME_RATE * found.times), "ms_per_s", "time_ratio")
+    return frame_benchmark.time_columns(
+        replace(found, times=FRAME_RATE * found.times), "ms_per_s", "time_ratio"
+    )
 
 
 def measure_worlds(conditions: Conditions) -> list[dict]:
@@ -204,15 +300,38 @@ def measure_worlds(conditions: Conditions) -> list[dict]:
     device = wp.get_device(conditions.device)
     warm = warm_state(conditions.device)
     start = starts_by_pads(pilot_at_shake(PADS.values(), device), FRAME_COUNT)["stiff"]  # type: ignore[arg-type]  # as above
-    native = NativeFrames(ONE_CORE, start, invalid_reason(ONE_CORE, NativeShake(ONE_CORE, start).run()))
-    counts = WORLD_COUNTS["quick" if conditions.quick else "cuda" if conditions.is_cuda else "cpu"]
-    worlds = [build_frames(replace(FIXED, name=f"worlds-{count}"), count, warm) for count in counts]
+    native = NativeFrames(
+        ONE_CORE, start, invalid_reason(ONE_CORE, NativeShake(ONE_CORE, start).run())
+    )
+    counts = WORLD_COUNTS[
+        "quick" if conditions.quick else "cuda" if conditions.is_cuda else "cpu"
+    ]
+    worlds = [
+        build_frames(replace(FIXED, name=f"worlds-{count}"), count, warm)
+        for count in counts
+    ]
     one_core, *found = time_in_turn([native, *worlds], cap_s=WORLDS_CAP_S)
 
-    def row_of(case: Case, backend: str, world_count: int, reason: str | None, times: PairedTimes) -> dict:
-        row = {"case": case.name, **differences(case), "backend": backend, "method": "worlds", "worlds": world_count}
+    def row_of(
+        case: Case,
+        backend: str,
+        world_count: int,
+        reason: str | None,
+        times: PairedTimes,
+    ) -> dict:
+        row = {
+            "case": case.name,
+            **differences(case),
+            "backend": backend,
+            "method": "worlds",
+            "worlds": world_count,
+        }
         row |= {"valid": reason is None, "invalid_reason": reason}
-        return row | absent(ERROR_COLUMNS, "only the time is measured here") | time_columns(reason, times)
+        return (
+            row
+            | absent(ERROR_COLUMNS, "only the time is measured here")
+            | time_columns(reason, times)
+        )
 
     rows = [
         row_of(frames.case, backend_on(device), count, frames.reason, times)

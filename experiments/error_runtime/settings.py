@@ -6,7 +6,10 @@ from experiments.facts.case import AS_SHIPPED, STIFF_PADS, Case
 from experiments.simulation.reference import ENGINES_AGREE
 from experiments.simulation.stepper_c import is_in_c
 
-PADS = {name: replace(case, **ENGINES_AGREE) for name, case in (("as-shipped", AS_SHIPPED), ("stiff", STIFF_PADS))}
+PADS = {
+    name: replace(case, **ENGINES_AGREE)
+    for name, case in (("as-shipped", AS_SHIPPED), ("stiff", STIFF_PADS))
+}
 SUBSTEPS = (1, 2, 4, 8, 16, 32, 64)
 LADDERS = {  # Substeps of each method. What is run in Warp is run in C as well.
     "full": {
@@ -18,7 +21,12 @@ LADDERS = {  # Substeps of each method. What is run in Warp is run in C as well.
         "cpu": (1, 4, 16),
         "c-rk4": (1, 2, 4, 8, 16, 32),
     },
-    "quick": {"newton": (2, 4, 16), "mujoco": (4, 16), "newton-each-substep": (16,), "c-rk4": (1, 2, 4, 8)},
+    "quick": {
+        "newton": (2, 4, 16),
+        "mujoco": (4, 16),
+        "newton-each-substep": (16,),
+        "c-rk4": (1, 2, 4, 8),
+    },
 }
 METHODS = {
     "newton": {},
@@ -41,14 +49,37 @@ KNOBS = {
             "impratio": (1.0, 1000.0),
             "integrator": ("euler",),
         },
-        "stiff": {"iterations": (5, 200), "solver": ("cg",), "cone": ("pyramidal",), "impratio": (1.0,)},
+        "stiff": {
+            "iterations": (5, 200),
+            "solver": ("cg",),
+            "cone": ("pyramidal",),
+            "impratio": (1.0,),
+        },
     },
-    "quick": {"as-shipped": {"iterations": (1, 200), "cone": ("pyramidal",), "impratio": (1.0,)}, "stiff": {}},
+    "quick": {
+        "as-shipped": {
+            "iterations": (1, 200),
+            "cone": ("pyramidal",),
+            "impratio": (1.0,),
+        },
+        "stiff": {},
+    },
 }  # type: dict[str, dict[str, dict]]
 """Parameters varied one at a time, in the method and with the substeps as shipped."""
-CONVERGED = {"integrator": "rk4", "iterations": 200, "ls_iterations": 200, "tolerance": 1e-12, "ls_tolerance": 1e-6}  # type: dict
-MODEL_FIELDS = ("cone", "impratio")  # knobs that make it another model, which converges to another solution
-CYCLE_COUNT = 3  # shake cycles: one to settle, and the two after which the whole motion repeats
+CONVERGED = {
+    "integrator": "rk4",
+    "iterations": 200,
+    "ls_iterations": 200,
+    "tolerance": 1e-12,
+    "ls_tolerance": 1e-6,
+}  # type: dict
+MODEL_FIELDS = (
+    "cone",
+    "impratio",
+)  # knobs that make it another model, which converges to another solution
+CYCLE_COUNT = (
+    3  # shake cycles: one to settle, and the two after which the whole motion repeats
+)
 FRAME_COUNT = 60 * CYCLE_COUNT + 1
 
 
@@ -78,32 +109,57 @@ def settings(profile: str, *, cpu_too: bool) -> list[Setting]:
     for pads, base in PADS.items():
         for method, ladder in LADDERS[profile].items():
             if method != "cpu" or cpu_too:
-                points += [setting(by_method(base, method, n), pads, method, "substeps") for n in ladder]
+                points += [
+                    setting(by_method(base, method, n), pads, method, "substeps")
+                    for n in ladder
+                ]
         for knob, values in KNOBS[profile][pads].items():
-            points += [setting(replace(base, **{knob: value}), pads, "newton", knob) for value in values]
+            points += [
+                setting(replace(base, **{knob: value}), pads, "newton", knob)
+                for value in values
+            ]
     return list(dict.fromkeys([*points, *map(native_of, points)]))
 
 
 def by_method(base: Case, method: str, substeps: int) -> Case:
     collide_count = substeps if method == "newton-each-substep" else 1
-    return replace(base, substeps=substeps, collide_count=collide_count, **METHODS[method])
+    return replace(
+        base, substeps=substeps, collide_count=collide_count, **METHODS[method]
+    )
 
 
 def setting(case: Case, pads: str, method: str, knob: str) -> Setting:
     value = getattr(case, knob)
-    name = f"{pads}/{method}/{knob}-{value:g}" if isinstance(value, float) else f"{pads}/{method}/{knob}-{value}"
-    return Setting(replace(case, name=name, frame_count=FRAME_COUNT), pads, method, knob)
+    name = (
+        f"{pads}/{method}/{knob}-{value:g}"
+        if isinstance(value, float)
+        else f"{pads}/{method}/{knob}-{value}"
+    )
+    return Setting(
+        replace(case, name=name, frame_count=FRAME_COUNT), pads, method, knob
+    )
 
 
 def native_of(point: Setting) -> Setting:
     """Return the same setting in MuJoCo's C engine, which makes its own contacts in every step."""
-    case = replace(point.case, backend="mujoco", contacts="newton", collide_count=1, device=None)
-    return setting(case, point.pads, "c-rk4" if case.integrator == "rk4" else "c", point.knob)
+    case = replace(
+        point.case, backend="mujoco", contacts="newton", collide_count=1, device=None
+    )
+    return setting(
+        case, point.pads, "c-rk4" if case.integrator == "rk4" else "c", point.knob
+    )
 
 
 def reference_of(point: Setting, substeps: int) -> Setting:
     """Return the converged solution of the setting's model, in C."""
     model = {name: getattr(point.case, name) for name in MODEL_FIELDS}
-    case = replace(PADS[point.pads], backend="mujoco", substeps=substeps, frame_count=FRAME_COUNT, **CONVERGED, **model)
+    case = replace(
+        PADS[point.pads],
+        backend="mujoco",
+        substeps=substeps,
+        frame_count=FRAME_COUNT,
+        **CONVERGED,
+        **model,
+    )
     name = f"{point.pads}/reference/{case.cone}-impratio-{case.impratio:g}-substeps-{substeps}"
     return Setting(replace(case, name=name), point.pads, "reference", "substeps")

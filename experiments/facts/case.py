@@ -19,10 +19,18 @@ class Case:
     name: str
 
     # What each world of a batch has for itself.
-    pad_ke: float = 2.5e3  # authored contact stiffness of the finger pads (``ShapeConfig`` default)
-    pad_kd: float = 100.0  # authored contact damping of the finger pads (``ShapeConfig`` default)
-    pad_mu: float = 1.0  # friction coefficient of the finger pads (``ShapeConfig`` default)
-    pad_dmax: float = 0.95  # second entry of the pads' solimp: the impedance at full penetration
+    pad_ke: float = (
+        2.5e3  # authored contact stiffness of the finger pads (``ShapeConfig`` default)
+    )
+    pad_kd: float = (
+        100.0  # authored contact damping of the finger pads (``ShapeConfig`` default)
+    )
+    pad_mu: float = (
+        1.0  # friction coefficient of the finger pads (``ShapeConfig`` default)
+    )
+    pad_dmax: float = (
+        0.95  # second entry of the pads' solimp: the impedance at full penetration
+    )
     pad_kf: float = 1e3
     """Authored friction gain of the finger pads (``ShapeConfig`` default); read from newton 1.5.0 on, and there a
     negative one leaves the friction rows to the normal row's solref."""
@@ -33,12 +41,16 @@ class Case:
     cube_gap_m: float = CUBE_GAP_DEFAULT
     """Distance [m] from the cube at which contacts are generated; the gaps of a pair add."""
     robot_gap_m: float = 0.005
-    shake_amplitude_m: float = 0.03  # amplitude A of the shake along its main axis [m]; 0 holds the arm still
+    shake_amplitude_m: float = (
+        0.03  # amplitude A of the shake along its main axis [m]; 0 holds the arm still
+    )
     shake_frequency_hz: float = 1.0  # frequency f of the shake along its main axis [Hz]
     pad_direct: bool = False
     """Whether the pads' solref is (-pad_ke, -pad_kd), which the engine takes as it is, with no clamp."""
     cube_edge_m: float = 0.04
-    cube_offset_m: float = 0.0  # shift of the cube's start along the shake's main axis [m]
+    cube_offset_m: float = (
+        0.0  # shift of the cube's start along the shake's main axis [m]
+    )
     cube_in_hand: bool = False
     """Whether the run starts where the shake will be, with the fingers closed on the cube. It is then held still for as
     long as the lift takes."""
@@ -57,7 +69,9 @@ class Case:
     # What all worlds of a batch share: mujoco_warp keeps one geom_priority, one set of geoms, one solver.
     ground_gap_m: float = 0.005
     pad_priority: int = 1
-    pad_shape: str = "box"  # ``box``, or ``convex-mesh``: the same boxes as convex meshes
+    pad_shape: str = (
+        "box"  # ``box``, or ``convex-mesh``: the same boxes as convex meshes
+    )
     hand_collides: bool = True
     visuals: bool = True  # whether the robot keeps its shapes for looking at
     backend: str = "warp"  # ``warp`` (MuJoCo Warp) or ``mujoco`` (MuJoCo's C engine, always on the CPU)
@@ -80,10 +94,16 @@ class Case:
     """Written over the solreffriction of Newton's contacts: a timeconst [s], or 0 for none, which leaves the friction
     rows to the normal row's solref. None keeps what the release writes."""
     refsafe: bool = True  # whether the engine takes no timeconst below two substeps
-    sensors: bool = True  # whether the engine's sensor stage runs; the scene has no sensor
+    sensors: bool = (
+        True  # whether the engine's sensor stage runs; the scene has no sensor
+    )
     limits: bool = True  # whether the engine looks for joints at their limits
-    contact_max: int | None = None  # contacts per world that the buffers hold; None sizes them for the scene
-    constraint_max: int | None = None  # constraint rows per world that the buffers hold; None sizes them for the scene
+    contact_max: int | None = (
+        None  # contacts per world that the buffers hold; None sizes them for the scene
+    )
+    constraint_max: int | None = (
+        None  # constraint rows per world that the buffers hold; None sizes them for the scene
+    )
     ik_iterations: int = 8
     """IK iterations per frame. The scene ships with 24; on the CPU those after the eighth were seen to change no bit of
     the positions of TCP and cube."""
@@ -113,18 +133,38 @@ class Case:
             "shake_frequency_hz",
         ):
             if getattr(self, name) <= 0.0:
-                raise CaseError(f"{name} must be greater than 0, got {getattr(self, name):g}")
-        for name in ("pad_mu", "cube_mu", "cube_gap_m", "robot_gap_m", "ground_gap_m", "shake_amplitude_m"):
+                raise CaseError(
+                    f"{name} must be greater than 0, got {getattr(self, name):g}"
+                )
+        for name in (
+            "pad_mu",
+            "cube_mu",
+            "cube_gap_m",
+            "robot_gap_m",
+            "ground_gap_m",
+            "shake_amplitude_m",
+        ):
             if getattr(self, name) < 0.0:
-                raise CaseError(f"{name} must not be negative, got {getattr(self, name):g}")
-        for name in ("substeps", "collide_count", "iterations", "ls_iterations", "ik_iterations", "frame_count"):
+                raise CaseError(
+                    f"{name} must not be negative, got {getattr(self, name):g}"
+                )
+        for name in (
+            "substeps",
+            "collide_count",
+            "iterations",
+            "ls_iterations",
+            "ik_iterations",
+            "frame_count",
+        ):
             if getattr(self, name) < 1:
                 raise CaseError(f"{name} must be at least 1, got {getattr(self, name)}")
         for name in ("bias_centred", "bias_normal"):
             if getattr(self, name) and not self.contact_bias:
                 raise CaseError(f"{name} needs contact_bias, which is off")
         if self.substeps % self.collide_count:
-            raise CaseError(f"collide_count must divide substeps ({self.substeps}), got {self.collide_count}")
+            raise CaseError(
+                f"collide_count must divide substeps ({self.substeps}), got {self.collide_count}"
+            )
 
 
 WORLD_FIELDS = (  # parameters that may differ between the worlds of one batch
@@ -139,20 +179,28 @@ RUN_TIME_FIELDS = "ik_iterations ik_beside state_sync sensors limits".split()
 def batch_key(case: Case) -> Case:
     """Return what must be equal for two cases to be worlds of the same simulation."""
     baseline = Case(name="")
-    return replace(case, name="", **{name: getattr(baseline, name) for name in WORLD_FIELDS})
+    return replace(
+        case, name="", **{name: getattr(baseline, name) for name in WORLD_FIELDS}
+    )
 
 
 def build_key(case: Case) -> Case:
     """Return what must be equal for two cases to be run by one simulation, one after the other."""
     baseline = Case(name="")
-    return replace(case, name="", **{name: getattr(baseline, name) for name in RUN_TIME_FIELDS})
+    return replace(
+        case, name="", **{name: getattr(baseline, name) for name in RUN_TIME_FIELDS}
+    )
 
 
 def differences(case: Case) -> dict[str, object]:
     """Return the parameters in which ``case`` differs from the scene as shipped, by name."""
     baseline = Case(name="")
     names = (field.name for field in fields(case) if field.name != "name")
-    return {name: getattr(case, name) for name in names if getattr(case, name) != getattr(baseline, name)}
+    return {
+        name: getattr(case, name)
+        for name in names
+        if getattr(case, name) != getattr(baseline, name)
+    }
 
 
 AS_SHIPPED = Case(name="as-shipped")
@@ -178,8 +226,12 @@ LEAN = replace(
     constraint_max=64,
 )
 """The scene as shipped without what it does not need. With the small gap 21 contacts and 50 rows are the peaks."""
-STIFF_PADS = replace(AS_SHIPPED, name="stiff-pads", pad_ke=2.5e5, pad_kd=1e3)  # the one change that holds the cube
-HOLD = replace(AS_SHIPPED, name="hold", shake_amplitude_m=0.0)  # the same grasp with the arm held still
+STIFF_PADS = replace(
+    AS_SHIPPED, name="stiff-pads", pad_ke=2.5e5, pad_kd=1e3
+)  # the one change that holds the cube
+HOLD = replace(
+    AS_SHIPPED, name="hold", shake_amplitude_m=0.0
+)  # the same grasp with the arm held still
 FIXED = replace(LEAN, name="fixed", pad_ke=STIFF_PADS.pad_ke, pad_kd=STIFF_PADS.pad_kd)
 """The scene to use: stiff pads, and nothing that it does not need."""
 
@@ -193,7 +245,12 @@ TERMS = {
 """Settings by what is done about the left-out term; ``full`` also gives it to the normal rows."""
 POSITIONS = {"rounded": {}, "kept": {"compensated": True}}  # type: dict[str, dict]
 IMPRATIO = 400.0
-BEST = {"integrator": "euler", "impratio": IMPRATIO, **TERMS["full"], **POSITIONS["kept"]}  # type: dict
+BEST = {
+    "integrator": "euler",
+    "impratio": IMPRATIO,
+    **TERMS["full"],
+    **POSITIONS["kept"],
+}  # type: dict
 """All parts together: Euler has no damping in its step, and centred the term takes the error of the step along."""
 FIRM = {"pad_ke": STIFF_PADS.pad_ke, "pad_kd": STIFF_PADS.pad_kd, "impratio": IMPRATIO}  # type: dict
 FIRM |= TERMS["centred"] | POSITIONS["kept"]

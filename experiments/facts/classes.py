@@ -50,16 +50,23 @@ def drive_peak_m_s(case: Case) -> float:
 def is_exploded(case: Case, trace: Trace) -> bool:
     """Tell whether the cube is far faster than the drive, or its energy grows over a cycle while it is in the grasp."""
     peak = drive_peak_m_s(case)
-    return bool(excess_speed_m_s(case, trace).max() > DRIVE_RATIO * peak or is_energy_growing(case, trace))
+    return bool(
+        excess_speed_m_s(case, trace).max() > DRIVE_RATIO * peak
+        or is_energy_growing(case, trace)
+    )
 
 
 def excess_speed_m_s(case: Case, trace: Trace) -> np.ndarray:
     """Return the cube's speed in the world [m/s] less what falling since frame 0 explains, shape [frames - 1]."""
-    energy = excess_energy(trace.poses[:, metrics.CUBE, :3], case.gravity_m_s2, trace.frame_dt)
+    energy = excess_energy(
+        trace.poses[:, metrics.CUBE, :3], case.gravity_m_s2, trace.frame_dt
+    )
     return np.sqrt(2.0 * energy)
 
 
-def excess_energy(position_m: np.ndarray, gravity_m_s2: float, frame_dt: float) -> np.ndarray:
+def excess_energy(
+    position_m: np.ndarray, gravity_m_s2: float, frame_dt: float
+) -> np.ndarray:
     """Return the kinetic energy per mass [J/kg] less gravity's work since frame 0, not below 0; shape [frames - 1].
 
     What falls freely has none: 1/2 v² = g h. A body that gravity slows counts with its kinetic energy alone.
@@ -80,7 +87,9 @@ def is_energy_growing(case: Case, trace: Trace) -> bool:
     Only while it is in the grasp in both, and not for motion that is slow against the drive.
     """
     cycle = round(1.0 / (case.shake_frequency_hz * trace.frame_dt))
-    poses = trace.poses[trace.phase == metrics.SHAKE][-2 * cycle - 1 :].astype(np.float64)
+    poses = trace.poses[trace.phase == metrics.SHAKE][-2 * cycle - 1 :].astype(
+        np.float64
+    )
     if len(poses) < 2 * cycle + 1:
         return False
     position = poses[:, metrics.CUBE, :3] - poses[:, metrics.TCP, :3]
@@ -99,14 +108,18 @@ def creep_mm_s(case: Case, trace: Trace) -> float:
     out; when the shake is shorter than that, all of it counts.
     """
     moved = metrics.displacement(trace)
-    period = min(round(2.0 / (case.shake_frequency_hz * trace.frame_dt)), len(moved.time_s) - 1)
+    period = min(
+        round(2.0 / (case.shake_frequency_hz * trace.frame_dt)), len(moved.time_s) - 1
+    )
     if period < 1:
         return 0.0
     change = moved.vector_m[-1] - moved.vector_m[-1 - period]
     return 1e3 * float(np.linalg.norm(change)) / (period * trace.frame_dt)
 
 
-def cycle_increments(time_s: np.ndarray, along: np.ndarray, frequency_hz: float) -> np.ndarray:
+def cycle_increments(
+    time_s: np.ndarray, along: np.ndarray, frequency_hz: float
+) -> np.ndarray:
     """Return the change along the shake's main axis over each full cycle, from the first frame on, shape [cycles].
 
     Between frames the component is interpolated linearly, so a cycle need not be a whole number of frames.

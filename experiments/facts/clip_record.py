@@ -8,12 +8,20 @@ from pathlib import Path
 from measured_report.editions.project import Project
 from measured_report.editions.status import State
 from measured_report.files.atomic import RecordError, read_file, short_path
-from measured_report.records.identity import Identity, changes, files_digest, identity_at
+from measured_report.records.identity import (
+    Identity,
+    changes,
+    files_digest,
+    identity_at,
+)
 from measured_report.records.record import Record, load_record, trace_path
 
 CLIPS = "clips"
 BYTE_LIMIT = 64 << 20
-RUNS = {"3cm": ("as-shipped", "stiff-pads"), "10cm": ("as-shipped-10cm", "stiff-pads-10cm")}
+RUNS = {
+    "3cm": ("as-shipped", "stiff-pads"),
+    "10cm": ("as-shipped-10cm", "stiff-pads-10cm"),
+}
 """The runs of section poses that each clip shows, left and right."""
 FIRST = "3cm"
 STILL = "long-exposure"  # the picture of the runs of FIRST
@@ -27,11 +35,23 @@ def media_path(project: Project, case: str, suffix: str) -> Path:
 
 def clips_identity(project: Project) -> Identity:
     """Return what the clips depend on: the code that makes them, the meshes, and the kept poses; not the packages."""
-    identity = identity_at("experiments.media.clips", project.profile, project.root, packages={})
-    poses = [trace_path(project.record_path("poses"), run) for runs in RUNS.values() for run in runs]
+    identity = identity_at(
+        "experiments.media.clips", project.profile, project.root, packages={}
+    )
+    poses = [
+        trace_path(project.record_path("poses"), run)
+        for runs in RUNS.values()
+        for run in runs
+    ]
     files = [*(project.root / MESHES).glob("*.*"), *poses]
-    digests = {path.relative_to(project.root).as_posix(): sha256(path) for path in files if path.is_file()}
-    config = hashlib.sha256((identity.config + files_digest(files, project.root)).encode()).hexdigest()
+    digests = {
+        path.relative_to(project.root).as_posix(): sha256(path)
+        for path in files
+        if path.is_file()
+    }
+    config = hashlib.sha256(
+        (identity.config + files_digest(files, project.root)).encode()
+    ).hexdigest()
     return replace(identity, config=config, files={**identity.files, **digests})
 
 
@@ -49,12 +69,21 @@ def clips_state(project: Project) -> State:
     except RecordError as error:
         return State(CLIPS, "damaged", notes=(str(error),))
     try:
-        wrong = [name for name, digest in files_of(record) if _digest(path, name) != digest]
+        wrong = [
+            name for name, digest in files_of(record) if _digest(path, name) != digest
+        ]
     except (KeyError, TypeError, ValueError) as error:
         message = " ".join(str(error).split())
-        return State(CLIPS, "damaged", notes=(f"{short_path(path)} names no files of its own: {message}",))
+        return State(
+            CLIPS,
+            "damaged",
+            notes=(f"{short_path(path)} names no files of its own: {message}",),
+        )
     if wrong:
-        notes = tuple(f"{short_path(path)}: {name} is not the file that was made" for name in wrong)
+        notes = tuple(
+            f"{short_path(path)}: {name} is not the file that was made"
+            for name in wrong
+        )
         return State(CLIPS, "damaged", notes=notes)
     changed = changes(record.identity, clips_identity(project))
     return State(CLIPS, "stale" if changed else "fresh", record, tuple(changed))
@@ -62,7 +91,11 @@ def clips_state(project: Project) -> State:
 
 def files_of(record: Record) -> list[tuple[str, str]]:
     """Name and digest of each file that was made."""
-    return [(row[kind], row[f"{kind}_sha256"]) for row in record.rows for kind in ("file", "poster")]
+    return [
+        (row[kind], row[f"{kind}_sha256"])
+        for row in record.rows
+        for kind in ("file", "poster")
+    ]
 
 
 def _digest(record: Path, name: str) -> str:

@@ -9,22 +9,34 @@ FIXED_SCENE = "assets/fix/fixed_scene.py"
 PATCH = "assets/fix/fix.patch"
 ROBOT = "assets/fr3.urdf"
 HUNK = re.compile(r"^@@ .*\n", re.MULTILINE)
-READING = 'URDF = (Path(__file__).parents[1] / "fr3.urdf").read_text(encoding="utf-8")\n'
+READING = (
+    'URDF = (Path(__file__).parents[1] / "fr3.urdf").read_text(encoding="utf-8")\n'
+)
 """Line by which the scene reads its robot; what is offered is alone in its folder and holds it."""
 
 
 def fix_files() -> dict[str, str]:
     """Return the text of each file that is offered, by its name."""
-    scene, patch, robot = ((ROOT / path).read_text(encoding="utf-8") for path in (FIXED_SCENE, PATCH, ROBOT))
+    scene, patch, robot = (
+        (ROOT / path).read_text(encoding="utf-8")
+        for path in (FIXED_SCENE, PATCH, ROBOT)
+    )
     fixed = replaced(scene, READING, f'URDF = """\\\n{robot}"""  # noqa: E501\n')
-    return {"fix.patch": patch, "fixed_scene.py": fixed, "scene_as_shipped.py": without_patch(fixed, patch)}
+    return {
+        "fix.patch": patch,
+        "fixed_scene.py": fixed,
+        "scene_as_shipped.py": without_patch(fixed, patch),
+    }
 
 
 def without_patch(text: str, patch: str) -> str:
     """Take a unified diff of one file back out of ``text``; ReportError where ``text`` is not what it leads to."""
     for hunk in HUNK.split(patch)[1:]:
         lines = hunk.splitlines(keepends=True)
-        before, after = ("".join(line[1:] for line in lines if line[0] in marks) for marks in (" -", " +"))
+        before, after = (
+            "".join(line[1:] for line in lines if line[0] in marks)
+            for marks in (" -", " +")
+        )
         text = replaced(text, after, before)
     return text
 
@@ -32,5 +44,7 @@ def without_patch(text: str, patch: str) -> str:
 def replaced(text: str, part: str, other: str) -> str:
     """Put another text in the place of the one part that is this one; ReportError where it is not there once."""
     if text.count(part) != 1:
-        raise ReportError(f"{FIXED_SCENE} is not what {PATCH} leads to, or does not read {ROBOT}")
+        raise ReportError(
+            f"{FIXED_SCENE} is not what {PATCH} leads to, or does not read {ROBOT}"
+        )
     return text.replace(part, other)

@@ -12,7 +12,11 @@ from measured_report.files.root import ROOT
 
 DESCRIPTION = ROOT / "assets/fr3.urdf"
 TCP = "fr3_hand_tcp"
-JOINTS = (*(f"joint_{number}_rad" for number in range(1, 8)), "left_finger_m", "right_finger_m")
+JOINTS = (
+    *(f"joint_{number}_rad" for number in range(1, 8)),
+    "left_finger_m",
+    "right_finger_m",
+)
 CUBE_PLACE = tuple(f"cube_{axis}_m" for axis in "xyz")
 CUBE_TURN = tuple(f"cube_q{part}" for part in "xyzw")
 MOVED = tuple(f"{axis}_mm" for axis in "xyz")
@@ -32,7 +36,9 @@ class KeptRun:
     contact: Mapping[str, np.ndarray]
     """``normal_force_n``, ``tangential_force_n`` and ``penetration_mm``, shape [frames] each."""
     cube_edge_m: float
-    left_grasp_s: float | None  # when in the shake the cube is out of the grasp; None when it never is
+    left_grasp_s: (
+        float | None
+    )  # when in the shake the cube is out of the grasp; None when it never is
 
     @property
     def slip_mm(self) -> np.ndarray:
@@ -58,14 +64,22 @@ class KeptRun:
 
     def in_grasp(self) -> np.ndarray:
         """Tell whether the cube is still in the grasp, shape [frames]."""
-        return self.time_s < (np.inf if self.left_grasp_s is None else self.left_grasp_s)
+        return self.time_s < (
+            np.inf if self.left_grasp_s is None else self.left_grasp_s
+        )
 
 
 def kept_run(row: Mapping[str, Any], poses: pd.DataFrame) -> KeptRun:
     """Return the run of a row of section poses, with the trace that lies beside its record."""
     joints = poses[list(JOINTS)].to_numpy()
-    links = link_poses(read_joints(DESCRIPTION), joints, np.array([row[f"base_{axis}_m"] for axis in "xyz"]))
-    cube = quaternion_matrices(poses[list(CUBE_PLACE)].to_numpy(), poses[list(CUBE_TURN)].to_numpy())
+    links = link_poses(
+        read_joints(DESCRIPTION),
+        joints,
+        np.array([row[f"base_{axis}_m"] for axis in "xyz"]),
+    )
+    cube = quaternion_matrices(
+        poses[list(CUBE_PLACE)].to_numpy(), poses[list(CUBE_TURN)].to_numpy()
+    )
     return KeptRun(
         time_s=poses["frame"].to_numpy() / row["frame_rate_hz"] - row["shake_start_s"],
         joints=joints,
@@ -73,7 +87,10 @@ def kept_run(row: Mapping[str, Any], poses: pd.DataFrame) -> KeptRun:
         cube=cube,
         cube_in_hand=np.linalg.inv(links[TCP]) @ cube,
         moved_mm=poses[list(MOVED)].to_numpy(),
-        contact={name: poses[name].to_numpy() for name in ("normal_force_n", "tangential_force_n", "penetration_mm")},
+        contact={
+            name: poses[name].to_numpy()
+            for name in ("normal_force_n", "tangential_force_n", "penetration_mm")
+        },
         cube_edge_m=row["cube_edge_m"],
         left_grasp_s=row["left_grasp_s"],
     )

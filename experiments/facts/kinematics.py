@@ -26,25 +26,35 @@ def read_joints(path: Path) -> tuple[Joint, ...]:
             parent=element.find("parent").get("link"),
             child=element.find("child").get("link"),
             kind=element.get("type"),
-            origin=pose_matrix(_numbers(element, "origin", "xyz"), _numbers(element, "origin", "rpy")),
+            origin=pose_matrix(
+                _numbers(element, "origin", "xyz"), _numbers(element, "origin", "rpy")
+            ),
             axis=_numbers(element, "axis", "xyz"),
         )
         for element in ElementTree.parse(path).getroot().iter("joint")
     )
 
 
-def link_poses(joints: Sequence[Joint], positions: np.ndarray, base: np.ndarray) -> dict[str, np.ndarray]:
+def link_poses(
+    joints: Sequence[Joint], positions: np.ndarray, base: np.ndarray
+) -> dict[str, np.ndarray]:
     """Return the poses [m] of all links in the world, shape [frames, 4, 4] each.
 
     Args:
         positions: Of the joints that move, in the order of the description [rad or m], shape [frames, joints].
         base: Position of the first link [m], shape [3].
     """
-    matrices = {joints[0].parent: np.broadcast_to(pose_matrix(base, np.zeros(3)), (len(positions), 4, 4))}
+    matrices = {
+        joints[0].parent: np.broadcast_to(
+            pose_matrix(base, np.zeros(3)), (len(positions), 4, 4)
+        )
+    }
     moving = iter(positions.T.astype(np.float64))
     for joint in joints:
         pose = matrices[joint.parent] @ joint.origin
-        matrices[joint.child] = pose if joint.kind == "fixed" else pose @ _motion(joint, next(moving))
+        matrices[joint.child] = (
+            pose if joint.kind == "fixed" else pose @ _motion(joint, next(moving))
+        )
     return matrices
 
 
@@ -89,4 +99,8 @@ def _cross_matrices(vectors: np.ndarray) -> np.ndarray:
 
 def _numbers(element: ElementTree.Element, name: str, attribute: str) -> np.ndarray:
     child = element.find(name)
-    return np.zeros(3) if child is None else np.array(child.get(attribute).split(), dtype=float)
+    return (
+        np.zeros(3)
+        if child is None
+        else np.array(child.get(attribute).split(), dtype=float)
+    )

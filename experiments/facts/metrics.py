@@ -71,7 +71,9 @@ def drift_mm_s(moved: Displacement) -> float:
 def oscillation_mm(moved: Displacement) -> float:
     """Return the root mean square of what is left about the fitted line [mm]."""
     slope, offset = fit_line(moved)
-    return 1e3 * float(np.sqrt(np.mean((moved.along_m - slope * moved.time_s - offset) ** 2)))
+    return 1e3 * float(
+        np.sqrt(np.mean((moved.along_m - slope * moved.time_s - offset) ** 2))
+    )
 
 
 def wander_mm(moved: Displacement) -> float:
@@ -85,17 +87,25 @@ def cycle_drift_mm(moved: Displacement, frequency_hz: float) -> float:
     The whole motion repeats every two cycles of the main axis, so what one cycle moves the cube the next may take back:
     only pairs of cycles count. NaN when there is no pair after the first cycle.
     """
-    pair_count = int(np.floor((moved.time_s[-1] * frequency_hz - 1.0) / 2.0 + 1e-9)) if len(moved.time_s) else 0
+    pair_count = (
+        int(np.floor((moved.time_s[-1] * frequency_hz - 1.0) / 2.0 + 1e-9))
+        if len(moved.time_s)
+        else 0
+    )
     if pair_count < 1:
         return float("nan")
     ends = np.array([1.0, 1.0 + 2.0 * pair_count]) / frequency_hz
-    first, last = np.stack([np.interp(ends, moved.time_s, column) for column in moved.vector_m.T], axis=1)
+    first, last = np.stack(
+        [np.interp(ends, moved.time_s, column) for column in moved.vector_m.T], axis=1
+    )
     return 1e3 * float(np.linalg.norm(last - first)) / (2 * pair_count)
 
 
 def distance_rms_mm(position_m: np.ndarray, reference_m: np.ndarray) -> float:
     """Return the root mean square of the distance between two paths [mm]; shapes [frames, 3]."""
-    return 1e3 * float(np.sqrt(np.mean(np.sum((position_m - reference_m) ** 2, axis=1))))
+    return 1e3 * float(
+        np.sqrt(np.mean(np.sum((position_m - reference_m) ** 2, axis=1)))
+    )
 
 
 def cube_height_m(trace: Trace) -> float:
@@ -105,7 +115,10 @@ def cube_height_m(trace: Trace) -> float:
 
 def is_dropped(trace: Trace) -> bool:
     """Tell whether the cube ends far from the TCP, or on the ground."""
-    cube, tcp = trace.poses[-1, CUBE, :3].astype(np.float64), trace.poses[-1, TCP, :3].astype(np.float64)
+    cube, tcp = (
+        trace.poses[-1, CUBE, :3].astype(np.float64),
+        trace.poses[-1, TCP, :3].astype(np.float64),
+    )
     on_ground = cube[2] < SPAWN_HEIGHT + SPAWN_HEIGHT_TOLERANCE
     return bool(np.linalg.norm(cube - tcp) > DROP_DISTANCE or on_ground)
 
@@ -117,7 +130,9 @@ def shake_mean(trace: Trace, column: str) -> float:
 
 def slide_mm(trace: Trace) -> float:
     """Return what the velocity of the loaded friction rows along the main axis adds up to over the shake [mm]."""
-    return 1e3 * float(trace.column("slide_m_s")[trace.phase == SHAKE].sum() * trace.frame_dt)
+    return 1e3 * float(
+        trace.column("slide_m_s")[trace.phase == SHAKE].sum() * trace.frame_dt
+    )
 
 
 def total_drift_mm(moved: Displacement) -> float:
@@ -134,19 +149,27 @@ class Grasp:
     loaded_row_count: int
     normal_force_n: float  # sum over the loaded contacts
     tangential_force_n: float
-    cone_use: float  # largest tangential force over friction times normal force; 1 is sliding
+    cone_use: (
+        float  # largest tangential force over friction times normal force; 1 is sliding
+    )
     penetration_mm: float  # mean over the loaded contacts
     stiffness_n_m: float  # normal force over penetration, of a loaded contact, mean
     timeconst_s: float
     dampratio: float
-    friction_timeconst_s: float  # of solreffriction; 0 where the friction rows take the normal row's
+    friction_timeconst_s: (
+        float  # of solreffriction; 0 where the friction rows take the normal row's
+    )
     friction_dampratio: float
     friction: float
     dmin: float
     dmax: float
     dim: int
-    normal_residual_mm: float  # largest position residual of a loaded contact's normal row
-    friction_residual_mm: float  # largest position residual of a loaded contact's friction rows
+    normal_residual_mm: (
+        float  # largest position residual of a loaded contact's normal row
+    )
+    friction_residual_mm: (
+        float  # largest position residual of a loaded contact's friction rows
+    )
     normal_velocity_mm_s: float  # largest velocity of those normal rows
 
 
@@ -161,7 +184,10 @@ def grasp(rows: ContactRows) -> Grasp | None:
         return None
     tangential = np.linalg.norm(rows.force_n[loaded, 1:], axis=1)
     penetration = -rows.distance_m[loaded]
-    residual, velocity = 1e3 * np.abs(rows.residual_m[loaded]), 1e3 * np.abs(rows.velocity_m_s[loaded, 0])
+    residual, velocity = (
+        1e3 * np.abs(rows.residual_m[loaded]),
+        1e3 * np.abs(rows.velocity_m_s[loaded, 0]),
+    )
     strongest = int(normal.argmax())
     return Grasp(
         row_count=len(normal),

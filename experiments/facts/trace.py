@@ -60,12 +60,16 @@ class Trace:
     frame_dt: float  # duration of a frame [s]
     phase: np.ndarray  # task phase of each frame, shape [frames]
     poses: np.ndarray  # poses of ``scene.TRACKED_BODIES`` at the end of each frame, shape [frames, bodies, 7]
-    contacts: np.ndarray  # FRAME_COLUMNS of each frame, shape [frames, len(FRAME_COLUMNS)]
+    contacts: (
+        np.ndarray
+    )  # FRAME_COLUMNS of each frame, shape [frames, len(FRAME_COLUMNS)]
     failure: Failure | None = None  # the first thing that went wrong, if anything did
     peak_contact_count: int = 0  # most contacts of this world in any frame
     peak_constraint_count: int = 0  # most constraint rows of this world in any substep
     peak_iteration_count: int = 0  # most solver iterations of this world in any substep
-    contact_rows: tuple[ContactRows, ...] = field(default=())  # the frames of which all contacts were asked for
+    contact_rows: tuple[ContactRows, ...] = field(
+        default=()
+    )  # the frames of which all contacts were asked for
     world_count: int = 1  # worlds that were simulated together
     wall_s: float = 0.0  # wall time of the whole batch: all frames, without building, compiling and capturing
 

@@ -16,7 +16,12 @@ from experiments.facts.case import FIXED, LEAN, Case
 from experiments.facts.classes import classify, creep_mm_s
 from experiments.facts.trace import Trace
 from experiments.lab.mjcf import mjcf_of
-from experiments.simulation.measurement import Conditions, Measurement, displacement_table, summarize
+from experiments.simulation.measurement import (
+    Conditions,
+    Measurement,
+    displacement_table,
+    summarize,
+)
 from experiments.simulation.reference import DoubleShake
 from experiments.simulation.simulation import Simulation
 
@@ -24,14 +29,22 @@ NEEDS_GPU = False
 """Read by ``measured_report.measuring.machine``: the engine in C runs on the CPU and repeats to the last bit."""
 TEXT_LENGTH = 4000
 FAR_SHAKE_M = 0.1
-WHOLE_CURE = {"contact_bias": True, "bias_centred": True, "integrator": "euler", "impratio": 1e3}  # type: dict
+WHOLE_CURE = {
+    "contact_bias": True,
+    "bias_centred": True,
+    "integrator": "euler",
+    "impratio": 1e3,
+}  # type: dict
 AS_SHIPPED, STIFF = replace(LEAN, name="as-shipped"), replace(FIXED, name="stiff-pads")
 SHOWN = [
     AS_SHIPPED,
     STIFF,
     replace(LEAN, name="term", contact_bias=True),
     replace(LEAN, name="whole-cure", **WHOLE_CURE),
-    *(replace(case, name=f"{case.name}-10cm", shake_amplitude_m=FAR_SHAKE_M) for case in (AS_SHIPPED, STIFF)),
+    *(
+        replace(case, name=f"{case.name}-10cm", shake_amplitude_m=FAR_SHAKE_M)
+        for case in (AS_SHIPPED, STIFF)
+    ),
     replace(LEAN, name="cone-pyramidal", cone="pyramidal"),
     replace(LEAN, name="impratio-1", impratio=1.0),
     replace(LEAN, name="substeps-4", substeps=4),
@@ -45,11 +58,18 @@ CASES = [*SHOWN, NEARBY, WITH_MIDPHASE]
 
 def measure(conditions: Conditions) -> Measurement:
     """Return the scene, and a row for each case."""
-    cases = [replace(case, frame_count=conditions.frame_count(case.frame_count)) for case in CASES]
+    cases = [
+        replace(case, frame_count=conditions.frame_count(case.frame_count))
+        for case in CASES
+    ]
     traces = {}
     for case in tqdm(cases, "lab", unit="run", delay=3.0):
-        traces[case.name] = DoubleShake(case, has_midphase=case.name == WITH_MIDPHASE.name).run()
-    nearby, shipped = (creep_mm_s(case, traces[case.name]) for case in (NEARBY, AS_SHIPPED))
+        traces[case.name] = DoubleShake(
+            case, has_midphase=case.name == WITH_MIDPHASE.name
+        ).run()
+    nearby, shipped = (
+        creep_mm_s(case, traces[case.name]) for case in (NEARBY, AS_SHIPPED)
+    )
     rows = [row_of(case, traces[case.name], abs(nearby - shipped)) for case in cases]
     tables = {case.name: displacement_table(traces[case.name]) for case in SHOWN}
     return Measurement([*scene_rows(), *rows], tables)
@@ -57,16 +77,28 @@ def measure(conditions: Conditions) -> Measurement:
 
 def row_of(case: Case, trace: Trace, floor_mm_s: float) -> dict[str, object]:
     """Return its metrics, and in which class it ended."""
-    row = summarize(case, trace) | {"backend": "mujoco-c", "class": classify(case, trace, floor_mm_s)}
+    row = summarize(case, trace) | {
+        "backend": "mujoco-c",
+        "class": classify(case, trace, floor_mm_s),
+    }
     use = float(trace.column("cone_use")[trace.phase == metrics.SHAKE].max())
-    return row | {"cone_use": use, "creep_floor_mm_s": floor_mm_s, "has_midphase": case.name == WITH_MIDPHASE.name}
+    return row | {
+        "cone_use": use,
+        "creep_floor_mm_s": floor_mm_s,
+        "has_midphase": case.name == WITH_MIDPHASE.name,
+    }
 
 
 def scene_rows() -> list[dict[str, str]]:
     """Return the MJCF of the scene, in parts as long as a record's texts may be, one after the other."""
     text = scene_mjcf()
-    parts = [text[start : start + TEXT_LENGTH] for start in range(0, len(text), TEXT_LENGTH)]
-    return [{"case": f"scene-{number}", "mjcf": chunk} for number, chunk in enumerate(parts, start=1)]
+    parts = [
+        text[start : start + TEXT_LENGTH] for start in range(0, len(text), TEXT_LENGTH)
+    ]
+    return [
+        {"case": f"scene-{number}", "mjcf": chunk}
+        for number, chunk in enumerate(parts, start=1)
+    ]
 
 
 def scene_mjcf() -> str:

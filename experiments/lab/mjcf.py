@@ -6,7 +6,10 @@ import mujoco
 import numpy as np
 
 JOINTS = ("free", "ball", "slide", "hinge")
-GEOMS = {int(mujoco.mjtGeom.mjGEOM_PLANE): "plane", int(mujoco.mjtGeom.mjGEOM_BOX): "box"}
+GEOMS = {
+    int(mujoco.mjtGeom.mjGEOM_PLANE): "plane",
+    int(mujoco.mjtGeom.mjGEOM_BOX): "box",
+}
 CONES = ("pyramidal", "elliptic")
 INTEGRATORS = ("Euler", "RK4", "implicit", "implicitfast")
 SOLVERS = ("PGS", "CG", "Newton")
@@ -27,7 +30,13 @@ def mjcf_of(model: mujoco.MjModel, sites: dict[str, tuple[int, np.ndarray]]) -> 
             bodies[body] = _add_body(bodies[model.body_parentid[body]], model, body)
         for name, (of, pose) in sites.items():
             if of == body:
-                SubElement(bodies[body], "site", name=name, pos=_text(pose[:3]), quat=_text(pose[3:]))
+                SubElement(
+                    bodies[body],
+                    "site",
+                    name=name,
+                    pos=_text(pose[:3]),
+                    quat=_text(pose[3:]),
+                )
         first, count = model.body_geomadr[body], model.body_geomnum[body]
         for geom in range(first, first + count):
             _add_geom(bodies[body], model, geom)
@@ -47,8 +56,17 @@ def _switch(flag) -> str:
 
 def _add_option(root: Element, model: mujoco.MjModel) -> None:
     opt = model.opt
-    numbers = ("timestep", "gravity", "impratio", "tolerance", "ls_tolerance", "ccd_tolerance")
-    option = SubElement(root, "option", {name: _text(getattr(opt, name)) for name in numbers})
+    numbers = (
+        "timestep",
+        "gravity",
+        "impratio",
+        "tolerance",
+        "ls_tolerance",
+        "ccd_tolerance",
+    )
+    option = SubElement(
+        root, "option", {name: _text(getattr(opt, name)) for name in numbers}
+    )
     option.set("cone", CONES[opt.cone])
     option.set("integrator", INTEGRATORS[opt.integrator])
     option.set("solver", SOLVERS[opt.solver])
@@ -60,9 +78,17 @@ def _add_option(root: Element, model: mujoco.MjModel) -> None:
 def _add_body(parent: Element, model: mujoco.MjModel, body: int) -> Element:
     pose = {"pos": _text(model.body_pos[body]), "quat": _text(model.body_quat[body])}
     name = model.body(body).name
-    element = SubElement(parent, "body", pose, name=name, gravcomp=_text(model.body_gravcomp[body]))
-    inertia = {"pos": _text(model.body_ipos[body]), "quat": _text(model.body_iquat[body])}
-    mass = {"mass": _text(model.body_mass[body]), "diaginertia": _text(model.body_inertia[body])}
+    element = SubElement(
+        parent, "body", pose, name=name, gravcomp=_text(model.body_gravcomp[body])
+    )
+    inertia = {
+        "pos": _text(model.body_ipos[body]),
+        "quat": _text(model.body_iquat[body]),
+    }
+    mass = {
+        "mass": _text(model.body_mass[body]),
+        "diaginertia": _text(model.body_inertia[body]),
+    }
     SubElement(element, "inertial", inertia | mass)
     first, count = model.body_jntadr[body], model.body_jntnum[body]
     for joint in range(first, first + count):
@@ -101,9 +127,23 @@ def _add_joint(body: Element, model: mujoco.MjModel, joint: int) -> None:
 
 
 def _add_geom(body: Element, model: mujoco.MjModel, geom: int) -> None:
-    numbers = ("size", "pos", "quat", "friction", "solmix", "solref", "solimp", "margin", "gap")
+    numbers = (
+        "size",
+        "pos",
+        "quat",
+        "friction",
+        "solmix",
+        "solref",
+        "solimp",
+        "margin",
+        "gap",
+    )
     counts = ("contype", "conaffinity", "condim", "priority")
-    element = SubElement(body, "geom", {name: _text(getattr(model, f"geom_{name}")[geom]) for name in numbers})
+    element = SubElement(
+        body,
+        "geom",
+        {name: _text(getattr(model, f"geom_{name}")[geom]) for name in numbers},
+    )
     for name in counts:
         element.set(name, str(getattr(model, f"geom_{name}")[geom]))
     element.set("name", model.geom(geom).name)
@@ -118,10 +158,14 @@ def _add_excluded(contact: Element, model: mujoco.MjModel) -> None:
 
 
 def _add_equalities(equality: Element, model: mujoco.MjModel) -> None:
-    for index in np.flatnonzero(model.eq_active0):  # Newton 1.8 adds welds to the world that are off
+    for index in np.flatnonzero(
+        model.eq_active0
+    ):  # Newton 1.8 adds welds to the world that are off
         joints = (model.eq_obj1id[index], model.eq_obj2id[index])
         names = (model.joint(joint).name for joint in joints)
-        element = SubElement(equality, "joint", dict(zip(("joint1", "joint2"), names, strict=True)))
+        element = SubElement(
+            equality, "joint", dict(zip(("joint1", "joint2"), names, strict=True))
+        )
         element.set("polycoef", _text(model.eq_data[index][:5]))
         element.set("solref", _text(model.eq_solref[index]))
         element.set("solimp", _text(model.eq_solimp[index]))

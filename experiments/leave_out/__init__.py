@@ -11,7 +11,12 @@ from experiments.facts.case import AS_SHIPPED, LEAN, UNTRIMMED, Case
 from experiments.facts.trace import Trace
 from experiments.leave_out.audit import audit, audit_rows
 from experiments.simulation.frame_benchmark import TIMED, time_cases
-from experiments.simulation.measurement import Conditions, Measurement, absent, summarize
+from experiments.simulation.measurement import (
+    Conditions,
+    Measurement,
+    absent,
+    summarize,
+)
 from experiments.simulation.simulation import Simulation, simulate
 from measured_report.measuring.batch import Batch, Plan
 
@@ -32,9 +37,18 @@ WITHOUT = {
 UNUSED_STAGES = WITHOUT["sensors"] | WITHOUT["limits"]
 """Stages of the engine that this scene has no use for. Not in LEAN: other runs do bring joints to their limits."""
 WORLD_COUNTS = {"cuda": (1, 4096, 16384), "cpu": (1,)}
-WITH_MOST_WORLDS = ("ik-iterations", "ik-in-turn", "state-sync", "sensors", "limits", "buffers")
+WITH_MOST_WORLDS = (
+    "ik-iterations",
+    "ik-in-turn",
+    "state-sync",
+    "sensors",
+    "limits",
+    "buffers",
+)
 """Left out alone with the most worlds, where to build a batch takes longer than to time it."""
-ON_CPU = ("buffers",)  # left out alone on a CPU, where frames with large buffers take long
+ON_CPU = (
+    "buffers",
+)  # left out alone on a CPU, where frames with large buffers take long
 RUN_COUNT = 8  # worlds in which a case is run to the end on a GPU; on a CPU they would all be the same
 AUDIT_FRAME_COUNT = {"full": 250, "quick": 130}
 
@@ -42,17 +56,31 @@ AUDIT_FRAME_COUNT = {"full": 250, "quick": 130}
 def variants(quick: bool, names: Iterable[str] = WITHOUT) -> list[Case]:
     """Return the cases; of those that leave out one thing only ``names``, or the largest when ``quick``."""
     names = ("buffers",) if quick else names
-    single = [replace(UNTRIMMED, name=f"without-{name}", **WITHOUT[name]) for name in names]
-    return [UNTRIMMED, *single, replace(LEAN, name="without-all", **UNUSED_STAGES), AS_SHIPPED]
+    single = [
+        replace(UNTRIMMED, name=f"without-{name}", **WITHOUT[name]) for name in names
+    ]
+    return [
+        UNTRIMMED,
+        *single,
+        replace(LEAN, name="without-all", **UNUSED_STAGES),
+        AS_SHIPPED,
+    ]
 
 
 def measure(conditions: Conditions) -> Plan:
     kinds = ("cuda", "cpu") if conditions.is_cuda else ("cpu",)
-    timings = [(kind, count) for kind in kinds for count in ((1,) if conditions.quick else WORLD_COUNTS[kind])]
+    timings = [
+        (kind, count)
+        for kind in kinds
+        for count in ((1,) if conditions.quick else WORLD_COUNTS[kind])
+    ]
     trajectories, items, *times = yield [
         Batch("to-end", run_to_end, (conditions, kinds)),
         Batch("audit", measure_audit, (conditions,)),
-        *(Batch(f"{kind}-{n}", measure_times, (conditions, kind, n), exclusive=True) for kind, n in timings),
+        *(
+            Batch(f"{kind}-{n}", measure_times, (conditions, kind, n), exclusive=True)
+            for kind, n in timings
+        ),
     ]
     rows = []
     for kind in kinds:
@@ -63,11 +91,18 @@ def measure(conditions: Conditions) -> Plan:
     return Measurement(rows + items)
 
 
-def measure_times(conditions: Conditions, kind: str, world_count: int) -> dict[str, dict[str, object]]:
+def measure_times(
+    conditions: Conditions, kind: str, world_count: int
+) -> dict[str, dict[str, object]]:
     """Time frames of the variants in so many worlds on one kind of device; columns by case."""
     many = kind == "cuda" and world_count == WORLD_COUNTS[kind][-1]
-    timed = variants(conditions.quick, ON_CPU if kind == "cpu" else WITH_MOST_WORLDS if many else WITHOUT)
-    timed.sort(key=lambda case: case is not UNTRIMMED and has_large_buffers(case))  # small ones first
+    timed = variants(
+        conditions.quick,
+        ON_CPU if kind == "cpu" else WITH_MOST_WORLDS if many else WITHOUT,
+    )
+    timed.sort(
+        key=lambda case: case is not UNTRIMMED and has_large_buffers(case)
+    )  # small ones first
     untimed = absent(TIMED, "not timed here, where it would take long")
     columns = dict.fromkeys((case.name for case in variants(conditions.quick)), untimed)
     return columns | time_cases(timed, world_count, wp.get_device(kind))
@@ -78,31 +113,55 @@ def measure_audit(conditions: Conditions) -> list[dict[str, object]]:
     return audit_rows(audit(simulation, AUDIT_FRAME_COUNT[conditions.profile]))
 
 
-def run_to_end(conditions: Conditions, kinds: Sequence[str]) -> dict[str, dict[str, dict]]:
+def run_to_end(
+    conditions: Conditions, kinds: Sequence[str]
+) -> dict[str, dict[str, dict]]:
     """Run every variant to the end on each kind of device; columns by kind and case.
 
     The reference is the untrimmed scene. On the CPU, where the large buffers take minutes, all cases are run without
     them, and the reference is the one that leaves out nothing else.
     """
     frame_count = conditions.frame_count(AS_SHIPPED.frame_count)
-    cases = [replace(case, frame_count=frame_count) for case in variants(conditions.quick)]
-    on_gpu = [case for case in cases for _ in range(RUN_COUNT)] if "cuda" in kinds else []
+    cases = [
+        replace(case, frame_count=frame_count) for case in variants(conditions.quick)
+    ]
+    on_gpu = (
+        [case for case in cases for _ in range(RUN_COUNT)] if "cuda" in kinds else []
+    )
     on_cpu = [replace(case, device="cpu") for case in cases[1:]]
-    on_cpu = [replace(case, **WITHOUT["buffers"]) if has_large_buffers(case) else case for case in on_cpu]
+    on_cpu = [
+        replace(case, **WITHOUT["buffers"]) if has_large_buffers(case) else case
+        for case in on_cpu
+    ]
     traces = simulate([*on_gpu, *on_cpu], device=conditions.device, title="leave_out")
-    columns = {"cpu": {cases[0].name: absent(["slip_mm"], "not run to the end on the CPU, where it takes minutes")}}
+    columns = {
+        "cpu": {
+            cases[0].name: absent(
+                ["slip_mm"], "not run to the end on the CPU, where it takes minutes"
+            )
+        }
+    }
     columns["cpu"] |= compared(on_cpu, traces[len(on_gpu) :], 1)
-    return columns | ({"cuda": compared(cases, traces[: len(on_gpu)], RUN_COUNT)} if on_gpu else {})
+    return columns | (
+        {"cuda": compared(cases, traces[: len(on_gpu)], RUN_COUNT)} if on_gpu else {}
+    )
 
 
 def has_large_buffers(case: Case) -> bool:
     return case.contact_max == UNTRIMMED.contact_max
 
 
-def compared(cases: Sequence[Case], traces: Sequence[Trace], run_count: int) -> dict[str, dict[str, object]]:
+def compared(
+    cases: Sequence[Case], traces: Sequence[Trace], run_count: int
+) -> dict[str, dict[str, object]]:
     """Return by case the mean slip of ``run_count`` runs of each case, one case after the other."""
     return {
-        case.name: mean_slip([summarize(case, trace) for trace in traces[index * run_count : (index + 1) * run_count]])
+        case.name: mean_slip(
+            [
+                summarize(case, trace)
+                for trace in traces[index * run_count : (index + 1) * run_count]
+            ]
+        )
         for index, case in enumerate(cases)
     }
 
@@ -110,6 +169,10 @@ def compared(cases: Sequence[Case], traces: Sequence[Trace], run_count: int) -> 
 def mean_slip(summaries: Sequence[dict[str, Any]]) -> dict[str, object]:
     """Return the slip as its mean over the runs of a case."""
     failure = next((row["failure"] for row in summaries if row["failure"]), None)
-    missing = next((row["slip_mm_reason"] for row in summaries if row["slip_mm"] is None), None)
+    missing = next(
+        (row["slip_mm_reason"] for row in summaries if row["slip_mm"] is None), None
+    )
     slips = [row["slip_mm"] for row in summaries]
-    return {"failure": failure} | (absent(["slip_mm"], missing) if missing else {"slip_mm": float(np.mean(slips))})
+    return {"failure": failure} | (
+        absent(["slip_mm"], missing) if missing else {"slip_mm": float(np.mean(slips))}
+    )

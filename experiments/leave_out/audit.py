@@ -16,7 +16,11 @@ from experiments.simulation.timing import buffer_bytes_per_world
 
 FRAME_COUNT = 300  # frames of the run: for the shake scene the set-up and a cycle and a half of shake
 LOOK_FRAME_STEP = 10  # frames between two looks at the inverse kinematics and at the writes of Newton's state
-PEAKS = ("nefc", "nl", "ne")  # counts of rows in the engine's data: all, those of limits, those of equality constraints
+PEAKS = (
+    "nefc",
+    "nl",
+    "ne",
+)  # counts of rows in the engine's data: all, those of limits, those of equality constraints
 OUTPUTS = ("ten_length", "sensordata")
 
 
@@ -49,7 +53,9 @@ class Seen:
     contact_counts: list[int] = field(default_factory=list)
     loaded_counts: list[int] = field(default_factory=list)
     peaks: dict[str, int] = field(default_factory=lambda: dict.fromkeys(PEAKS, 0))
-    outputs: dict[str, list[np.ndarray]] = field(default_factory=lambda: {name: [] for name in OUTPUTS})
+    outputs: dict[str, list[np.ndarray]] = field(
+        default_factory=lambda: {name: [] for name in OUTPUTS}
+    )
     state_changes: list[float] = field(default_factory=list)
     """Largest change of a coordinate in each write of Newton's state that was looked at."""
     actuators_moved: set[int] = field(default_factory=set)
@@ -59,10 +65,14 @@ class Seen:
         data = scene.solver.mjw_data
         count = min(int(data.nacon.numpy()[0]), data.naconmax)
         mine = data.contact.worldid.numpy()[:count] == 0
-        pairs = scene.solver.mjc_geom_to_newton_shape.numpy()[0][data.contact.geom.numpy()[:count][mine]]
+        pairs = scene.solver.mjc_geom_to_newton_shape.numpy()[0][
+            data.contact.geom.numpy()[:count][mine]
+        ]
         address = data.contact.efc_address.numpy()[:count, 0][mine]
         force = data.efc.force.numpy()[0]
-        loaded = np.array([row >= 0 and force[row] > 0.0 for row in address], dtype=bool)
+        loaded = np.array(
+            [row >= 0 and force[row] > 0.0 for row in address], dtype=bool
+        )
         pairs = np.sort(pairs, axis=1)
         self.pairs_near.update((int(a), int(b)) for a, b in pairs)
         self.pairs_loaded.update((int(a), int(b)) for a, b in pairs[loaded])
@@ -72,7 +82,9 @@ class Seen:
             self.peaks[name] = max(peak, int(getattr(data, name).numpy()[0]))
         for name, looks in self.outputs.items():
             looks.append(getattr(data, name).numpy()[0].copy())  # on a CPU it is a view
-        self.actuators_moved.update(int(index) for index in np.flatnonzero(data.actuator_force.numpy()[0]))
+        self.actuators_moved.update(
+            int(index) for index in np.flatnonzero(data.actuator_force.numpy()[0])
+        )
 
     def changed_count(self, name: str) -> int:
         """Count the numbers that were not the same in all looks."""
@@ -100,7 +112,11 @@ def audit(scene: AuditedScene, frame_count: int = FRAME_COUNT) -> list[Item]:
         *_shape_items(scene.model, seen),
         *_contact_items(scene, seen),
         *_feature_items(scene.solver.mj_model, seen),
-        *([Item(iterations, scene.case.ik_iterations, seen.ik_iterations_moving)] if task else []),
+        *(
+            [Item(iterations, scene.case.ik_iterations, seen.ik_iterations_moving)]
+            if task
+            else []
+        ),
         Item(
             "looks at a write of Newton's state into the engine, against those where it changed a bit",
             len(changes),
@@ -115,7 +131,9 @@ def _state_change(scene: AuditedScene) -> float:
     data = scene.solver.mjw_data
     copies = [(array, wp.clone(array)) for array in (data.qpos, data.qvel)]
     scene.solver._update_mjc_data(data, scene.model, scene.state)
-    change = max(float(np.abs(array.numpy() - copy.numpy()).max()) for array, copy in copies)
+    change = max(
+        float(np.abs(array.numpy() - copy.numpy()).max()) for array, copy in copies
+    )
     for array, copy in copies:
         wp.copy(array, copy)
     return change
@@ -128,7 +146,11 @@ def _moving_iterations(task: Task, before: wp.array, iterations: int) -> int:
         solution = wp.clone(before)
         task.solver.step(solution, count)
         solutions.append(solution.numpy())
-    changes = [k for k in range(1, len(solutions)) if not np.array_equal(solutions[k], solutions[k - 1])]
+    changes = [
+        k
+        for k in range(1, len(solutions))
+        if not np.array_equal(solutions[k], solutions[k - 1])
+    ]
     return max(changes, default=0)
 
 
@@ -139,48 +161,103 @@ def _shape_items(model: newton.Model, seen: Seen) -> list[Item]:
     colliding = [shape for shape in first if flags[shape] & ShapeFlags.COLLIDE_SHAPES]
     near = {shape for pair in seen.pairs_near for shape in pair}
     idle = [body[shape] for shape in colliding if shape not in near]
-    names = ", ".join(labels[one].rsplit("/", 1)[-1] if one >= 0 else "ground" for one in idle)
+    names = ", ".join(
+        labels[one].rsplit("/", 1)[-1] if one >= 0 else "ground" for one in idle
+    )
     pairs = model.shape_contact_pairs.numpy()
     count = int((world[pairs] <= 0).all(axis=1).sum())
     return [
         Item("shapes for looking at only", len(first) - len(colliding), 0),
-        Item("colliding shapes that came near anything", len(colliding), len(colliding) - len(idle), names),
-        Item("pairs of shapes that may collide, against those that came near", count, len(seen.pairs_near)),
-        Item("pairs of shapes that may collide, against those that carried force", count, len(seen.pairs_loaded)),
+        Item(
+            "colliding shapes that came near anything",
+            len(colliding),
+            len(colliding) - len(idle),
+            names,
+        ),
+        Item(
+            "pairs of shapes that may collide, against those that came near",
+            count,
+            len(seen.pairs_near),
+        ),
+        Item(
+            "pairs of shapes that may collide, against those that carried force",
+            count,
+            len(seen.pairs_loaded),
+        ),
     ]
 
 
 def _contact_items(scene: AuditedScene, seen: Seen) -> list[Item]:
-    data, most, rows = scene.solver.mjw_data, max(seen.contact_counts), seen.peaks["nefc"]
+    data, most, rows = (
+        scene.solver.mjw_data,
+        max(seen.contact_counts),
+        seen.peaks["nefc"],
+    )
     contact_max = data.naconmax // data.nworld
     size = buffer_bytes_per_world(scene.solver, scene.contacts)
     used = max(most / contact_max, rows / data.njmax) * size
     loaded = np.mean(seen.loaded_counts)
     return [
-        Item("contacts per frame, against those that carry force", np.mean(seen.contact_counts), loaded),
+        Item(
+            "contacts per frame, against those that carry force",
+            np.mean(seen.contact_counts),
+            loaded,
+        ),
         Item("room for contacts per world, against the peak", contact_max, most),
         Item("room for constraint rows per world, against the peak", data.njmax, rows),
-        Item("contact and constraint memory per world [B], against the share of the fuller buffer", size, used),
+        Item(
+            "contact and constraint memory per world [B], against the share of the fuller buffer",
+            size,
+            used,
+        ),
     ]
 
 
 def _feature_items(engine: Any, seen: Seen) -> list[Item]:
-    limited, moving = int(np.count_nonzero(engine.jnt_limited)), np.count_nonzero(engine.body_dofnum)
+    limited, moving = (
+        int(np.count_nonzero(engine.jnt_limited)),
+        np.count_nonzero(engine.body_dofnum),
+    )
     lengths, values = map(seen.changed_count, OUTPUTS)
     return [
-        Item("joints with limits, against the most that were reached at once", limited, seen.peaks["nl"]),
-        Item("equality constraints, against the most rows that they made", engine.neq, seen.peaks["ne"]),
+        Item(
+            "joints with limits, against the most that were reached at once",
+            limited,
+            seen.peaks["nl"],
+        ),
+        Item(
+            "equality constraints, against the most rows that they made",
+            engine.neq,
+            seen.peaks["ne"],
+        ),
         Item("tendons, against those whose length changed", engine.ntendon, lengths),
-        Item("numbers from sensors, against those that changed", engine.nsensordata, values),
-        Item("bodies, against those that move against their parent", engine.nbody - 1, moving),
-        Item("actuators, against those that ever gave a force", engine.nu, len(seen.actuators_moved)),
+        Item(
+            "numbers from sensors, against those that changed",
+            engine.nsensordata,
+            values,
+        ),
+        Item(
+            "bodies, against those that move against their parent",
+            engine.nbody - 1,
+            moving,
+        ),
+        Item(
+            "actuators, against those that ever gave a force",
+            engine.nu,
+            len(seen.actuators_moved),
+        ),
     ]
 
 
 def audit_rows(items: list[Item]) -> list[dict[str, object]]:
     """Return the items as rows of a record."""
     return [
-        {"case": f"audit-{index}", "item": item.name, "present": float(item.present), "used": float(item.used)}
+        {
+            "case": f"audit-{index}",
+            "item": item.name,
+            "present": float(item.present),
+            "used": float(item.used),
+        }
         | {"note": item.note}
         for index, item in enumerate(items)
     ]

@@ -24,14 +24,19 @@ PANEL_HEIGHT = 448
 """Of the picture of a run; both stand at the bottom, where the controls of a player cover nothing but ground."""
 GAP = 2  # half the space between the two [pixels]
 LEAD_S = 2.5  # how long before the shake a clip begins
-APPROACH_S = 1.2  # how long the camera takes to come close; it has arrived when the shake begins
+APPROACH_S = (
+    1.2  # how long the camera takes to come close; it has arrived when the shake begins
+)
 FALL_S = 4.0  # how long a clip goes on once a cube is out of the grasp; the camera then goes back to see where it fell
 STAY_S = 1.0  # how long the last picture stays
 ENCODER = {"crf": "28", "preset": "veryslow", "threads": "2"}
 JPEG_QUALITY = 85
 
 INK, SOFT, GRID, STRIP = "#f2f4f6", "#aab4be", "#3d444c", "#14171a"
-COLOURS = ("#f59a5f", "#6db3f2")  # of the two runs, in words and curves: those of the page's dark theme
+COLOURS = (
+    "#f59a5f",
+    "#6db3f2",
+)  # of the two runs, in words and curves: those of the page's dark theme
 CUBE_RGB = ((0.87, 0.37, 0.08), (0.10, 0.45, 0.82))  # of their cubes
 
 WIDE = ((1.10, -1.75, 0.86), (-0.20, -0.45, 0.31), 27.0)
@@ -39,8 +44,15 @@ WIDE = ((1.10, -1.75, 0.86), (-0.20, -0.45, 0.31), 27.0)
 CLOSE = ((0.19, -0.30, 0.075), (0.0, 0.0, 0.001), 18.5)
 """The same of the view of the grasp, against the TCP: it rides with the hand."""
 
-STILL = (1200, 630)  # size of the long exposure [pixels]: what pages that show links ask for
-STILL_VIEW = ((0.15, -0.35, 0.075), (0.010, 0.0, 0.004), 14.5)  # its view, against the TCP
+STILL = (
+    1200,
+    630,
+)  # size of the long exposure [pixels]: what pages that show links ask for
+STILL_VIEW = (
+    (0.15, -0.35, 0.075),
+    (0.010, 0.0, 0.004),
+    14.5,
+)  # its view, against the TCP
 MAGNIFIED = 5
 
 
@@ -54,7 +66,10 @@ class Clip:
     @property
     def fall_s(self) -> float:
         """Say when in the shake the first cube is out of the grasp; infinite when none ever is."""
-        return min(np.inf if run.left_grasp_s is None else run.left_grasp_s for run in self.runs)
+        return min(
+            np.inf if run.left_grasp_s is None else run.left_grasp_s
+            for run in self.runs
+        )
 
     @cached_property
     def frames(self) -> np.ndarray:
@@ -70,14 +85,18 @@ class Clip:
         none is read out, before the shake and once the cube is out of the grasp."""
         found = {"time_s": self.runs[0].time_s[self.frames]}
         for name, run in zip(self.names, self.runs, strict=True):
-            found[f"{name}_mm"] = np.where(run.in_grasp(), run.slip_mm, np.nan)[self.frames]
+            found[f"{name}_mm"] = np.where(run.in_grasp(), run.slip_mm, np.nan)[
+                self.frames
+            ]
         return found
 
     def camera(self, frame: int) -> Camera:
         """Return the view at a kept frame: wide, then riding with the hand, and wide again once a cube has fallen."""
         run = self.runs[0]
         time_s = run.time_s[frame]
-        near = _smooth(1.0 + time_s / APPROACH_S) * _smooth(1.0 - (time_s - self.fall_s) / APPROACH_S)
+        near = _smooth(1.0 + time_s / APPROACH_S) * _smooth(
+            1.0 - (time_s - self.fall_s) / APPROACH_S
+        )
         hand = run.links[TCP][frame, :3, 3]
         (wide_eye, wide_target, wide_deg), (eye, target, deg) = WIDE, CLOSE
         return Camera(
@@ -97,14 +116,25 @@ def pictures(clip: Clip, device: str) -> Iterator[np.ndarray]:
     stage = Stage(CUBE_RGB, clip.runs[0].cube_edge_m, device)
     readout, sheet = clip.readout(), Sheet(WIDTH, HEIGHT, HEIGHT - PANEL_HEIGHT)
     axes = plot_axes(sheet, readout)
-    style = {"linewidth": 4, "marker": "o", "markersize": 11, "markevery": [-1], "clip_on": False}
-    labels = [sheet.name_panel(*item) for item in zip(range(2), clip.names, COLOURS, strict=True)]
+    style = {
+        "linewidth": 4,
+        "marker": "o",
+        "markersize": 11,
+        "markevery": [-1],
+        "clip_on": False,
+    }
+    labels = [
+        sheet.name_panel(*item)
+        for item in zip(range(2), clip.names, COLOURS, strict=True)
+    ]
     curves = [axes.plot([], [], color=colour, **style)[0] for colour in COLOURS]
     picture = None
     for number, frame in enumerate(clip.frames):
         if number == 0 or frame != clip.frames[number - 1]:
             stage.place([bodies(run, frame) for run in clip.runs])
-            panels = display(stage.picture(clip.camera(frame), WIDTH // 2, PANEL_HEIGHT))
+            panels = display(
+                stage.picture(clip.camera(frame), WIDTH // 2, PANEL_HEIGHT)
+            )
             time_s = readout["time_s"][: number + 1]
             for name, label, curve in zip(clip.names, labels, curves, strict=True):
                 values = readout[f"{name}_mm"][: number + 1]
@@ -116,15 +146,32 @@ def pictures(clip: Clip, device: str) -> Iterator[np.ndarray]:
 
 def plot_axes(sheet: "Sheet", readout: Mapping[str, np.ndarray]) -> Axes:
     """Return the axes above the panels, with room for all that is read out."""
-    bottom, height = (PANEL_HEIGHT + 46) / HEIGHT, (HEIGHT - PANEL_HEIGHT - HEAD - 46) / HEIGHT
+    bottom, height = (
+        (PANEL_HEIGHT + 46) / HEIGHT,
+        (HEIGHT - PANEL_HEIGHT - HEAD - 46) / HEIGHT,
+    )
     axes = sheet.figure.add_axes((0.1, bottom, 0.875, height), facecolor="none")
     axes.set_xlim(0.0, readout["time_s"][-1] * 1.015)
-    axes.set_ylim(0.0, 1.2 * max(np.nanmax(values) for name, values in readout.items() if name != "time_s"))
+    axes.set_ylim(
+        0.0,
+        1.2
+        * max(
+            np.nanmax(values) for name, values in readout.items() if name != "time_s"
+        ),
+    )
     axes.yaxis.set_major_locator(MaxNLocator(4, steps=(1, 2, 5, 10)))
     axes.xaxis.set_major_locator(MaxNLocator(6, steps=(1, 2, 5, 10)))
     axes.xaxis.set_major_formatter(lambda value, _: f"{value:g} s" if value else "")
     axes.yaxis.set_major_formatter(lambda value, _: f"{value:g} mm" if value else "0")
-    axes.text(0.01, 0.94, "displacement in the grasp", transform=axes.transAxes, color=SOFT, fontsize=19, va="top")
+    axes.text(
+        0.01,
+        0.94,
+        "displacement in the grasp",
+        transform=axes.transAxes,
+        color=SOFT,
+        fontsize=19,
+        va="top",
+    )
     axes.tick_params(colors=SOFT, labelsize=19, length=0, pad=6)
     axes.grid(color=GRID, linewidth=1)
     for side, spine in axes.spines.items():
@@ -136,23 +183,31 @@ def write_video(path: Path, frames: Iterable[np.ndarray]) -> np.ndarray:
     """Encode frames, shape [HEIGHT, WIDTH, 3], 8 bits, as H.264 in MP4 that plays while it loads; return the last."""
     import av  # only who makes clips needs it
 
-    with av.open(path, "w", format="mp4", options={"movflags": "+faststart"}) as container:
+    with av.open(
+        path, "w", format="mp4", options={"movflags": "+faststart"}
+    ) as container:
         stream = container.add_stream("libx264", rate=FRAME_RATE, options=ENCODER)
         stream.width, stream.height, stream.pix_fmt = WIDTH, HEIGHT, "yuv420p"
         for frame in frames:
-            container.mux(stream.encode(av.VideoFrame.from_ndarray(frame, format="rgb24")))
+            container.mux(
+                stream.encode(av.VideoFrame.from_ndarray(frame, format="rgb24"))
+            )
         container.mux(stream.encode())
     return frame
 
 
 def write_image(path: Path, picture: np.ndarray) -> None:
     """Write a picture, shape [height, width, 3], 8 bits, as JPEG."""
-    Image.fromarray(picture).save(path, format="JPEG", quality=JPEG_QUALITY, optimize=True, progressive=True)
+    Image.fromarray(picture).save(
+        path, format="JPEG", quality=JPEG_QUALITY, optimize=True, progressive=True
+    )
 
 
 def bodies(run: KeptRun, frame: int) -> dict[str, np.ndarray]:
     """Say where everything is; the edges that mark the cube's start are there once the shake has begun."""
-    found = {name: poses[frame] for name, poses in run.links.items()} | {CUBE: run.cube[frame]}
+    found = {name: poses[frame] for name, poses in run.links.items()} | {
+        CUBE: run.cube[frame]
+    }
     return found | ({START: run.start[frame]} if run.time_s[frame] >= 0.0 else {})
 
 
@@ -161,13 +216,19 @@ class Sheet:
 
     def __init__(self, width: int, height: int, top: int):
         self.width, self.height, self.top = width, height, top
-        self.figure = Figure(figsize=(width / 100, height / 100), dpi=100, facecolor="none")
+        self.figure = Figure(
+            figsize=(width / 100, height / 100), dpi=100, facecolor="none"
+        )
         self.canvas = FigureCanvasAgg(self.figure)
 
-    def write(self, left: float, top: float, text: str, size: float, colour: str, **style) -> Text:
+    def write(
+        self, left: float, top: float, text: str, size: float, colour: str, **style
+    ) -> Text:
         """Return text of ``size`` whose baseline begins at a place [pixels]."""
         place = left / self.width, 1.0 - top / self.height
-        return self.figure.text(*place, text, fontsize=0.72 * size, color=colour, **style)
+        return self.figure.text(
+            *place, text, fontsize=0.72 * size, color=colour, **style
+        )
 
     def name_panel(self, number: int, name: str, colour: str) -> Text:
         """Write the name of a run above its panel, and return the place of its number, behind it."""
@@ -188,7 +249,9 @@ class Sheet:
         below[rows] = np.concatenate(list(panels), axis=1)
         below[rows, self.width // 2 - GAP : self.width // 2 + GAP] = to_rgb(STRIP)
         opacity = drawn[..., 3:]
-        return (255 * (opacity * drawn[..., :3] + (1.0 - opacity) * below) + 0.5).astype(np.uint8)
+        return (
+            255 * (opacity * drawn[..., :3] + (1.0 - opacity) * below) + 0.5
+        ).astype(np.uint8)
 
 
 def reading(slip_mm: float) -> str:
@@ -215,7 +278,9 @@ def long_exposure(clip: Clip, frequency_hz: float, device: str) -> np.ndarray:
     # A mean alone would leave little of the edges of each.
     picture = 0.5 * np.mean(exposures, axis=0) + 0.5 * np.max(exposures, axis=0)
     sheet = Sheet(*STILL, HEAD)
-    for number, (name, run, colour) in enumerate(zip(clip.names, clip.runs, COLOURS, strict=True)):
+    for number, (name, run, colour) in enumerate(
+        zip(clip.names, clip.runs, COLOURS, strict=True)
+    ):
         sheet.name_panel(number, name, colour).set_text(reading(run.slip_mm[-1]))
     words = f"The cube every second cycle, its displacement drawn ×{MAGNIFIED}"
     sheet.write(26, STILL[1] - 32, words, 34, SOFT)
@@ -227,4 +292,7 @@ def _magnified(run: KeptRun, start: int, frame: int) -> dict[str, np.ndarray]:
     origin = run.begin_in_hand[:3, 3]
     in_hand[:3, 3] = origin + MAGNIFIED * (in_hand[:3, 3] - origin)
     cube = run.links[TCP][start] @ in_hand
-    return {name: poses[start] for name, poses in run.links.items()} | {CUBE: cube, START: cube}
+    return {name: poses[start] for name, poses in run.links.items()} | {
+        CUBE: cube,
+        START: cube,
+    }

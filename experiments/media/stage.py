@@ -15,17 +15,29 @@ from measured_report.files.root import ROOT
 
 FOLDER = ROOT / "assets/visual"
 ARM_LINKS = {f"fr3_link{number}": f"link{number}" for number in range(8)}
-LINKS = ARM_LINKS | {"fr3_hand": "hand", "fr3_leftfinger": "finger", "fr3_rightfinger": "finger"}
+LINKS = ARM_LINKS | {
+    "fr3_hand": "hand",
+    "fr3_leftfinger": "finger",
+    "fr3_rightfinger": "finger",
+}
 """Which meshes each link of the robot description shows. Both fingers show the same ones: the description turns the
 right finger by π already."""
-CREASE_DEG = 35.0  # faces that meet at a larger angle than this have an edge between them
-CUBE, START = "cube", "start"  # the cube, and the edges of a cube where it was when the shake began
+CREASE_DEG = (
+    35.0  # faces that meet at a larger angle than this have an edge between them
+)
+CUBE, START = (
+    "cube",
+    "start",
+)  # the cube, and the edges of a cube where it was when the shake began
 EDGE_M = 0.0005  # width of those edges
 GROUND_RGB = (0.40, 0.43, 0.46)
 GRID_RGB = (0.46, 0.49, 0.52)
 EDGE_RGB = (0.98, 0.98, 0.98)
 GRID_STEP_M, GRID_COUNT = 0.2, 20
-GRID_WIDTH_M, GRID_HEIGHT_M = 0.003, 1e-4  # half the width and the height of the lines on the ground
+GRID_WIDTH_M, GRID_HEIGHT_M = (
+    0.003,
+    1e-4,
+)  # half the width and the height of the lines on the ground
 SUN = (-0.42, 0.50, -0.76)  # where the light goes to
 EXPOSURE = 0.92
 BACKDROP = (0.10, 0.115, 0.13)  # linear colour of what is far away
@@ -50,38 +62,65 @@ class Camera:
         back = back / np.linalg.norm(back)
         right = np.cross((0.0, 0.0, 1.0), back)
         right /= np.linalg.norm(right)
-        return np.vstack([np.stack([right, np.cross(back, right), back, self.eye], axis=1), (0, 0, 0, 1)])
+        return np.vstack(
+            [
+                np.stack([right, np.cross(back, right), back, self.eye], axis=1),
+                (0, 0, 0, 1),
+            ]
+        )
 
     def rays(self, x: np.ndarray, y: np.ndarray, width: int, height: int) -> np.ndarray:
         """Return the origins and directions, seen from the camera, of rays through places of the picture [pixels]; for
         arrays of any one shape, shape [..., 2, 3]."""
         reach = np.tan(np.radians(self.height_deg) / 2)
         direction = np.stack(
-            [(2 * x - width) / height * reach, (1 - 2 * y / height) * reach, np.full(x.shape, -1.0)], axis=-1
+            [
+                (2 * x - width) / height * reach,
+                (1 - 2 * y / height) * reach,
+                np.full(x.shape, -1.0),
+            ],
+            axis=-1,
         )
         direction /= np.linalg.norm(direction, axis=-1, keepdims=True)
-        return np.stack([np.zeros_like(direction), direction], axis=-2).astype(np.float32)
+        return np.stack([np.zeros_like(direction), direction], axis=-2).astype(
+            np.float32
+        )
 
 
 class Stage:
     """Some runs, each in a world of its own, all seen from the same place."""
 
-    def __init__(self, cube_rgb: Sequence[tuple[float, float, float]], cube_edge_m: float, device: str):
+    def __init__(
+        self,
+        cube_rgb: Sequence[tuple[float, float, float]],
+        cube_edge_m: float,
+        device: str,
+    ):
         self.world_count = len(cube_rgb)
         self.bodies = (*LINKS, CUBE, START)
         self.model = _build(cube_rgb, cube_edge_m).finalize(device=device)
         self.state = self.model.state()
         self.sensor = SensorTiledCamera(self.model)
         self.sensor.default_render_config.enable_shadows = True
-        self.sensor.default_render_config.render_order = SensorTiledCamera.RenderOrder.VIEW_PRIORITY
+        self.sensor.default_render_config.render_order = (
+            SensorTiledCamera.RenderOrder.VIEW_PRIORITY
+        )
         sun = np.array(SUN) / np.linalg.norm(SUN)
-        self.sensor.utils.create_default_light(enable_shadows=True, direction=wp.vec3f(*sun))
+        self.sensor.utils.create_default_light(
+            enable_shadows=True, direction=wp.vec3f(*sun)
+        )
 
     def place(self, poses: Sequence[Mapping[str, np.ndarray]]) -> None:
         """Put the bodies of each world at ``poses``, of which each is a matrix, shape [4, 4]; one without is hidden."""
         hidden = np.eye(4)
         hidden[2, 3] = -100.0
-        self.state.body_q.assign([transform(world.get(body, hidden)) for world in poses for body in self.bodies])
+        self.state.body_q.assign(
+            [
+                transform(world.get(body, hidden))
+                for world in poses
+                for body in self.bodies
+            ]
+        )
         self.model.bvh_refit_shapes(self.state)
 
     def picture(self, camera: Camera, width: int, height: int) -> np.ndarray:
@@ -91,7 +130,9 @@ class Stage:
         edge = _is_edge(display(colour).mean(axis=-1), shape)
         rows, columns = np.nonzero(edge)
         spots = _spread(SAMPLE_COUNT)
-        rays = camera.rays(columns[:, None] + spots[:, 0], rows[:, None] + spots[:, 1], width, height)
+        rays = camera.rays(
+            columns[:, None] + spots[:, 0], rows[:, None] + spots[:, 1], width, height
+        )
         if len(rows):
             colour[:, rows, columns] = display_mean(self._trace(camera, rays)[0])
         return colour
@@ -100,10 +141,17 @@ class Stage:
         """Return linear colour and shape that each ray meets in each world; rays have shape [rows, columns, 2, 3]."""
         size = (self.world_count, 1, *rays.shape[:2])
         device = self.model.device
-        colour, depth, shape = (wp.zeros(size, dtype=dtype, device=device) for dtype in (wp.vec3f, float, wp.uint32))
+        colour, depth, shape = (
+            wp.zeros(size, dtype=dtype, device=device)
+            for dtype in (wp.vec3f, float, wp.uint32)
+        )
         self.sensor.update(
             self.state,
-            wp.array([[transform(camera.pose)] * self.world_count], dtype=wp.transformf, device=device),
+            wp.array(
+                [[transform(camera.pose)] * self.world_count],
+                dtype=wp.transformf,
+                device=device,
+            ),
             wp.array(rays[None], dtype=wp.vec3f, device=device),
             hdr_color_image=colour,
             depth_image=depth,
@@ -111,7 +159,9 @@ class Stage:
         )
         colour, depth, shape = (array.numpy()[:, 0] for array in (colour, depth, shape))
         near, far = FADE_M
-        fade = np.where(shape == NOTHING, 1.0, np.clip((depth - near) / (far - near), 0.0, 1.0))[..., None]
+        fade = np.where(
+            shape == NOTHING, 1.0, np.clip((depth - near) / (far - near), 0.0, 1.0)
+        )[..., None]
         return EXPOSURE * colour * (1.0 - fade) + np.array(BACKDROP) * fade, shape
 
 
@@ -120,7 +170,11 @@ def display(linear: np.ndarray) -> np.ndarray:
     knee = 0.7
     over = np.maximum(linear - knee, 0.0)
     soft = np.where(linear > knee, knee + (1 - knee) * over / (over + 1 - knee), linear)
-    return np.where(soft <= 0.0031308, 12.92 * soft, 1.055 * np.maximum(soft, 0.0031308) ** (1 / 2.4) - 0.055)
+    return np.where(
+        soft <= 0.0031308,
+        12.92 * soft,
+        1.055 * np.maximum(soft, 0.0031308) ** (1 / 2.4) - 0.055,
+    )
 
 
 def display_mean(linear: np.ndarray) -> np.ndarray:
@@ -130,12 +184,25 @@ def display_mean(linear: np.ndarray) -> np.ndarray:
 
 def transform(matrix: np.ndarray) -> wp.transformf:
     """Return a pose, shape [4, 4], as Warp has it."""
-    return wp.transformf(wp.vec3f(*matrix[:3, 3]), wp.quat_from_matrix(wp.mat33f(*matrix[:3, :3].reshape(-1))))
+    return wp.transformf(
+        wp.vec3f(*matrix[:3, 3]),
+        wp.quat_from_matrix(wp.mat33f(*matrix[:3, :3].reshape(-1))),
+    )
 
 
-def _build(cube_rgb: Sequence[tuple[float, float, float]], cube_edge_m: float) -> ModelBuilder:
+def _build(
+    cube_rgb: Sequence[tuple[float, float, float]], cube_edge_m: float
+) -> ModelBuilder:
     parts = [
-        (part, newton.Mesh(part.corners, np.arange(len(part.corners)), normals=part.normals, compute_inertia=False))
+        (
+            part,
+            newton.Mesh(
+                part.corners,
+                np.arange(len(part.corners)),
+                normals=part.normals,
+                compute_inertia=False,
+            ),
+        )
         for part in robot_parts()
     ]
     look = ModelBuilder.ShapeConfig(density=0.0, has_shape_collision=False)
@@ -165,9 +232,19 @@ def _build(cube_rgb: Sequence[tuple[float, float, float]], cube_edge_m: float) -
     return scene
 
 
-def _add_box(builder: ModelBuilder, body: int, centre, size, look: ModelBuilder.ShapeConfig, rgb) -> None:
+def _add_box(
+    builder: ModelBuilder, body: int, centre, size, look: ModelBuilder.ShapeConfig, rgb
+) -> None:
     hx, hy, hz = map(float, size)
-    builder.add_shape_box(body, xform=wp.transform(wp.vec3(*centre)), hx=hx, hy=hy, hz=hz, cfg=look, color=rgb)
+    builder.add_shape_box(
+        body,
+        xform=wp.transform(wp.vec3(*centre)),
+        hx=hx,
+        hy=hy,
+        hz=hz,
+        cfg=look,
+        color=rgb,
+    )
 
 
 def _edges(half: float) -> list[tuple[np.ndarray, np.ndarray]]:
@@ -189,7 +266,9 @@ def _is_edge(brightness: np.ndarray, shape: np.ndarray) -> np.ndarray:
         behind = [slice(None)] * 3
         ahead[axis], behind[axis] = slice(1, None), slice(None, -1)
         ahead, behind = tuple(ahead), tuple(behind)  # type: ignore[assignment]  # the clips were made by these lines
-        step = (np.abs(brightness[ahead] - brightness[behind]) > CONTRAST) | (shape[ahead] != shape[behind])
+        step = (np.abs(brightness[ahead] - brightness[behind]) > CONTRAST) | (
+            shape[ahead] != shape[behind]
+        )
         edge[ahead] |= step
         edge[behind] |= step
     return edge.any(axis=0)
@@ -217,14 +296,23 @@ def robot_parts() -> Iterator[Part]:
     for link, mesh in LINKS.items():
         for part in listing[mesh]:
             vertices, faces = read_obj(FOLDER / part["file"])
-            yield Part(link, vertices[faces.reshape(-1)], corner_normals(vertices, faces), tuple(part["rgba"][:3]))
+            yield Part(
+                link,
+                vertices[faces.reshape(-1)],
+                corner_normals(vertices, faces),
+                tuple(part["rgba"][:3]),
+            )
 
 
 def read_obj(path: Path) -> tuple[np.ndarray, np.ndarray]:
     """Return the vertices [m], shape [vertices, 3], and triangles as indices of them, shape [triangles, 3]."""
     lines = [line.split() for line in path.read_text(encoding="utf-8").splitlines()]
-    vertices = np.array([line[1:] for line in lines if line[0] == "v"], dtype=np.float32)
-    return vertices, np.array([line[1:] for line in lines if line[0] == "f"], dtype=np.int32) - 1
+    vertices = np.array(
+        [line[1:] for line in lines if line[0] == "v"], dtype=np.float32
+    )
+    return vertices, np.array(
+        [line[1:] for line in lines if line[0] == "f"], dtype=np.int32
+    ) - 1
 
 
 def corner_normals(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray:
@@ -240,6 +328,8 @@ def corner_normals(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray:
     for corner, vertex in enumerate(faces.reshape(-1)):
         own, near = unit[corner // 3], np.array(about[vertex])
         normals[corner] = (
-            area[near[unit[near] @ own >= np.cos(np.radians(CREASE_DEG))]].sum(axis=0) if len(near) else own
+            area[near[unit[near] @ own >= np.cos(np.radians(CREASE_DEG))]].sum(axis=0)
+            if len(near)
+            else own
         )
     return normals / np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-20)

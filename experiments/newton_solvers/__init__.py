@@ -8,8 +8,6 @@ from functools import partial
 import numpy as np
 import warp as wp
 
-from experiments.drivers.grasp import GRASP, grasp_columns
-from experiments.drivers.newton_solver import Variant, solver_classes, variants
 from experiments.facts import metrics
 from experiments.facts.case import AS_SHIPPED, Case
 from experiments.facts.trace import Trace
@@ -17,13 +15,28 @@ from experiments.newton_solvers import box
 from experiments.newton_solvers.steel import VARIANTS, SteelStepper
 from experiments.newton_solvers.stepper import SolverStepper
 from experiments.simulation import frame_benchmark
-from experiments.simulation.frame_benchmark import BLOCK_FRAME_COUNT, LARGE_BATCH, TIMES, untimed
-from experiments.simulation.measurement import Conditions, Measurement, absent, summarize
+from experiments.simulation.frame_benchmark import (
+    BLOCK_FRAME_COUNT,
+    LARGE_BATCH,
+    TIMES,
+    untimed,
+)
+from experiments.simulation.measurement import (
+    Conditions,
+    Measurement,
+    absent,
+    summarize,
+)
 from experiments.simulation.paired_timing import time_in_turn
 from experiments.simulation.scene import TRACKED_BODIES
 from experiments.simulation.simulation import Simulation, run
 from experiments.simulation.task import FRAME_RATE, LIFT, PHASE_SECONDS
-from experiments.simulation.timing import SHAKE_FRAME_COUNT, batch_invalid_reason, elapsed_ms, run_frames
+from experiments.simulation.timing import (
+    SHAKE_FRAME_COUNT,
+    batch_invalid_reason,
+    elapsed_ms,
+    run_frames,
+)
 from measured_report.measuring.batch import Batch, Plan
 
 WEIGHTLESS = replace(
@@ -36,7 +49,9 @@ SHAKES = {
     "held": replace(WEIGHTLESS, shake_amplitude_m=0.0),
     "weight": replace(WEIGHTLESS, gravity_m_s2=AS_SHIPPED.gravity_m_s2),
 }
-MUJOCO = Variant("warp", "SolverMuJoCo")  # as ``simulation`` has it
+MUJOCO = box.Variant(
+    "warp", "SolverMuJoCo"
+)  # as ``simulation`` has it, which the others are compared with
 QUICK_VARIANTS = ("warp", "xpbd", "steel", "steel-points", "steel-32-rows")
 TIMED_VARIANTS = ("warp", "steel", "steel-points", "xpbd", "vbd", "kamino")
 WORLD_COUNTS = {"cuda": (1, 4096, 16384), "cpu": (1,)}
@@ -45,8 +60,7 @@ START_FRAME_COUNT = round(PHASE_SECONDS[LIFT] * FRAME_RATE) + SHAKE_FRAME_COUNT
 SLOW_MS = 100.0
 """A solver of which a frame takes longer is not timed with more worlds: it would take minutes to get into the shake."""
 FORCES = ("friction_share", "normal_force_n")
-UNTOLD = "this solver, or release, does not say the forces of contacts"
-HAND = "hand_amplitude_mm"
+GRASP = ("creep_mm_per_cycle", *FORCES, "penetration_mm", "hand_amplitude_mm")
 
 
 def measure(conditions: Conditions) -> Plan:
@@ -62,7 +76,7 @@ def measure(conditions: Conditions) -> Plan:
     timed = [each for name in TIMED_VARIANTS for each in shaken if each.name == name]
     batches = [
         Batch(f"box-{variant.name}", box.rows_of, (conditions, variant))
-        for variant in variants()
+        for variant in box.variants()
     ]
     batches += [
         Batch(f"shakes-{variant.name}", measure_shakes, (conditions, variant))
@@ -77,22 +91,22 @@ def measure(conditions: Conditions) -> Plan:
     )
 
 
-def shaken_variants() -> list[Variant]:
+def shaken_variants() -> list[box.Variant]:
     """List MuJoCo Warp, the release's other solvers, and Steel with one thing changed at a time."""
     newton_variants = [
         variant
-        for variant in variants()
+        for variant in box.variants()
         if variant.solver not in ("SolverMuJoCo", "SolverSteel")
     ]
     return [
         MUJOCO,
         *newton_variants,
-        *(VARIANTS if "SolverSteel" in solver_classes() else ()),
+        *(VARIANTS if "SolverSteel" in box.solver_classes() else ()),
     ]
 
 
 def build(
-    variant: Variant,
+    variant: box.Variant,
     cases: Sequence[Case],
     device: wp.Device,
     *,
@@ -122,54 +136,78 @@ class SolverSimulation(Simulation):
         self.stepper_of = stepper_of
         super().__init__(cases, device)
 
+    @property
+    def observed(self) -> object | None:
+        return self.stepper.observed
 
-def measure_shakes(conditions: Conditions, variant: Variant) -> list[dict[str, object]]:
+
+def measure_shakes(
+    conditions: Conditions, variant: box.Variant
+) -> list[dict[str, object]]:
     """Return a row for each shake, all of them worlds of one simulation."""
     cases = [
         replace(case, frame_count=conditions.frame_count(case.frame_count))
         for case in SHAKES.values()
     ]
-    device = wp.get_device(conditions.device)
     try:
-        simulation = build(variant, cases, device, is_counting=True)
+        simulation = build(
+            variant, cases, wp.get_device(conditions.device), is_counting=True
+        )
         [traces] = run([simulation], title=variant.name)
     except Exception as error:  # as in ``box``
-        empty = absent(("slip_mm", *GRASP, HAND), box.reason_of(error))
+        empty = {
+            "variant": variant.name,
+            **absent(("slip_mm", *GRASP), box.reason_of(error)),
+        }
         return [
-            {"case": f"{variant.name}-{shake}", "variant": variant.name, "shake": shake}
-            | empty
+            {"case": f"{variant.name}-{shake}", "shake": shake, **empty}
             for shake in SHAKES
         ]
-    untold: dict[str, object] = {}
-    if isinstance(simulation.stepper, SolverStepper):
-        untold |= simulation.stepper.row_peak()
-        if simulation.stepper.observed is None:
-            untold |= absent(FORCES, UNTOLD)
-    return [
-        row_of(variant.name, *each) | untold
-        for each in zip(SHAKES, cases, traces, strict=True)
+    rows = [
+        row_of(variant.name, *each) for each in zip(SHAKES, cases, traces, strict=True)
     ]
+    untold = (
+        simulation.stepper.row_peak()
+        if isinstance(simulation, SolverSimulation)
+        else {}
+    )
+    if isinstance(simulation, SolverSimulation) and simulation.observed is None:
+        untold |= absent(
+            FORCES, "this solver, or release, does not say the forces of contacts"
+        )
+    return [row | untold for row in rows]
 
 
 def row_of(variant: str, shake: str, case: Case, trace: Trace) -> dict[str, object]:
-    """Make a row: slip, drift, the grasp, and how far the hand goes to each side [mm]."""
+    """Make a row: slip, drift, means of what the grasp takes, and how far the hand goes to each side of the shake."""
+    case = replace(case, name=f"{variant}-{shake}")
     row = {
-        **summarize(replace(case, name=f"{variant}-{shake}"), trace),
+        **summarize(case, trace),
         "backend": variant.split("-")[0],
         "variant": variant,
         "shake": shake,
     }
     if row["slip_mm"] is None:
-        return row | absent((*GRASP, HAND), row["slip_mm_reason"])
-    hand = TRACKED_BODIES.index("fr3_hand_tcp")
-    hand_m = trace.poses[trace.phase == metrics.SHAKE, hand, 0]
-    far = {HAND: float(1e3 * np.ptp(hand_m) / 2.0)}
-    untouched = "the fingers did not touch the cube"
-    return row | grasp_columns(case, trace, far, untouched, metrics.shake_mean)
+        return row | absent(GRASP, row["slip_mm_reason"])
+    normal_n, tangential_n, depth_m = (
+        metrics.shake_mean(trace, column)
+        for column in ("normal_force_n", "tangential_force_n", "penetration_m")
+    )
+    drift_mm = metrics.cycle_drift_mm(
+        metrics.displacement(trace), case.shake_frequency_hz
+    )
+    hand_m = trace.poses[
+        trace.phase == metrics.SHAKE, TRACKED_BODIES.index("fr3_hand_tcp"), 0
+    ]
+    share = tangential_n / (case.pad_mu * normal_n) if normal_n > 0.0 else np.nan
+    means = (drift_mm, share, normal_n, 1e3 * depth_m, 1e3 * np.ptp(hand_m) / 2.0)
+    numbers = dict(zip(GRASP, map(float, means), strict=True))
+    untouched = [name for name, number in numbers.items() if not np.isfinite(number)]
+    return row | numbers | absent(untouched, "the fingers did not touch the cube")
 
 
 def measure_times(
-    conditions: Conditions, variants: Sequence[Variant], counts: Sequence[int]
+    conditions: Conditions, variants: Sequence[box.Variant], counts: Sequence[int]
 ) -> list[dict[str, object]]:
     """Return a row for each variant and number of worlds, each timed in turn with the first variant."""
     rows, device = [], wp.get_device(conditions.device)
@@ -213,7 +251,7 @@ def time_columns(reference: "Blocks", other: "Blocks | None") -> dict:
 class Blocks:
     """Blocks of frames of the shake, one after the other, in worlds that all do the same."""
 
-    def __init__(self, variant: Variant, world_count: int, device: wp.Device):
+    def __init__(self, variant: box.Variant, world_count: int, device: wp.Device):
         case = replace(WEIGHTLESS, name="timed", cube_in_hand=True, frame_count=1)
         self.simulation = build(variant, [case] * world_count, device)
         self.frame_count = (

@@ -4,8 +4,8 @@ from collections.abc import Sequence
 
 import warp as wp
 
-from experiments.drivers.newton_solver import STEEL, Variant
 from experiments.facts.case import Case
+from experiments.newton_solvers.box import STEEL, Variant
 from experiments.newton_solvers.stepper import SolverRecorder, SolverStepper
 from experiments.simulation.scene import Scene
 

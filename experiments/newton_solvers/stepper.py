@@ -12,8 +12,8 @@ import warp as wp
 from newton import CollisionPipeline, Contacts, Model, solvers
 from newton.solvers import SolverBase
 
-from experiments.drivers.newton_solver import OPTIONS, Variant
 from experiments.facts.case import Case
+from experiments.newton_solvers.box import OPTIONS, Variant
 from experiments.simulation.recorder import (
     CONE,
     COUNT,

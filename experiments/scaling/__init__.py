@@ -21,7 +21,11 @@ from measured_report.measuring.batch import Batch, Plan
 
 WORLD_COUNTS = {"full": (1, 4, 16, 64, 256, 1024, 4096, 16384), "quick": (1, 4, 16)}
 STEPS = ("mjw_step_ms", "mjw_step_ms_p5", "mjw_step_ms_p95")
-ABSENT = (*TIMES, *STEPS, "world_substeps_per_s")  # columns without a number where the frames do not count
+ABSENT = (
+    *TIMES,
+    *STEPS,
+    "world_substeps_per_s",
+)  # columns without a number where the frames do not count
 
 
 def measure(conditions: Conditions) -> Plan:
@@ -29,7 +33,14 @@ def measure(conditions: Conditions) -> Plan:
     if conditions.is_cuda:  # as the engine's benchmark needs
         yield [Batch("compile", measure_ways, (conditions, 1, 2))]
         for count, step_count in STEP_COUNTS.items():
-            timed.append(Batch(f"ways-{count}", measure_ways, (conditions, count, step_count), exclusive=True))
+            timed.append(
+                Batch(
+                    f"ways-{count}",
+                    measure_ways,
+                    (conditions, count, step_count),
+                    exclusive=True,
+                )
+            )
     rows_by_batch = yield timed
     return Measurement([row for rows in rows_by_batch for row in rows])
 
@@ -37,7 +48,9 @@ def measure(conditions: Conditions) -> Plan:
 def measure_worlds(conditions: Conditions) -> list[dict[str, object]]:
     """Return a row for each number of worlds; all are built before one is timed."""
     warm = warm_state(conditions.device)
-    counts = WORLD_COUNTS["quick" if conditions.quick or not conditions.is_cuda else "full"]
+    counts = WORLD_COUNTS[
+        "quick" if conditions.quick or not conditions.is_cuda else "full"
+    ]
     built = [Worlds(warm, world_count) for world_count in counts]
     return [worlds.row() for worlds in built]
 
@@ -56,10 +69,15 @@ class Worlds:
     def row(self) -> dict[str, object]:
         """Time both in turn."""
         frames = self.frames
-        row: dict[str, object] = {"case": f"worlds-{self.world_count}", "worlds": self.world_count}
+        row: dict[str, object] = {
+            "case": f"worlds-{self.world_count}",
+            "worlds": self.world_count,
+        }
         if self.steps is None:
             [found] = time_in_turn([frames])
-            row |= absent(["bytes_per_world"], "warp counts memory on CUDA devices only")
+            row |= absent(
+                ["bytes_per_world"], "warp counts memory on CUDA devices only"
+            )
             reason = "steps within a frame are timed on CUDA devices only"
             row |= frames.columns(found) | absent(("mjw_step_ms", *RATIO), reason)
         else:

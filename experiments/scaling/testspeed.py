@@ -18,18 +18,32 @@ import warp as wp
 
 from experiments.facts.case import LEAN
 from experiments.lab import scene_mjcf
-from experiments.simulation.frame_benchmark import EngineSteps, build_frames, time_columns, warm_state, world_rate
+from experiments.simulation.frame_benchmark import (
+    EngineSteps,
+    build_frames,
+    time_columns,
+    warm_state,
+    world_rate,
+)
 from experiments.simulation.measurement import Conditions
 from experiments.simulation.paired_timing import time_in_turn
 from experiments.simulation.simulation import Simulation, captured
 from experiments.simulation.timing import elapsed_ms
 
-STEP_COUNTS = {1: 1000, 4096: 300, 16384: 200}  # steps that the benchmark runs, by the number of worlds
-CAP_S = 12.0  # seconds that all ways to run with one number of worlds take at most, about
+STEP_COUNTS = {
+    1: 1000,
+    4096: 300,
+    16384: 200,
+}  # steps that the benchmark runs, by the number of worlds
+CAP_S = (
+    12.0  # seconds that all ways to run with one number of worlds take at most, about
+)
 TIMEOUT_S = 300.0
 
 
-def measure_ways(conditions: Conditions, world_count: int, step_count: int) -> list[dict[str, object]]:
+def measure_ways(
+    conditions: Conditions, world_count: int, step_count: int
+) -> list[dict[str, object]]:
     """Return a row for the benchmark, and one for each way to run."""
     warm = warm_state(conditions.device)
     whole = build_frames(LEAN, world_count, warm)
@@ -44,16 +58,33 @@ def measure_ways(conditions: Conditions, world_count: int, step_count: int) -> l
         "whole": (whole, ours),
         "each-step-waited-for": (lambda _: bare.frame_ms(bare.each_step), bare.data),
         "steps-in-one-graph": (lambda _: bare.frame_ms(bare.steps), bare.data),
-        "collision-once": (lambda _: bare.frame_ms(bare.steps_collision_once), bare.data),
+        "collision-once": (
+            lambda _: bare.frame_ms(bare.steps_collision_once),
+            bare.data,
+        ),
         "our-engine-steps": (EngineSteps(whole), ours),
     }
-    about = {"worlds": world_count, "contact_max": LEAN.contact_max, "constraint_max": LEAN.constraint_max}
+    about = {
+        "worlds": world_count,
+        "contact_max": LEAN.contact_max,
+        "constraint_max": LEAN.constraint_max,
+    }
     rows = [about | testspeed(mjcf, world_count, step_count)]
     results = time_in_turn([run for run, _ in ways.values()], cap_s=CAP_S)
     for (name, (_, data)), found in zip(ways.items(), results, strict=True):
-        row = {"case": f"{name}-{world_count}", "way": name, **about, **time_columns(found)}
-        counts = {"contact_count": data.nacon.numpy()[0] / world_count, "row_count": data.nefc.numpy().mean()}
-        row |= world_rate(LEAN, world_count, found) | {column: float(value) for column, value in counts.items()}
+        row = {
+            "case": f"{name}-{world_count}",
+            "way": name,
+            **about,
+            **time_columns(found),
+        }
+        counts = {
+            "contact_count": data.nacon.numpy()[0] / world_count,
+            "row_count": data.nefc.numpy().mean(),
+        }
+        row |= world_rate(LEAN, world_count, found) | {
+            column: float(value) for column, value in counts.items()
+        }
         rows.append(row)
     return rows
 
@@ -65,7 +96,10 @@ def with_keyframe(mjcf: str, simulation: Simulation) -> str:
     [option] = root.findall("option")
     option.set("timestep", repr(simulation.substep_dt))
     state = {name: getattr(data, name).numpy()[0] for name in ("qpos", "qvel", "ctrl")}
-    key = {name: " ".join(repr(float(value)) for value in values) for name, values in state.items()}
+    key = {
+        name: " ".join(repr(float(value)) for value in values)
+        for name, values in state.items()
+    }
     SubElement(SubElement(root, "keyframe"), "key", key, name="in-the-hand")
     return tostring(root, encoding="unicode")
 
@@ -76,20 +110,40 @@ def testspeed(mjcf: str, world_count: int, step_count: int) -> dict[str, object]
     Raises:
         RuntimeError: It failed, with the end of what it said.
     """
-    options = {"nworld": world_count, "nstep": step_count, "nconmax": LEAN.contact_max, "njmax": LEAN.constraint_max}
-    flags = [f"--{name}={value}" for name, value in (options | {"noise_std": 0.0, "format": "json"}).items()]
+    options = {
+        "nworld": world_count,
+        "nstep": step_count,
+        "nconmax": LEAN.contact_max,
+        "njmax": LEAN.constraint_max,
+    }
+    flags = [
+        f"--{name}={value}"
+        for name, value in (options | {"noise_std": 0.0, "format": "json"}).items()
+    ]
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder, "scene.xml")
         path.write_text(mjcf)
         call = [sys.executable, "-m", "mujoco_warp.testspeed", str(path), *flags]
-        process = subprocess.run(call, capture_output=True, text=True, timeout=TIMEOUT_S, check=False)
+        process = subprocess.run(
+            call, capture_output=True, text=True, timeout=TIMEOUT_S, check=False
+        )
     lines = [line for line in process.stdout.splitlines() if line.startswith("{")]
     if process.returncode or not lines:
         message = " ".join((process.stdout + process.stderr).split())[-300:]
-        raise RuntimeError(f"mujoco_warp.testspeed failed with status {process.returncode}: {message}")
+        raise RuntimeError(
+            f"mujoco_warp.testspeed failed with status {process.returncode}: {message}"
+        )
     summary = json.loads(lines[-1])
-    row = {"case": f"testspeed-{world_count}", "way": "testspeed", "step_count": step_count}
-    names = {"world_substeps_per_s": "steps_per_second", "contact_count": "ncon_mean", "row_count": "nefc_mean"}
+    row = {
+        "case": f"testspeed-{world_count}",
+        "way": "testspeed",
+        "step_count": step_count,
+    }
+    names = {
+        "world_substeps_per_s": "steps_per_second",
+        "contact_count": "ncon_mean",
+        "row_count": "nefc_mean",
+    }
     return row | {column: float(summary[name]) for column, name in names.items()}
 
 
@@ -104,7 +158,11 @@ class Bare:
         with wp.ScopedDevice(device):
             self.model = mjw.put_model(model)
             self.model.opt.warn_overflow = False
-            sizes = {"nworld": world_count, "nconmax": LEAN.contact_max, "njmax": LEAN.constraint_max}
+            sizes = {
+                "nworld": world_count,
+                "nconmax": LEAN.contact_max,
+                "njmax": LEAN.constraint_max,
+            }
             self.data = mjw.put_data(model, state, **sizes)
             arrays = (self.data.qpos, self.data.qvel, self.data.qacc_warmstart)
             self.state = [(array, wp.clone(array)) for array in arrays]
@@ -113,7 +171,9 @@ class Bare:
                 captured, (self._step, self._steps, self._steps_collision_once)
             )
         for run in (self.step, self.steps, self.steps_collision_once):
-            self.frame_ms(run)  # the first launch of a graph takes 20 ms more, and memory
+            self.frame_ms(
+                run
+            )  # the first launch of a graph takes 20 ms more, and memory
 
     def each_step(self) -> None:
         """Run a frame's steps, each launched when the one before is done, as the benchmark does."""

@@ -37,8 +37,12 @@ def residual(
         pose = pose * parent_pose[joint]
         if coordinate[joint] >= 0:
             along = wp.transform_vector(pose, axis[joint])
-            columns[world, side, joint] = wp.spatial_vector(wp.transform_get_translation(pose), along)
-            turn = wp.quat_from_axis_angle(axis[joint], angles[world, side, coordinate[joint]])
+            columns[world, side, joint] = wp.spatial_vector(
+                wp.transform_get_translation(pose), along
+            )
+            turn = wp.quat_from_axis_angle(
+                axis[joint], angles[world, side, coordinate[joint]]
+            )
             pose = pose * wp.transform(wp.vec3(0.0), turn)
         pose = pose * child_pose[joint]
     pose = pose * tip
@@ -47,7 +51,9 @@ def residual(
         if coordinate[joint] >= 0:
             column = columns[world, side, joint]
             along = wp.spatial_bottom(column)
-            columns[world, side, joint] = wp.spatial_vector(wp.cross(along, place - wp.spatial_top(column)), along)
+            columns[world, side, joint] = wp.spatial_vector(
+                wp.cross(along, place - wp.spatial_top(column)), along
+            )
     off = wp.transform_get_rotation(pose) * wp.quat_inverse(target_rotation)
     if off[3] < 0.0:
         off = -off
@@ -119,22 +125,52 @@ def solve_arm(
     turn = wp.quat(turned[0], turned[1], turned[2], turned[3])
     side = int(0)  # noqa: RUF046 (a variable, which 0 would not be)
     damping = float(LAMBDA_INITIAL)
-    off = residual(world, side, tip, place, turn, parent_pose, child_pose, axis, coordinate, angles, columns)
+    off = residual(
+        world,
+        side,
+        tip,
+        place,
+        turn,
+        parent_pose,
+        child_pose,
+        axis,
+        coordinate,
+        angles,
+        columns,
+    )
     for _ in range(iterations):
         other = 1 - side
         matrix = damping * wp.identity(n=6, dtype=float)
         for joint in range(axis.shape[0]):
             if coordinate[joint] >= 0:
-                matrix += wp.outer(columns[world, side, joint], columns[world, side, joint])
+                matrix += wp.outer(
+                    columns[world, side, joint], columns[world, side, joint]
+                )
         x = solved(matrix, off)
         predicted = float(0.0)
         for joint in range(axis.shape[0]):
             at = coordinate[joint]
             if at >= 0:
                 step = -wp.dot(columns[world, side, joint], x)
-                predicted += 0.5 * step * (damping * step - wp.dot(columns[world, side, joint], off))
+                predicted += (
+                    0.5
+                    * step
+                    * (damping * step - wp.dot(columns[world, side, joint], off))
+                )
                 angles[world, other, at] = angles[world, side, at] + step
-        off_there = residual(world, other, tip, place, turn, parent_pose, child_pose, axis, coordinate, angles, columns)
+        off_there = residual(
+            world,
+            other,
+            tip,
+            place,
+            turn,
+            parent_pose,
+            child_pose,
+            axis,
+            coordinate,
+            angles,
+            columns,
+        )
         gain = 0.5 * (wp.dot(off, off) - wp.dot(off_there, off_there))
         if gain >= LEAST_GAIN * (predicted + 1e-8):
             side = other
@@ -159,29 +195,55 @@ class ArmSolver:
     """
 
     def __init__(
-        self, robot: newton.Model, body: int, tip: wp.transform, target_position: wp.array, target_rotation: wp.array
+        self,
+        robot: newton.Model,
+        body: int,
+        tip: wp.transform,
+        target_position: wp.array,
+        target_rotation: wp.array,
     ):
         kinds = robot.joint_type.numpy()
-        parents, children = robot.joint_parent.numpy().tolist(), robot.joint_child.numpy().tolist()
+        parents, children = (
+            robot.joint_parent.numpy().tolist(),
+            robot.joint_child.numpy().tolist(),
+        )
         joints: list[int] = []
         while body >= 0:
             joints.insert(0, children.index(body))
             body = parents[joints[0]]
-        if not np.isin(kinds[joints], (newton.JointType.REVOLUTE, newton.JointType.FIXED)).all():
+        if not np.isin(
+            kinds[joints], (newton.JointType.REVOLUTE, newton.JointType.FIXED)
+        ).all():
             raise ValueError(f"one of joints {joints} neither turns nor is fixed")
         turns = kinds[joints] == newton.JointType.REVOLUTE
-        first, axes, coordinates = robot.joint_qd_start.numpy(), robot.joint_axis.numpy(), robot.joint_q_start.numpy()
-        axis = [axes[first[joint]] if turn else np.zeros(3) for joint, turn in zip(joints, turns, strict=True)]
-        behind = [wp.transform_inverse(wp.transform(*pose)) for pose in robot.joint_X_c.numpy()[joints]]
+        first, axes, coordinates = (
+            robot.joint_qd_start.numpy(),
+            robot.joint_axis.numpy(),
+            robot.joint_q_start.numpy(),
+        )
+        axis = [
+            axes[first[joint]] if turn else np.zeros(3)
+            for joint, turn in zip(joints, turns, strict=True)
+        ]
+        behind = [
+            wp.transform_inverse(wp.transform(*pose))
+            for pose in robot.joint_X_c.numpy()[joints]
+        ]
         device, worlds = robot.device, target_position.shape[0]
         self.inputs = [
             tip,
             target_position,
             target_rotation,
-            wp.array(robot.joint_X_p.numpy()[joints], dtype=wp.transform, device=device),
-            wp.array(np.array(behind, dtype=np.float32), dtype=wp.transform, device=device),
+            wp.array(
+                robot.joint_X_p.numpy()[joints], dtype=wp.transform, device=device
+            ),
+            wp.array(
+                np.array(behind, dtype=np.float32), dtype=wp.transform, device=device
+            ),
             wp.array(axis, dtype=wp.vec3, device=device),
-            wp.array(np.where(turns, coordinates[joints], -1), dtype=int, device=device),
+            wp.array(
+                np.where(turns, coordinates[joints], -1), dtype=int, device=device
+            ),
             wp.zeros((worlds, 2, robot.joint_coord_count), dtype=float, device=device),
             wp.zeros((worlds, 2, len(joints)), dtype=wp.spatial_vector, device=device),
         ]
@@ -189,4 +251,10 @@ class ArmSolver:
     def step(self, joint_q: wp.array, iterations: int) -> None:
         """Queue the steps that bring ``joint_q``, shape [worlds, coordinates], to the targets."""
         inputs = [iterations, *self.inputs]
-        wp.launch(solve_arm, dim=joint_q.shape[0], inputs=inputs, outputs=[joint_q], device=joint_q.device)
+        wp.launch(
+            solve_arm,
+            dim=joint_q.shape[0],
+            inputs=inputs,
+            outputs=[joint_q],
+            device=joint_q.device,
+        )

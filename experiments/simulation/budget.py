@@ -39,8 +39,12 @@ class Motion:
     damping_m_s: np.ndarray  # ∫ e dt with implicitfast
     load_m_s: np.ndarray  # ∫ R f dt with the impratio and the cone as shipped, mean over the loaded contacts
     depth_m: float  # mean depth of these in the end
-    rounding_m: np.ndarray  # way of the cube less that by its velocity, in single-precision positions
-    inverse_mass_1_kg: float  # sum of the engine's inverse weights of a finger and the cube [1/kg]
+    rounding_m: (
+        np.ndarray
+    )  # way of the cube less that by its velocity, in single-precision positions
+    inverse_mass_1_kg: (
+        float  # sum of the engine's inverse weights of a finger and the cube [1/kg]
+    )
     failure: str | None = None  # reason why the sums say nothing, when they don't
 
 
@@ -48,7 +52,9 @@ def measure_motion(case: Case) -> Motion:
     """Add up what moves the cube of a case, in a run through MuJoCo's C engine."""
     run = Watched(case)
     if run.failure:
-        return Motion(*np.full((3, 3), np.nan), np.nan, np.full(3, np.nan), np.nan, run.failure)  # type: ignore[call-arg]  # three of an array
+        return Motion(
+            *np.full((3, 3), np.nan), np.nan, np.full(3, np.nan), np.nan, run.failure
+        )  # type: ignore[call-arg]  # three of an array
     bias, damping, load, velocity = run.frames[run.shaking[1:]].sum(axis=0)
     moved = metrics.displacement(run.trace).vector_m[-1]
     rounding = moved - (velocity - 0.5 * step_s(case) * bias)
@@ -74,7 +80,9 @@ class Watched:
             simulation.step()
         [self.trace] = simulation.recorder.traces()
         self.shaking = np.flatnonzero(self.trace.phase == metrics.SHAKE)
-        reason = self.trace.failure or (None if len(self.shaking) else "the shake was never reached")
+        reason = self.trace.failure or (
+            None if len(self.shaking) else "the shake was never reached"
+        )
         self.failure = f"in MuJoCo C {reason}" if reason else None
 
     def _look_at(self, simulation: Simulation) -> None:
@@ -88,7 +96,9 @@ class Watched:
         mujoco.mju_quat2Mat(self.axes, np.roll(np.array(link.pose.q, dtype=float), 1))
         self.axes = self.axes.reshape(3, 3)
         finger = of_newton.index(simulation.scene.links["fr3_leftfinger"].body)
-        self.inverse_mass_1_kg = float(engine.body_invweight0[[finger, self.cube], 0].sum())
+        self.inverse_mass_1_kg = float(
+            engine.body_invweight0[[finger, self.cube], 0].sum()
+        )
         self.depth_m = 0.0
         self.rate = np.zeros((3, engine.nv))
         self.jacobian = np.zeros((2, 3, engine.nv))
@@ -105,7 +115,12 @@ class Watched:
         bias = -self.rate @ before  # a free body's centre has none
         used = (data.qvel - before) / h
         into_tcp = (data.xmat[self.hand].reshape(3, 3) @ self.axes).T
-        terms = (bias, relative @ (used - data.qacc), self._load(data), relative @ data.qvel + h * bias)
+        terms = (
+            bias,
+            relative @ (used - data.qacc),
+            self._load(data),
+            relative @ data.qvel + h * bias,
+        )
         for total, value in zip(self.sums, terms, strict=True):
             total += h * (into_tcp @ value)
 
@@ -114,8 +129,14 @@ class Watched:
         found, depths_m = [], []
         for contact in data.contact:
             row = contact.efc_address
-            if row >= 0 and self.cube_geom in contact.geom and data.efc_force[row] > 0.0:
-                yielded = data.efc_R[row + 1 : row + 3] * data.efc_force[row + 1 : row + 3]
+            if (
+                row >= 0
+                and self.cube_geom in contact.geom
+                and data.efc_force[row] > 0.0
+            ):
+                yielded = (
+                    data.efc_R[row + 1 : row + 3] * data.efc_force[row + 1 : row + 3]
+                )
                 sign = 1.0 if contact.geom[1] == self.cube_geom else -1.0
                 found.append(sign * contact.frame.reshape(3, 3)[1:].T @ yielded)
                 depths_m.append(contact.includemargin - contact.dist)
@@ -153,7 +174,13 @@ def softness(case: Case, reference: Case, depth_m: float) -> float:
         depth_m: How deep the contacts of the other case are.
     """
     solimp, of_other = solimp_of(case), impedance_at(solimp_of(reference), depth_m)
-    pull_m = pad_stiffness(reference) / pad_stiffness(case) * of_other * depth_m / yielding(of_other)
+    pull_m = (
+        pad_stiffness(reference)
+        / pad_stiffness(case)
+        * of_other
+        * depth_m
+        / yielding(of_other)
+    )
     if case.cone == "pyramidal":
         pull_m *= case.pad_mu**2 * (1.0 + case.pad_mu**2) / (2.0 * case.impratio)
     rows = 1.0 + case.pad_mu**2 if case.cone == "pyramidal" else 1.0
@@ -163,7 +190,10 @@ def softness(case: Case, reference: Case, depth_m: float) -> float:
 
 def balanced_depth_m(solimp: tuple[float, ...], pull_m: float) -> float:
     """Find the depth r [m] with d(r) r = pull_m (1 - d) / d."""
-    shallow_m, deep_m = 0.0, pull_m * yielding(solimp[0]) / solimp[0]  # d is never less than solimp's first
+    shallow_m, deep_m = (
+        0.0,
+        pull_m * yielding(solimp[0]) / solimp[0],
+    )  # d is never less than solimp's first
     for _ in range(BISECTION_COUNT):
         middle_m = 0.5 * (shallow_m + deep_m)
         d = impedance_at(solimp, middle_m)
@@ -179,7 +209,9 @@ def solimp_of(case: Case) -> tuple[float, ...]:
 def pad_stiffness(case: Case) -> float:
     """Return k of the pads' normal rows [1/s²]."""
     timeconst_s, dampratio = solref(case.pad_ke, case.pad_kd)
-    return reference_stiffness(timeconst_s, dampratio, 2.0 * step_s(case), case.pad_dmax)
+    return reference_stiffness(
+        timeconst_s, dampratio, 2.0 * step_s(case), case.pad_dmax
+    )
 
 
 def yielding(impedance: float) -> float:
@@ -195,7 +227,12 @@ def contact_timeconst_s(case: Case) -> float:
 def friction_timeconst_s(case: Case, inverse_mass_1_kg: float) -> float:
     """Return the timeconst of the pads' friction rows [s], which in some releases is their own (``kf_is_read``)."""
     of_contacts_s = contact_timeconst_s(case)
-    if kf_is_read() and case.contacts == "newton" and case.cone == "elliptic" and case.pad_kf > 0.0:
+    if (
+        kf_is_read()
+        and case.contacts == "newton"
+        and case.cone == "elliptic"
+        and case.pad_kf > 0.0
+    ):
         share = (1.0 - case.pad_dmax) / case.impratio + case.pad_dmax
         return max(2.0 / (case.pad_kf * inverse_mass_1_kg * share), 2.0 * step_s(case))
     return of_contacts_s

@@ -22,7 +22,10 @@ class RunFailed(Exception):
 
 def failure_of(data: mujoco.MjData, frame: int) -> Failure | None:
     """Return what the engine has warned of by frame ``frame``."""
-    reason = next((failure for kind, failure in FAILURES.items() if data.warning[kind].number), None)
+    reason = next(
+        (failure for kind, failure in FAILURES.items() if data.warning[kind].number),
+        None,
+    )
     return Failure(reason[0], frame, reason[1]) if reason else None
 
 

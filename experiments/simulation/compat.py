@@ -13,10 +13,14 @@ from newton.solvers import SolverMuJoCo
 
 def warp_has_noslip() -> bool:
     """Tell whether MuJoCo Warp of the installed release has the noslip pass; C has it in all."""
-    return any(field.name == "noslip_iterations" for field in fields(mujoco_warp.Option))
+    return any(
+        field.name == "noslip_iterations" for field in fields(mujoco_warp.Option)
+    )
 
 
-def make_solver(model: newton.Model, *, friction_timeconst_s: float | None = None, **options) -> SolverMuJoCo:
+def make_solver(
+    model: newton.Model, *, friction_timeconst_s: float | None = None, **options
+) -> SolverMuJoCo:
     """Return a silent ``SolverMuJoCo``; a timeconst [s] is of all friction rows, 0 leaves them that of their solref."""
     with _buffers_on_the_device():
         if friction_timeconst_s is None:
@@ -39,11 +43,25 @@ def _buffers_on_the_device() -> Iterator[None]:
     """
     put_data = mujoco_warp.put_data
 
-    def put_and_enlarge(model, data, *, nworld: int, nconmax: int, njmax: int, **options):
-        filled = put_data(model, data, nworld=nworld, nconmax=max(1, data.ncon), njmax=max(1, data.nefc), **options)
-        roomy = mujoco_warp.make_data(model, nworld=nworld, nconmax=nconmax, njmax=njmax, **options)
+    def put_and_enlarge(
+        model, data, *, nworld: int, nconmax: int, njmax: int, **options
+    ):
+        filled = put_data(
+            model,
+            data,
+            nworld=nworld,
+            nconmax=max(1, data.ncon),
+            njmax=max(1, data.nefc),
+            **options,
+        )
+        roomy = mujoco_warp.make_data(
+            model, nworld=nworld, nconmax=nconmax, njmax=njmax, **options
+        )
         for name, array in vars(filled).items():
-            if isinstance(array, wp.array) and array.shape == getattr(roomy, name).shape:
+            if (
+                isinstance(array, wp.array)
+                and array.shape == getattr(roomy, name).shape
+            ):
                 setattr(roomy, name, array)
         roomy.contact.type.fill_(1)  # a constraint, as put_data says of all
         return roomy
@@ -56,7 +74,9 @@ class _FrictionRowSolver(SolverMuJoCo):
     """A solver that writes one solreffriction into all of Newton's contacts."""
 
     def __init__(self, model: newton.Model, friction_timeconst_s: float, **options):
-        self.solreffriction = wp.vec2(friction_timeconst_s, 1.0 if friction_timeconst_s else 0.0)
+        self.solreffriction = wp.vec2(
+            friction_timeconst_s, 1.0 if friction_timeconst_s else 0.0
+        )
         super().__init__(model, **options)
 
     def _convert_contacts_to_mjwarp(self, *arguments) -> None:

@@ -41,11 +41,19 @@ def install(solver, *, worlds: Sequence[bool] | None = None) -> None:
     """
     model = getattr(solver, "mjw_model", None)
     if model is None:
-        raise ValueError("compensated_positions needs a solver with a mjw_model, one that runs MuJoCo Warp")
+        raise ValueError(
+            "compensated_positions needs a solver with a mjw_model, one that runs MuJoCo Warp"
+        )
     if model.opt.disableflags & NO_ACTUATION:
-        raise ValueError("compensated_positions: MuJoCo Warp calls nothing while actuation is disabled; enable it")
+        raise ValueError(
+            "compensated_positions: MuJoCo Warp calls nothing while actuation is disabled; enable it"
+        )
     data, before = solver.mjw_data, model.callback.control
-    chosen = wp.array([True] * data.nworld if worlds is None else list(worlds), dtype=bool, device=data.qpos.device)
+    chosen = wp.array(
+        [True] * data.nworld if worlds is None else list(worlds),
+        dtype=bool,
+        device=data.qpos.device,
+    )
     sums = _Sums(data, chosen)
 
     def control(m: mujoco_warp.Model, d: mujoco_warp.Data) -> None:
@@ -61,9 +69,13 @@ class _Sums:
 
     def __init__(self, d: mujoco_warp.Data, worlds: wp.array):
         self.worlds = worlds
-        self.position = wp.full_like(d.qpos, wp.nan)  # which is near nothing: the first step takes what is there
+        self.position = wp.full_like(
+            d.qpos, wp.nan
+        )  # which is near nothing: the first step takes what is there
         self.lost = wp.zeros_like(d.qpos)
-        self.velocity = wp.zeros_like(d.qvel)  # mean of the step so far, over the stages of RK4
+        self.velocity = wp.zeros_like(
+            d.qvel
+        )  # mean of the step so far, over the stages of RK4
         self.stage = 0  # of RK4; counted as the calls are queued, so a graph must hold whole steps
 
     def add(self, m: mujoco_warp.Model, d: mujoco_warp.Data) -> None:
@@ -73,7 +85,13 @@ class _Sums:
             wp.launch(
                 add_step,
                 dim=(d.nworld, m.njnt),
-                inputs=[self.worlds, m.opt.timestep, m.jnt_type, m.jnt_qposadr, m.jnt_dofadr]
+                inputs=[
+                    self.worlds,
+                    m.opt.timestep,
+                    m.jnt_type,
+                    m.jnt_qposadr,
+                    m.jnt_dofadr,
+                ]
                 + [self.velocity if staged else d.qvel],
                 outputs=[d.qpos, self.position, self.lost],
                 device=d.qpos.device,
@@ -90,9 +108,13 @@ class _Sums:
 
 
 @wp.kernel(enable_backward=False)
-def add_stage(weight: float, first: bool, velocity: wp.array2d[float], mean: wp.array2d[float]):
+def add_stage(
+    weight: float, first: bool, velocity: wp.array2d[float], mean: wp.array2d[float]
+):
     world, dof = wp.tid()
-    mean[world, dof] = wp.where(first, 0.0, mean[world, dof]) + weight * velocity[world, dof]
+    mean[world, dof] = (
+        wp.where(first, 0.0, mean[world, dof]) + weight * velocity[world, dof]
+    )
 
 
 @wp.kernel(enable_backward=False)
@@ -118,7 +140,10 @@ def add_step(
     for i in range(count):
         at = joint_position[joint] + i
         before = position[world, at]
-        step = timestep[world % timestep.shape[0]] * velocity[world, joint_dof[joint] + i] + lost[world, at]
+        step = (
+            timestep[world % timestep.shape[0]] * velocity[world, joint_dof[joint] + i]
+            + lost[world, at]
+        )
         after = before + step
         missing = step - (after - before)
         if not wp.abs(after - qpos[world, at]) <= NEAR * wp.max(1.0, wp.abs(after)):

@@ -12,7 +12,13 @@ import warp as wp
 
 from experiments.facts.case import AS_SHIPPED, STIFF_PADS, Case, build_key
 from experiments.simulation.measurement import absent
-from experiments.simulation.paired_timing import BATCH_COUNT, CAP_S, PairedTimes, pool_builds, time_in_turn
+from experiments.simulation.paired_timing import (
+    BATCH_COUNT,
+    CAP_S,
+    PairedTimes,
+    pool_builds,
+    time_in_turn,
+)
 from experiments.simulation.simulation import Simulation, captured
 from experiments.simulation.timing import (
     ENGINE_ARRAYS,
@@ -37,7 +43,9 @@ BLOCK_FRAME_COUNT = 4
 LARGE_BATCH = 8192  # from so many worlds on a block is one frame
 BUILD_COUNT = {"cuda": 2, "cpu": 1}
 """Builds of each simulation that takes no more than SHARE_AGAIN: see ``paired_timing``."""
-SHARE_AGAIN = 1 / 32  # share of a device's memory up to which a simulation is built again
+SHARE_AGAIN = (
+    1 / 32
+)  # share of a device's memory up to which a simulation is built again
 SHARE_BUILT = 1 / 8
 """The same of all that is built beside the first case: once it takes more, it is timed before more is built."""
 PADS = AS_SHIPPED, STIFF_PADS  # cases with the pads that frames are timed with
@@ -63,7 +71,9 @@ class WarmState:
 
     def put(self, target: Simulation, case: Case, number: int = 0) -> None:
         """Put all worlds of ``target`` where the case starts in the round of that number."""
-        world = [(pads.pad_ke, pads.pad_kd) for pads in PADS].index((case.pad_ke, case.pad_kd))
+        world = [(pads.pad_ke, pads.pad_kd) for pads in PADS].index(
+            (case.pad_ke, case.pad_kd)
+        )
         put_in_state_of(target, self.states[number % BATCH_COUNT], world)
 
 
@@ -77,14 +87,18 @@ def _state_of(simulation: Simulation) -> Any:
     """Copy what ``put_in_state_of`` reads of a simulation."""
 
     def copied(holder: object, names: Sequence[str]) -> SimpleNamespace:
-        return SimpleNamespace(**{name: wp.clone(getattr(holder, name)) for name in names})
+        return SimpleNamespace(
+            **{name: wp.clone(getattr(holder, name)) for name in names}
+        )
 
     wp.synchronize_device(simulation.device)
     state = SimpleNamespace(
         world_count=simulation.world_count,
         task=copied(simulation.task, TASK_ARRAYS),
         state=copied(simulation.state, STATE_ARRAYS),
-        solver=SimpleNamespace(mjw_data=copied(simulation.solver.mjw_data, ENGINE_ARRAYS)),
+        solver=SimpleNamespace(
+            mjw_data=copied(simulation.solver.mjw_data, ENGINE_ARRAYS)
+        ),
     )
     wp.synchronize_device(simulation.device)
     return state
@@ -95,7 +109,9 @@ class Clone(Simulation):
 
     def __init__(self, of: Simulation):
         vars(self).update(vars(of))
-        self.stream, self.stream_beside = (wp.Stream(self.device) if self.device.is_cuda else None for _ in range(2))
+        self.stream, self.stream_beside = (
+            wp.Stream(self.device) if self.device.is_cuda else None for _ in range(2)
+        )
         with wp.ScopedDevice(self.device):
             self.contacts = self.pipeline and self.pipeline.contacts()
             self._build_state()
@@ -121,13 +137,20 @@ class Frames:
         simulation = self.simulation
         simulation.parts, simulation.part_beside = self.parts
         self.warm.put(simulation, self.case, number)
-        return elapsed_ms(simulation.device, lambda: run_frames(simulation, self.frame_count)) / self.frame_count
+        return (
+            elapsed_ms(
+                simulation.device, lambda: run_frames(simulation, self.frame_count)
+            )
+            / self.frame_count
+        )
 
     def columns(self, found: PairedTimes) -> dict[str, object]:
         """Return times, ratio and memory; None, with the reason, where the frames do not count."""
         if self.reason:
             return untimed(TIMED, self.reason)
-        memory = buffer_bytes_per_world(self.simulation.solver, self.simulation.contacts)
+        memory = buffer_bytes_per_world(
+            self.simulation.solver, self.simulation.contacts
+        )
         return time_columns(found) | {"buffer_bytes_per_world": memory}
 
 
@@ -145,13 +168,19 @@ class EngineSteps:
         solver, step = simulation.solver, simulation.solver._mujoco_warp_step
 
         def timed_step() -> None:
-            start, end = (wp.Event(simulation.device, enable_timing=True) for _ in range(2))
+            start, end = (
+                wp.Event(simulation.device, enable_timing=True) for _ in range(2)
+            )
             self.events.append((start, end))
             wp.record_event(start)
             step()
             wp.record_event(end)
 
-        command, physics, solve = simulation.queue_targets, simulation.queue_physics, simulation.task.solve
+        command, physics, solve = (
+            simulation.queue_targets,
+            simulation.queue_physics,
+            simulation.task.solve,
+        )
         with wp.ScopedDevice(simulation.device), wp.ScopedStream(simulation.stream):
             solver._mujoco_warp_step = timed_step
             self.parts = [captured(command), captured(solve), captured(physics)]
@@ -166,26 +195,40 @@ class EngineSteps:
                 for part in self.parts:
                     part()
                 wp.synchronize_device(simulation.device)
-                total += sum(wp.get_event_elapsed_time(start, end) for start, end in self.events)
+                total += sum(
+                    wp.get_event_elapsed_time(start, end) for start, end in self.events
+                )
         return total / frames.frame_count
 
 
-def build_frames(case: Case, world_count: int, warm: WarmState, device: wp.Device | None = None) -> Frames:
+def build_frames(
+    case: Case, world_count: int, warm: WarmState, device: wp.Device | None = None
+) -> Frames:
     """Build frames of a case in so many worlds, on the device of the warm states where no other is given."""
     case = replace(case, frame_count=1)  # the recorder keeps the last frame only
     return Frames(Simulation([case] * world_count, device or warm.device), case, warm)
 
 
-def time_columns(times: PairedTimes, name: str = "frame_ms", ratio: str = "frame_ratio") -> dict[str, Any]:
+def time_columns(
+    times: PairedTimes, name: str = "frame_ms", ratio: str = "frame_ratio"
+) -> dict[str, Any]:
     """Return times as ``spread`` has them, and the ratio with its resolution; its spread is from round to round."""
     low, high = (float(value) for value in np.percentile(times.ratios, (5, 95)))
-    row = spread(name, times.times) | {ratio: times.ratio, f"{ratio}_p5": low, f"{ratio}_p95": high}
+    row = spread(name, times.times) | {
+        ratio: times.ratio,
+        f"{ratio}_p5": low,
+        f"{ratio}_p95": high,
+    }
     return row | {"ratio_resolution": times.resolution}
 
 
 def world_rate(case: Case, world_count: int, times: PairedTimes) -> dict[str, float]:
     """Return how many substeps of all worlds together are done in a second."""
-    return {"world_substeps_per_s": world_count * case.substeps / (1e-3 * float(np.median(times.times)))}
+    return {
+        "world_substeps_per_s": world_count
+        * case.substeps
+        / (1e-3 * float(np.median(times.times)))
+    }
 
 
 def untimed(names: Sequence[str], reason: str) -> dict[str, object]:
@@ -193,7 +236,9 @@ def untimed(names: Sequence[str], reason: str) -> dict[str, object]:
     return absent(names, f"not timed: {reason}")
 
 
-def time_cases(cases: Sequence[Case], world_count: int, device: wp.Device, cap_s: float = CAP_S) -> dict[str, dict]:
+def time_cases(
+    cases: Sequence[Case], world_count: int, device: wp.Device, cap_s: float = CAP_S
+) -> dict[str, dict]:
     """Time frames of the shake in ``world_count`` worlds against the first case; columns by case.
 
     Where memory runs out or the frames do not count, every number is None, with the reason. Cases that differ only in
@@ -208,7 +253,10 @@ def time_cases(cases: Sequence[Case], world_count: int, device: wp.Device, cap_s
         gc.collect()  # frees what was timed, but for the reference
         built = comparison.build(waiting.pop(0))
         start = memory_bytes(device)
-        while waiting and memory_bytes(device) - start <= SHARE_BUILT * device.total_memory:
+        while (
+            waiting
+            and memory_bytes(device) - start <= SHARE_BUILT * device.total_memory
+        ):
             built += comparison.build(waiting.pop(0))
         comparison.time(built, cap_s)
         built.clear()
@@ -221,8 +269,12 @@ class Comparison:
     def __init__(self, cases: Sequence[Case], world_count: int, device: wp.Device):
         self.first, self.world_count, self.device = cases[0], world_count, device
         self.warm = warm_state(device.alias)
-        self.reference: Frames | None = None  # first build of the first case, once it is timed
-        self.rows: dict[str, dict] = {}  # columns by case of its first build, or why it has none
+        self.reference: Frames | None = (
+            None  # first build of the first case, once it is timed
+        )
+        self.rows: dict[
+            str, dict
+        ] = {}  # columns by case of its first build, or why it has none
         self.builds: dict[str, list[PairedTimes]] = {}
         """Builds of the first case, and of those that have other simulations than it."""
 
@@ -231,17 +283,28 @@ class Comparison:
         built: list[Frames] = []
         start = memory_bytes(self.device)
         try:
-            simulation = Simulation([replace(group[0], frame_count=1)] * self.world_count, self.device)
+            simulation = Simulation(
+                [replace(group[0], frame_count=1)] * self.world_count, self.device
+            )
             built += [Frames(simulation, case, self.warm) for case in group]
-            if memory_bytes(self.device) - start <= SHARE_AGAIN * self.device.total_memory:
+            if (
+                memory_bytes(self.device) - start
+                <= SHARE_AGAIN * self.device.total_memory
+            ):
                 more = BUILD_COUNT["cuda" if self.device.is_cuda else "cpu"] - 1
-                built += [Frames(Clone(simulation), group[0], self.warm) for _ in range(more)]
+                built += [
+                    Frames(Clone(simulation), group[0], self.warm) for _ in range(more)
+                ]
         except (RuntimeError, MemoryError) as error:
             if not is_out_of_memory(error):
                 raise
             lost = absent(TIMED, " ".join(str(error).split())[:120])
             self.rows |= {case.name: lost for case in group[len(built) :]}
-        self.rows |= {frames.case.name: untimed(TIMED, frames.reason) for frames in built if frames.reason}
+        self.rows |= {
+            frames.case.name: untimed(TIMED, frames.reason)
+            for frames in built
+            if frames.reason
+        }
         return [frames for frames in built if frames.case.name not in self.rows]
 
     def time(self, built: Sequence[Frames], cap_s: float) -> None:
@@ -254,7 +317,10 @@ class Comparison:
         together = [*([] if reference in built else [reference]), *built]
         results = time_in_turn(together, cap_s=cap_s * max(1, len(together) - 1))
         for frames, times in zip(together, results, strict=True):
-            name, is_variant = frames.case.name, frames is not reference and frames.simulation is reference.simulation
+            name, is_variant = (
+                frames.case.name,
+                frames is not reference and frames.simulation is reference.simulation,
+            )
             if frames in built:  # or it is the reference, which keeps its first times
                 self.rows.setdefault(name, frames.columns(times))
                 if not is_variant:
@@ -262,9 +328,16 @@ class Comparison:
 
     def columns(self) -> dict[str, dict]:
         """Return the columns by case, of all of its builds."""
-        together = zip(self.builds, pool_builds(list(self.builds.values())), strict=True)
-        rows = self.rows | {name: self.rows[name] | time_columns(times) for name, times in together}
+        together = zip(
+            self.builds, pool_builds(list(self.builds.values())), strict=True
+        )
+        rows = self.rows | {
+            name: self.rows[name] | time_columns(times) for name, times in together
+        }
         if self.reference:
             return rows
         no_ratio = absent(RATIO, "what it is compared with has no time here")
-        return {name: row if row["frame_ms"] is None else row | no_ratio for name, row in rows.items()}
+        return {
+            name: row if row["frame_ms"] is None else row | no_ratio
+            for name, row in rows.items()
+        }

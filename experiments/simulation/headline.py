@@ -16,7 +16,10 @@ from measured_report.measuring.machine import machine
 
 
 def main() -> int:
-    program, purpose = "python -m experiments.simulation.headline", __doc__.split(":")[0]
+    program, purpose = (
+        "python -m experiments.simulation.headline",
+        __doc__.split(":")[0],
+    )
     parser = argparse.ArgumentParser(prog=program, description=purpose)
     parser.add_argument("--device", choices=("cuda", "cpu"), required=True)
     parser.add_argument("--json", type=Path, required=True, metavar="FILE")
@@ -26,8 +29,15 @@ def main() -> int:
         compile_first(arguments.device)
         compiled = time.perf_counter()
         device = warp_device(arguments.device)
-        rows = Conditions(device.alias, quick=False).measure([AS_SHIPPED, STIFF_PADS], "headline").rows
-        seconds = {"compile_s": compiled - start, "measure_s": time.perf_counter() - compiled}
+        rows = (
+            Conditions(device.alias, quick=False)
+            .measure([AS_SHIPPED, STIFF_PADS], "headline")
+            .rows
+        )
+        seconds = {
+            "compile_s": compiled - start,
+            "measure_s": time.perf_counter() - compiled,
+        }
         headline = {"machine": machine(arguments.device), "rows": rows, **seconds}
         arguments.json.write_text(json.dumps(headline), encoding="utf-8")
     except Exception as error:

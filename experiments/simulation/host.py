@@ -25,7 +25,9 @@ from measured_report.records.identity import package_versions
 
 PROCESS_COUNT = 16  # chosen: more wait for the largest module
 SHARE_COUNT = 64  # more than a frame takes modules: whoever is done takes the next
-DEVICE_LOST = re.compile("(?i)cuda error|cudaerror|device-side|driver|unspecified launch failure|graph capture")
+DEVICE_LOST = re.compile(
+    "(?i)cuda error|cudaerror|device-side|driver|unspecified launch failure|graph capture"
+)
 NOT_COMPILED = re.compile("kernel build failed|nvrtc", re.IGNORECASE)
 OLDEST = (1, 4, 0)  # the oldest release that can run the scene
 __all__ = ["Conditions", "be_quiet", "card", "explained", "note_work", "prepare"]
@@ -54,10 +56,14 @@ def card(kind: str) -> tuple[str | None, str | None]:
 
 def prepare(kind: str) -> None:
     """Compile what the sections need; ReportError where this release can't run the scene."""
-    tqdm.write("Kernels that this machine has not compiled yet come first, for a minute or three.")
+    tqdm.write(
+        "Kernels that this machine has not compiled yet come first, for a minute or three."
+    )
     if reason := compile_first(kind):
         newton, oldest = package_versions()["newton"], ".".join(map(str, OLDEST))
-        raise ReportError(f"newton {newton} cannot run the scene: {reason}; {oldest} is the oldest that can")
+        raise ReportError(
+            f"newton {newton} cannot run the scene: {reason}; {oldest} is the oldest that can"
+        )
 
 
 def compile_first(kind: str) -> str:
@@ -77,7 +83,9 @@ def compile_first(kind: str) -> str:
     except (AttributeError, ImportError, TypeError) as missing:
         return " ".join(str(missing).split())[:200]
     except Exception as error:
-        tqdm.write(f"kernels are compiled as they are met: {' '.join(str(error).split())[:200]}")
+        tqdm.write(
+            f"kernels are compiled as they are met: {' '.join(str(error).split())[:200]}"
+        )
     else:
         tqdm.write(f"kernels are ready after {time.perf_counter() - began:.0f} s")
     return ""
@@ -91,7 +99,10 @@ def _compile_beside(kind: str) -> None:
     """
     method = "spawn" if has_begun() or threading.active_count() > 1 else "fork"
     with workers(min(PROCESS_COUNT, os.cpu_count() or 1), method, be_quiet) as pool:
-        gather(start(pool, _compile, [(kind, index) for index in range(SHARE_COUNT)]), "kernels")
+        gather(
+            start(pool, _compile, [(kind, index) for index in range(SHARE_COUNT)]),
+            "kernels",
+        )
 
 
 def _compile(kind: str, index: int) -> None:
@@ -103,7 +114,9 @@ def _compile(kind: str, index: int) -> None:
 
 def be_quiet() -> None:
     """Let Warp say errors only."""
-    if hasattr(wp, "LOG_ERROR"):  # Warp of old releases has none, and they are told what else they lack
+    if hasattr(
+        wp, "LOG_ERROR"
+    ):  # Warp of old releases has none, and they are told what else they lack
         wp.config.log_level = wp.LOG_ERROR
 
 
@@ -117,7 +130,9 @@ def note_work(note: Callable[[str], None]) -> None:
         setattr(wp, name, partial(_noted, note, getattr(wp, name)))
 
 
-def _noted(note: Callable[[str], None], launch: Launch, kernel: wp.Kernel, *args, **options) -> object:
+def _noted(
+    note: Callable[[str], None], launch: Launch, kernel: wp.Kernel, *args, **options
+) -> object:
     note(f"{kernel.key} {options['dim'] if 'dim' in options else args[0]}")
     return launch(kernel, *args, **options)
 
@@ -128,4 +143,8 @@ def explained(error: Exception) -> str:
     if DEVICE_LOST.search(message):
         return f"the device does not answer ({message:.200}); nvidia-smi says whether it is there"
     match = NOT_COMPILED.search(message)
-    return f"its kernels can't be compiled by Warp {version('warp-lang')} ({message:.200})" if match else ""
+    return (
+        f"its kernels can't be compiled by Warp {version('warp-lang')} ({message:.200})"
+        if match
+        else ""
+    )

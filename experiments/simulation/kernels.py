@@ -23,17 +23,37 @@ KEPT_COUNT = 12  # chosen: a frame of the scene takes some 55 modules
 @contextmanager
 def launching(instead: Launch) -> Iterator[None]:
     """Call ``instead`` with each kernel, its size and its options, in place of launching it; arrays are zero then."""
-    names = ("launch", "launch_tiled", "capture_while", "capture_if", "empty", "empty_like")
+    names = (
+        "launch",
+        "launch_tiled",
+        "capture_while",
+        "capture_if",
+        "empty",
+        "empty_like",
+    )
     functions = {name: getattr(wp, name) for name in names}
 
-    def looped(_: wp.array, while_body: Callable[..., object], graph: object = None, **args: object) -> None:
+    def looped(
+        _: wp.array,
+        while_body: Callable[..., object],
+        graph: object = None,
+        **args: object,
+    ) -> None:
         while_body(**args)
 
-    def chosen(_: wp.array, on_true: Any = None, on_false: Any = None, graph: object = None, **args: object) -> None:
+    def chosen(
+        _: wp.array,
+        on_true: Any = None,
+        on_false: Any = None,
+        graph: object = None,
+        **args: object,
+    ) -> None:
         for branch in filter(callable, (on_true, on_false)):
             branch(**args)
 
-    for name, stand_in in zip(names, (instead, instead, looped, chosen, wp.zeros, wp.zeros_like), strict=True):
+    for name, stand_in in zip(
+        names, (instead, instead, looped, chosen, wp.zeros, wp.zeros_like), strict=True
+    ):
         setattr(wp, name, stand_in)
     try:
         yield
@@ -58,15 +78,26 @@ def is_bare() -> bool:
     return kept_count < KEPT_COUNT
 
 
-def launched_kernels(device: wp.Device, run: Callable[[], object]) -> dict[tuple[Any, int], list[wp.Kernel]]:
+def launched_kernels(
+    device: wp.Device, run: Callable[[], object]
+) -> dict[tuple[Any, int], list[wp.Kernel]]:
     """Return what ``run`` launches, by module and block size; nothing is launched for that.
 
     Warp drops a kernel from its module once nobody holds it, so that who compiles the module is to hold its kernels.
     """
     kernels: dict[tuple[Any, int], list[wp.Kernel]] = {}
 
-    def note(kernel: wp.Kernel, dim: Any, inputs: Any = (), outputs: Any = (), *_: Any, **options: Any) -> None:
-        if kernel.is_generic:  # a launch makes of it what its arguments take, and only that is compiled
+    def note(
+        kernel: wp.Kernel,
+        dim: Any,
+        inputs: Any = (),
+        outputs: Any = (),
+        *_: Any,
+        **options: Any,
+    ) -> None:
+        if (
+            kernel.is_generic
+        ):  # a launch makes of it what its arguments take, and only that is compiled
             kernel.add_overload(kernel.infer_argument_types([*inputs, *outputs]))
         block_dim = options.get("block_dim", 256) if device.is_cuda else 1
         kernels.setdefault((kernel.module, block_dim), []).append(kernel)
@@ -80,7 +111,14 @@ class UnlaunchedRecorder(MuJoCoRecorder):
     """Looks for no cube among the engine's geoms: no kernel has said what they are of."""
 
     def __init__(self, stepper: Stepper, frame_count: int):
-        Recorder.__init__(self, stepper.scene, stepper.solver, stepper.contacts, stepper.world_count, frame_count)
+        Recorder.__init__(
+            self,
+            stepper.scene,
+            stepper.solver,
+            stepper.contacts,
+            stepper.world_count,
+            frame_count,
+        )
         self.cube_geom = 0
 
 
@@ -99,4 +137,6 @@ class Unlaunched(Simulation):
 def scene_kernels(alias: str) -> dict[tuple[Any, int], list[wp.Kernel]]:
     """Return what building the scene and its frame launch on a device; see ``launched_kernels``."""
     device = wp.get_device(alias)
-    return launched_kernels(device, lambda: Unlaunched([replace(AS_SHIPPED, frame_count=1)], device).frame())
+    return launched_kernels(
+        device, lambda: Unlaunched([replace(AS_SHIPPED, frame_count=1)], device).frame()
+    )

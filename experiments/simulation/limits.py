@@ -21,10 +21,16 @@ def solref(ke: float, kd: float) -> tuple[float, float]:
 
 def is_clamped(case: Case) -> bool:
     """Tell whether the engine lengthens the timeconst to two steps (mujoco_warp, ``_efc_row``)."""
-    return case.refsafe and not case.pad_direct and solref(case.pad_ke, case.pad_kd)[0] < 2.0 * step_s(case)
+    return (
+        case.refsafe
+        and not case.pad_direct
+        and solref(case.pad_ke, case.pad_kd)[0] < 2.0 * step_s(case)
+    )
 
 
-def reference_stiffness(timeconst_s: float, dampratio: float, shortest_s: float, dmax: float = PAD_DMAX) -> float:
+def reference_stiffness(
+    timeconst_s: float, dampratio: float, shortest_s: float, dmax: float = PAD_DMAX
+) -> float:
     """Return k [1/s²] of the reference acceleration -b v - k r, with no timeconst below ``shortest_s``.
 
     k = 1 / (dmax² timeconst² dampratio²): MuJoCo documentation, "Modeling", solver parameters.
@@ -41,9 +47,15 @@ def target_demand_m_s2(case: Case) -> float:
 
     The pads press along y. Friction carries the two other axes: |(a_x, g + a_z)|.
     """
-    rate, time = 2.0 * np.pi * case.shake_frequency_hz, np.linspace(0.0, 2.0 / case.shake_frequency_hz, 1000)
+    rate, time = (
+        2.0 * np.pi * case.shake_frequency_hz,
+        np.linspace(0.0, 2.0 / case.shake_frequency_hz, 1000),
+    )
     size = case.shake_amplitude_m * rate**2
-    x, z = size * np.sin(rate * time), 2.25 * float(SHAKE_RATIO_Z) * size * np.sin(1.5 * rate * time)
+    x, z = (
+        size * np.sin(rate * time),
+        2.25 * float(SHAKE_RATIO_Z) * size * np.sin(1.5 * rate * time),
+    )
     return float(np.hypot(x, case.gravity_m_s2 + z).max())
 
 
@@ -56,7 +68,11 @@ def demand_m_s2(case: Case, trace: Trace) -> float:
     poses = trace.poses[trace.phase == metrics.SHAKE][:, metrics.TCP].astype(np.float64)
     period = round(2.0 / (case.shake_frequency_hz * trace.frame_dt))
     poses = poses[-period - 2 :]
-    acceleration = np.diff(poses[:, :3], 2, axis=0) / trace.frame_dt**2 + [0.0, 0.0, case.gravity_m_s2]
+    acceleration = np.diff(poses[:, :3], 2, axis=0) / trace.frame_dt**2 + [
+        0.0,
+        0.0,
+        case.gravity_m_s2,
+    ]
     in_hand = metrics.rotate_inverse(poses[1:-1, 3:], acceleration)
     return float(np.linalg.norm(in_hand[:, [0, 2]], axis=1).max())
 
@@ -77,4 +93,7 @@ def exit_bound_m_s(case: Case) -> float:
         # Cube and ground have the same priority: the engine takes the mean of their solrefs.
         parts = [(case.cube_ke, case.cube_kd), (AS_SHIPPED.pad_ke, AS_SHIPPED.pad_kd)]
     timeconst, dampratio = np.mean([solref(*material) for material in parts], axis=0)
-    return case.start_overlap_m * reference_stiffness(timeconst, dampratio, 2.0 * step_s(case)) ** 0.5
+    return (
+        case.start_overlap_m
+        * reference_stiffness(timeconst, dampratio, 2.0 * step_s(case)) ** 0.5
+    )

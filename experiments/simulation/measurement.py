@@ -16,9 +16,18 @@ from measured_report.measuring import measurement as conditions
 from measured_report.measuring.measurement import Measurement, absent
 
 QUICK_FRAME_COUNT = 420  # frames of a quick run: the set-up and about 3.5 s of shake
-CONTACT_FRAME_STEP = 15  # frames between the three looks at the live contacts: a quarter of a 1 Hz cycle
+CONTACT_FRAME_STEP = (
+    15  # frames between the three looks at the live contacts: a quarter of a 1 Hz cycle
+)
 SETUP_FRAME_COUNT = 212  # frames before the shake when no phase has to wait for the TCP
-SHAKE_COLUMNS = ("slip_mm", "drift_mm_s", "oscillation_mm", "wander_mm", "cube_height_m", "shake_duration_s")
+SHAKE_COLUMNS = (
+    "slip_mm",
+    "drift_mm_s",
+    "oscillation_mm",
+    "wander_mm",
+    "cube_height_m",
+    "shake_duration_s",
+)
 CYCLE_COLUMNS = ("increment_mean_mm", "increment_last_mm", "cycle_count")
 
 
@@ -36,13 +45,18 @@ class Conditions(conditions.Conditions):
 
     def simulate(self, cases: Sequence[Case], **options) -> list[Trace]:
         """Return ``simulation.simulate`` on this device, with the runs cut short when quick."""
-        cases = [replace(case, frame_count=self.frame_count(case.frame_count)) for case in cases]
+        cases = [
+            replace(case, frame_count=self.frame_count(case.frame_count))
+            for case in cases
+        ]
         return simulate(cases, device=self.device, **options)
 
     def measure(self, cases: Sequence[Case], title: str) -> Measurement:
         """Return the plain kind of section: a row for each case, and nothing else."""
         traces = self.simulate(cases, title=title)
-        return Measurement([summarize(case, trace) for case, trace in zip(cases, traces, strict=True)])
+        return Measurement(
+            [summarize(case, trace) for case, trace in zip(cases, traces, strict=True)]
+        )
 
 
 def summarize(case: Case, trace: Trace) -> dict[str, Any]:
@@ -51,7 +65,10 @@ def summarize(case: Case, trace: Trace) -> dict[str, Any]:
     A number that does not exist is None, with a reason under ``<name>_reason``.
     """
     row = {"case": case.name, "backend": case.backend, **differences(case)}
-    row |= {"shake_amplitude_m": case.shake_amplitude_m, "shake_frequency_hz": case.shake_frequency_hz}
+    row |= {
+        "shake_amplitude_m": case.shake_amplitude_m,
+        "shake_frequency_hz": case.shake_frequency_hz,
+    }
     row |= {"failure": str(trace.failure) if trace.failure else None}
     row |= {"failure_frame": trace.failure.frame} if trace.failure else {}
     moved = metrics.displacement(trace)
@@ -59,9 +76,19 @@ def summarize(case: Case, trace: Trace) -> dict[str, Any]:
     if not reason and len(moved.time_s) < 2:
         reason = "the shake was never reached"
     row |= absent(SHAKE_COLUMNS, reason) if reason else _shake_numbers(moved, trace)
-    increments = np.zeros(0) if reason else cycle_increments(moved.time_s, 1e3 * moved.along_m, case.shake_frequency_hz)
+    increments = (
+        np.zeros(0)
+        if reason
+        else cycle_increments(
+            moved.time_s, 1e3 * moved.along_m, case.shake_frequency_hz
+        )
+    )
     cycle_reason = reason or "the shake is shorter than one cycle"
-    row |= _cycle_numbers(increments) if len(increments) else absent(CYCLE_COLUMNS, cycle_reason)
+    row |= (
+        _cycle_numbers(increments)
+        if len(increments)
+        else absent(CYCLE_COLUMNS, cycle_reason)
+    )
     row["dropped"] = None if trace.failure else metrics.is_dropped(trace)
     return row | {
         "frame_count": len(trace.phase),

@@ -12,26 +12,45 @@ NONE = {VISIBLE: ""}  # a process that has begun with CUDA must not be forked
 MPS, MPS_FOLDER = "CUDA_MPS_PIPE_DIRECTORY", "/tmp/nvidia-mps"
 """Variable that says where NVIDIA's MPS is, the daemon through which processes share a GPU, and its default."""
 ALONE = {MPS: "/nonexistent"}
-SHARE_COUNT, MPS_SHARE_COUNT = 4, 16  # processes that share a GPU: without that daemon they take turns on it
+SHARE_COUNT, MPS_SHARE_COUNT = (
+    4,
+    16,
+)  # processes that share a GPU: without that daemon they take turns on it
 SHARE_MIB = 2048  # memory of a GPU that there has to be for each of them
 
 
 def accelerators() -> list[Accelerator]:
     """List the GPUs that this process may use."""
-    listing = said("nvidia-smi", "--query-gpu=index,uuid,memory.total,name", "--format=csv,noheader,nounits")
-    gpus = [line.split(", ", 3) for line in listing.splitlines() if line.count(", ") > 2]
+    listing = said(
+        "nvidia-smi",
+        "--query-gpu=index,uuid,memory.total,name",
+        "--format=csv,noheader,nounits",
+    )
+    gpus = [
+        line.split(", ", 3) for line in listing.splitlines() if line.count(", ") > 2
+    ]
     if (allowed := os.environ.get(VISIBLE)) is not None:
         names = {name.strip() for name in allowed.split(",")}
         gpus = [gpu for gpu in gpus if names & {*gpu[:2]}]
     # What shares memory with the processor may not say how much it has.
-    return [Accelerator(name, int(size) if size.isdecimal() else 0, {VISIBLE: uuid}) for _, uuid, size, name in gpus]
+    return [
+        Accelerator(name, int(size) if size.isdecimal() else 0, {VISIBLE: uuid})
+        for _, uuid, size, name in gpus
+    ]
 
 
 def share_count(shared: Accelerator, count: int = 1) -> int:
     has_daemon = (Path(os.environ.get(MPS, MPS_FOLDER)) / "control").exists()
-    most = min(MPS_SHARE_COUNT if has_daemon else SHARE_COUNT, (os.cpu_count() or 1) // count)
+    most = min(
+        MPS_SHARE_COUNT if has_daemon else SHARE_COUNT, (os.cpu_count() or 1) // count
+    )
     return max(1, min(most, shared.memory_mib // SHARE_MIB))
 
 
 def driver() -> str | None:
-    return said("nvidia-smi", "--query-gpu=driver_version", "--format=csv,noheader").split("\n")[0] or None
+    return (
+        said("nvidia-smi", "--query-gpu=driver_version", "--format=csv,noheader").split(
+            "\n"
+        )[0]
+        or None
+    )

@@ -5,12 +5,20 @@ import warp as wp
 from newton import Contacts
 from newton.solvers import SolverMuJoCo
 
-from experiments.facts.trace import FRAME_COLUMNS, ContactRows, Failure, Trace, first_failure
+from experiments.facts.trace import (
+    FRAME_COLUMNS,
+    ContactRows,
+    Failure,
+    Trace,
+    first_failure,
+)
 from experiments.simulation.scene import TRACKED_BODIES, Scene
 from experiments.simulation.task import FRAME_RATE
 
 NO_FRAME = np.iinfo(np.int32).max
-COUNT, LOADED, NORMAL, TANGENTIAL, CONE, PENETRATION, SLIDE = (wp.constant(i) for i in range(7))
+COUNT, LOADED, NORMAL, TANGENTIAL, CONE, PENETRATION, SLIDE = (
+    wp.constant(i) for i in range(7)
+)
 
 
 @wp.kernel
@@ -77,22 +85,35 @@ class Recorder:
     cube_geom: int
 
     def __init__(
-        self, scene: Scene, solver: SolverMuJoCo, contacts: Contacts | None, world_count: int, frame_count: int
+        self,
+        scene: Scene,
+        solver: SolverMuJoCo,
+        contacts: Contacts | None,
+        world_count: int,
+        frame_count: int,
     ):
         device = scene.model.device
         self.solver = solver
         self.contacts_in = contacts
         links = [scene.links[name] for name in TRACKED_BODIES]
         self.tracked = wp.array([link.body for link in links], dtype=int, device=device)
-        self.offset = wp.array([link.pose for link in links], dtype=wp.transform, device=device)
+        self.offset = wp.array(
+            [link.pose for link in links], dtype=wp.transform, device=device
+        )
         self.cursor = wp.zeros(world_count, dtype=int, device=device)
-        self.poses = wp.zeros((frame_count, world_count, len(links)), dtype=wp.transform, device=device)
+        self.poses = wp.zeros(
+            (frame_count, world_count, len(links)), dtype=wp.transform, device=device
+        )
         self.phases = wp.zeros((frame_count, world_count), dtype=int, device=device)
-        self.contacts = wp.zeros((frame_count, world_count, len(FRAME_COLUMNS)), dtype=float, device=device)
+        self.contacts = wp.zeros(
+            (frame_count, world_count, len(FRAME_COLUMNS)), dtype=float, device=device
+        )
         self.peak_constraint = wp.zeros(world_count, dtype=int, device=device)
         self.peak_iteration = wp.zeros(world_count, dtype=int, device=device)
         self.contact_overflow = wp.full(world_count, NO_FRAME, dtype=int, device=device)
-        self.constraint_overflow = wp.full(world_count, NO_FRAME, dtype=int, device=device)
+        self.constraint_overflow = wp.full(
+            world_count, NO_FRAME, dtype=int, device=device
+        )
         self.contact_rows: list[list[ContactRows]] = []
         self.failure_in_c: Failure | None = None
 
@@ -106,7 +127,12 @@ class Recorder:
         """Copy every live contact of every world to the host; between frames only."""
 
     def begin_frame(self) -> None:
-        wp.launch(begin_frame, dim=self.cursor.shape, inputs=[self.cursor], outputs=[self.contacts])
+        wp.launch(
+            begin_frame,
+            dim=self.cursor.shape,
+            inputs=[self.cursor],
+            outputs=[self.contacts],
+        )
 
     def end_frame(self, body_q: wp.array, phase: wp.array) -> None:
         self.record_contacts()
@@ -117,11 +143,22 @@ class Recorder:
             outputs=[self.cursor, self.poses, self.phases, self.contacts],
         )
 
-    def traces(self, wall_s: float = 0.0, frame_count: int | None = None) -> list[Trace]:
+    def traces(
+        self, wall_s: float = 0.0, frame_count: int | None = None
+    ) -> list[Trace]:
         """Fetch the first ``frame_count`` frames, all for None, and cut them into one trace per world."""
-        poses, phases, contacts = (array.numpy()[:frame_count] for array in (self.poses, self.phases, self.contacts))
-        overflows = {"contact": self.contact_overflow.numpy(), "constraint": self.constraint_overflow.numpy()}
-        peak_constraint, peak_iteration = self.peak_constraint.numpy(), self.peak_iteration.numpy()
+        poses, phases, contacts = (
+            array.numpy()[:frame_count]
+            for array in (self.poses, self.phases, self.contacts)
+        )
+        overflows = {
+            "contact": self.contact_overflow.numpy(),
+            "constraint": self.constraint_overflow.numpy(),
+        }
+        peak_constraint, peak_iteration = (
+            self.peak_constraint.numpy(),
+            self.peak_iteration.numpy(),
+        )
         result = []
         for world in range(poses.shape[1]):
             seen = [
@@ -129,7 +166,11 @@ class Recorder:
                 for name, frames in overflows.items()
                 if frames[world] != NO_FRAME
             ]
-            first = min([*seen, *filter(None, [self.failure_in_c])], key=lambda failure: failure.frame, default=None)
+            first = min(
+                [*seen, *filter(None, [self.failure_in_c])],
+                key=lambda failure: failure.frame,
+                default=None,
+            )
             result.append(
                 Trace(
                     frame_dt=1.0 / FRAME_RATE,

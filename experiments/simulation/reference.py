@@ -21,7 +21,9 @@ from newton_lint.newton_models.compat import kf_is_read
 ENGINES_AGREE = {"pad_kf": -1.0} if kf_is_read() else {}  # type: dict
 """What makes MuJoCo Warp and the C engine one model: C cannot have the timeconst that kf gives to friction rows."""
 SETUP_FRAME_LIMIT = 600
-BODIES = TRACKED_BODIES[: max(metrics.CUBE, metrics.TCP) + 1]  # bodies that a trace of the native loop keeps
+BODIES = TRACKED_BODIES[
+    : max(metrics.CUBE, metrics.TCP) + 1
+]  # bodies that a trace of the native loop keeps
 
 
 @dataclass(frozen=True)
@@ -40,7 +42,9 @@ def pilot_at_shake(cases: Sequence[Case], device: wp.Device) -> Simulation:
     Raises:
         RuntimeError: The shake was not reached within SETUP_FRAME_LIMIT frames.
     """
-    pilot = Simulation([replace(case, frame_count=SETUP_FRAME_LIMIT) for case in cases], device)
+    pilot = Simulation(
+        [replace(case, frame_count=SETUP_FRAME_LIMIT) for case in cases], device
+    )
     for _ in range(SETUP_FRAME_LIMIT):
         pilot.step()
         wp.synchronize_device(device)
@@ -55,14 +59,20 @@ def starts_of(pilot: Simulation, frame_count: int) -> list[Start]:
     In the shake the targets depend on nothing but the time and on where the shake began, so all runs get the same.
     """
     data = pilot.solver.mjw_data
-    state = {name: getattr(data, name).numpy().astype(float) for name in ("qpos", "qvel", "qacc_warmstart")}
+    state = {
+        name: getattr(data, name).numpy().astype(float)
+        for name in ("qpos", "qvel", "qacc_warmstart")
+    }
     targets = np.zeros((frame_count, pilot.world_count, ROBOT_DOF_COUNT))
     for frame in range(frame_count):
         pilot.step()
         wp.synchronize_device(pilot.device)
         targets[frame] = pilot.joint_target.numpy()[:, :ROBOT_DOF_COUNT]
     return [
-        Start(**{name: values[world] for name, values in state.items()}, targets=targets[:, world])
+        Start(
+            **{name: values[world] for name, values in state.items()},
+            targets=targets[:, world],
+        )
         for world in range(pilot.world_count)
     ]
 
@@ -83,7 +93,11 @@ class NativeShake:
         self.model.opt.timestep = 1.0 / FRAME_RATE / case.substeps
         self.bodies = [of_newton.index(links[name].body) for name in BODIES]
         self.offsets = np.array([links[name].pose for name in BODIES], dtype=float)
-        self.pad = solver.mjc_geom_to_newton_shape.numpy()[0].tolist().index(simulation.scene.pads[0])
+        self.pad = (
+            solver.mjc_geom_to_newton_shape.numpy()[0]
+            .tolist()
+            .index(simulation.scene.pads[0])
+        )
         self.frame_index = 0
         self.data.qpos[:], self.data.qvel[:] = start.qpos, start.qvel
         self.data.qacc_warmstart[:] = start.qacc_warmstart
@@ -97,7 +111,10 @@ class NativeShake:
     def run(self) -> Trace:
         """Return the next ``case.frame_count`` frames: poses of BODIES, cone use, iterations of each last substep."""
         frame_count = self.case.frame_count
-        poses, phase = np.zeros((frame_count, len(BODIES), 7)), np.zeros(frame_count, dtype=int)
+        poses, phase = (
+            np.zeros((frame_count, len(BODIES), 7)),
+            np.zeros(frame_count, dtype=int),
+        )
         contacts = np.full((frame_count, len(FRAME_COLUMNS)), np.nan)
         failure, peak_iteration = None, 0
         for frame in range(frame_count):
@@ -128,8 +145,12 @@ class NativeShake:
         mujoco.mj_kinematics(self.model, self.data)
         poses, quaternion = np.zeros((len(self.bodies), 7)), np.zeros(4)
         for pose, body, offset in zip(poses, self.bodies, self.offsets, strict=True):
-            pose[:3] = self.data.xpos[body] + self.data.xmat[body].reshape(3, 3) @ offset[:3]
-            mujoco.mju_mulQuat(quaternion, self.data.xquat[body], np.roll(offset[3:], 1))
+            pose[:3] = (
+                self.data.xpos[body] + self.data.xmat[body].reshape(3, 3) @ offset[:3]
+            )
+            mujoco.mju_mulQuat(
+                quaternion, self.data.xquat[body], np.roll(offset[3:], 1)
+            )
             pose[3:] = np.roll(quaternion, -1)
         return poses
 
@@ -139,7 +160,9 @@ class NativeShake:
             mujoco.mj_contactForce(self.model, self.data, index, force)
             if force[0] > 0.0:
                 friction = self.data.contact[index].friction[0]
-                largest = max(largest, float(np.hypot(force[1], force[2]) / (friction * force[0])))
+                largest = max(
+                    largest, float(np.hypot(force[1], force[2]) / (friction * force[0]))
+                )
         return largest
 
 
@@ -150,16 +173,29 @@ class DoubleShake(NativeShake):
         bare = replace(case, contact_bias=False, bias_centred=False, backend="mujoco")
         self.simulation = Simulation([bare], wp.get_device("cpu"))
         qpos = self.simulation.model.joint_q.numpy().astype(float)
-        qpos[ROBOT_DOF_COUNT + 3 :] = 1.0, 0.0, 0.0, 0.0  # the cube's turn, which MuJoCo writes with w first
+        qpos[ROBOT_DOF_COUNT + 3 :] = (
+            1.0,
+            0.0,
+            0.0,
+            0.0,
+        )  # the cube's turn, which MuJoCo writes with w first
         rest = np.zeros(len(qpos) - 1)
-        super().__init__(bare, Start(qpos, rest, rest, targets=np.zeros((0, ROBOT_DOF_COUNT))))
-        self.term = partial(contact_bias_c.subtract_bias, centred=case.bias_centred) if case.contact_bias else None
+        super().__init__(
+            bare, Start(qpos, rest, rest, targets=np.zeros((0, ROBOT_DOF_COUNT)))
+        )
+        self.term = (
+            partial(contact_bias_c.subtract_bias, centred=case.bias_centred)
+            if case.contact_bias
+            else None
+        )
         if not has_midphase:
             self.model.opt.disableflags |= int(mujoco.mjtDisableBit.mjDSBL_MIDPHASE)
         self.newton_bodies = self.simulation.solver.mjc_body_to_newton.numpy()[0]
 
     def run(self) -> Trace:
-        mujoco.set_mjcb_control(self.term)  # one for all models, so only for as long as this one is stepped
+        mujoco.set_mjcb_control(
+            self.term
+        )  # one for all models, so only for as long as this one is stepped
         try:
             return super().run()
         finally:
@@ -172,10 +208,15 @@ class DoubleShake(NativeShake):
         """Plan, and step all substeps; the planner sees where the bodies are, in single precision."""
         self.simulation.queue_targets()
         self.simulation.task.solve()
-        self.data.ctrl[:ROBOT_DOF_COUNT] = self.simulation.joint_target.numpy()[0, :ROBOT_DOF_COUNT]
+        self.data.ctrl[:ROBOT_DOF_COUNT] = self.simulation.joint_target.numpy()[
+            0, :ROBOT_DOF_COUNT
+        ]
         mujoco.mj_step(self.model, self.data, self.case.substeps)
         mujoco.mj_kinematics(self.model, self.data)
         body_q = self.simulation.body_q.numpy()[0]  # on the CPU a view
         for body, newton_body in enumerate(self.newton_bodies):
             if newton_body >= 0:
-                body_q[newton_body] = *self.data.xpos[body], *np.roll(self.data.xquat[body], -1)
+                body_q[newton_body] = (
+                    *self.data.xpos[body],
+                    *np.roll(self.data.xquat[body], -1),
+                )

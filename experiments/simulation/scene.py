@@ -30,14 +30,28 @@ CUBE_EDGE = 0.04
 CUBE_POSITION = (0.0, -0.44, 0.02)
 CUBE_IN_HAND = (0.0, -0.44, 0.22)
 """Where a cube starts that is in the hand: as high above its place on the ground as the task lifts it."""
-PAD_FACE = 2e-5  # how far [m] the faces of the pads stand beyond the origins of the fingers
-SOLREF_MODE_RAW = 1  # Newton's mark of a shape whose solref is given as it is, and not by ke and kd
+PAD_FACE = (
+    2e-5  # how far [m] the faces of the pads stand beyond the origins of the fingers
+)
+SOLREF_MODE_RAW = (
+    1  # Newton's mark of a shape whose solref is given as it is, and not by ke and kd
+)
 GROUND_MU = 0.8
 
-TRACKED_BODIES = ("cube", "fr3_hand_tcp", "fr3_hand", "fr3_leftfinger", "fr3_rightfinger", "fr3_link7")
+TRACKED_BODIES = (
+    "cube",
+    "fr3_hand_tcp",
+    "fr3_hand",
+    "fr3_leftfinger",
+    "fr3_rightfinger",
+    "fr3_link7",
+)
 """Bodies whose poses a trace keeps, in this order; found by the last part of their label."""
 FINGERS = ("fr3_leftfinger", "fr3_rightfinger")
-FIXED_BODIES = ("base", "fr3_link0")  # bodies that do not move, so need no gravity compensation
+FIXED_BODIES = (
+    "base",
+    "fr3_link0",
+)  # bodies that do not move, so need no gravity compensation
 
 
 def body_index(builder_or_model, name: str) -> int:
@@ -92,7 +106,11 @@ def robot_builder(case: Case) -> tuple[ModelBuilder, dict[str, Link]]:
     builder.joint_effort_limit[dofs] = EFFORT_LIMIT
     builder.joint_armature[dofs] = ARMATURE
 
-    moving = [body for body, label in enumerate(builder.body_label) if label.rsplit("/", 1)[-1] not in FIXED_BODIES]
+    moving = [
+        body
+        for body, label in enumerate(builder.body_label)
+        if label.rsplit("/", 1)[-1] not in FIXED_BODIES
+    ]
     _set(builder, "mujoco:gravcomp", dict.fromkeys(moving, 1.0))
     _set(builder, "mujoco:jnt_actgravcomp", dict.fromkeys(range(ARM_DOF_COUNT), True))
     pads = pad_shapes(builder)
@@ -104,7 +122,10 @@ def robot_builder(case: Case) -> tuple[ModelBuilder, dict[str, Link]]:
             half_extents = builder.shape_scale[shape]
             builder.shape_type[shape] = GeoType.CONVEX_MESH
             builder.shape_source[shape] = newton.Mesh.create_box(
-                *half_extents, duplicate_vertices=False, compute_normals=False, compute_uvs=False
+                *half_extents,
+                duplicate_vertices=False,
+                compute_normals=False,
+                compute_uvs=False,
             )
             builder.shape_scale[shape] = (1.0, 1.0, 1.0)
     return builder, links
@@ -114,11 +135,16 @@ def _find_links(builder: ModelBuilder, case: Case) -> dict[str, Link]:
     """Return the tracked links of the robot; without ``fixed_joints`` links that do not move apart become one body."""
     bodies = {name: body_index(builder, name) for name in TRACKED_BODIES[1:]}
     if case.fixed_joints:
-        return {name: Link(body, wp.transform_identity()) for name, body in bodies.items()}
+        return {
+            name: Link(body, wp.transform_identity()) for name, body in bodies.items()
+        }
     merged = builder.collapse_fixed_joints()
     parent, pose = merged["body_merged_parent"], merged["body_merged_transform"]
     return {
-        name: Link(merged["body_remap"][parent.get(body, body)], pose.get(body, wp.transform_identity()))
+        name: Link(
+            merged["body_remap"][parent.get(body, body)],
+            pose.get(body, wp.transform_identity()),
+        )
         for name, body in bodies.items()
     }
 
@@ -129,7 +155,8 @@ def pad_shapes(builder: ModelBuilder) -> tuple[int, ...]:
     return tuple(
         shape
         for shape in range(builder.shape_count)
-        if builder.shape_body[shape] in fingers and builder.shape_flags[shape] & ShapeFlags.COLLIDE_SHAPES
+        if builder.shape_body[shape] in fingers
+        and builder.shape_flags[shape] & ShapeFlags.COLLIDE_SHAPES
     )
 
 
@@ -143,13 +170,17 @@ def build_scene(cases: list[Case], device: wp.Device) -> Scene:
         built.append(_world_builder(case))
         scene = ModelBuilder()
         scene.replicate(built[-1][0], world_count)
-        scene.add_ground_plane(cfg=ModelBuilder.ShapeConfig(mu=GROUND_MU, gap=BASELINE.ground_gap_m))
+        scene.add_ground_plane(
+            cfg=ModelBuilder.ShapeConfig(mu=GROUND_MU, gap=BASELINE.ground_gap_m)
+        )
         return scene.finalize(device=device)
 
     model = model_of(len(cases), build)
     world, links = built[-1]
     robot = robot_builder(case)[0].finalize(device=device)
-    result = Scene(model, robot, links, pads=pad_shapes(world), cube=world.shape_count - 1)
+    result = Scene(
+        model, robot, links, pads=pad_shapes(world), cube=world.shape_count - 1
+    )
     _apply_world_parameters(result, cases)
     return result
 
@@ -160,10 +191,15 @@ def _world_builder(case: Case) -> tuple[ModelBuilder, dict[str, Link]]:
     world = ModelBuilder()
     SolverMuJoCo.register_custom_attributes(world)
     world.add_builder(robot)
-    cube = world.add_body(xform=wp.transform(CUBE_POSITION, wp.quat_identity()), label="cube")
+    cube = world.add_body(
+        xform=wp.transform(CUBE_POSITION, wp.quat_identity()), label="cube"
+    )
     half = 0.5 * CUBE_EDGE
     material = ModelBuilder.ShapeConfig(
-        density=BASELINE.cube_density_kg_m3, ke=BASELINE.cube_ke, kd=BASELINE.cube_kd, mu=BASELINE.cube_mu
+        density=BASELINE.cube_density_kg_m3,
+        ke=BASELINE.cube_ke,
+        kd=BASELINE.cube_kd,
+        mu=BASELINE.cube_mu,
     )
     world.add_shape_box(cube, hx=half, hy=half, hz=half, cfg=material, label="cube")
     return world, {"cube": Link(cube, wp.transform_identity()), **links}
@@ -171,7 +207,9 @@ def _world_builder(case: Case) -> tuple[ModelBuilder, dict[str, Link]]:
 
 def _rows(host: np.ndarray, world_count: int) -> np.ndarray:
     """View an array by world, shape [worlds, …]; what belongs to no world, as the ground, is left out."""
-    return host[: host.shape[0] // world_count * world_count].reshape(world_count, -1, *host.shape[1:])
+    return host[: host.shape[0] // world_count * world_count].reshape(
+        world_count, -1, *host.shape[1:]
+    )
 
 
 def _write(array: wp.array, indices: Sequence[int], values: np.ndarray) -> None:
@@ -185,7 +223,12 @@ def _write(array: wp.array, indices: Sequence[int], values: np.ndarray) -> None:
 
 def _apply_world_parameters(scene: Scene, cases: list[Case]) -> None:
     """Write what each case has for itself into its world's part of the model's arrays."""
-    model, pads, cube, body = scene.model, scene.pads, (scene.cube,), (scene.links["cube"].body,)
+    model, pads, cube, body = (
+        scene.model,
+        scene.pads,
+        (scene.cube,),
+        (scene.links["cube"].body,),
+    )
 
     def column(name: str) -> np.ndarray:
         return np.array([getattr(case, name) for case in cases], dtype=np.float32)
@@ -194,7 +237,9 @@ def _apply_world_parameters(scene: Scene, cases: list[Case]) -> None:
         _write(getattr(model, f"shape_material_{name}"), pads, column(f"pad_{name}"))
         _write(getattr(model, f"shape_material_{name}"), cube, column(f"cube_{name}"))
     _write(model.shape_material_kf, pads, column("pad_kf"))
-    robot_shapes = [shape for shape in range(model.shape_count // len(cases)) if shape != scene.cube]
+    robot_shapes = [
+        shape for shape in range(model.shape_count // len(cases)) if shape != scene.cube
+    ]
     _write(model.shape_gap, robot_shapes, column("robot_gap_m"))
     _write(model.shape_gap, cube, column("cube_gap_m"))
     gap = model.shape_gap.numpy()
@@ -206,8 +251,16 @@ def _apply_world_parameters(scene: Scene, cases: list[Case]) -> None:
     _write(model.mujoco.geom_solimp, pads, solimp)
     if any(case.pad_direct for case in cases):
         mode = _rows(model.mujoco.solref_mode.numpy(), len(cases))[:, pads[0]]
-        _write(model.mujoco.solref, pads, -np.stack([column("pad_ke"), column("pad_kd")], axis=1))
-        _write(model.mujoco.solref_mode, pads, np.where(column("pad_direct"), SOLREF_MODE_RAW, mode))
+        _write(
+            model.mujoco.solref,
+            pads,
+            -np.stack([column("pad_ke"), column("pad_kd")], axis=1),
+        )
+        _write(
+            model.mujoco.solref_mode,
+            pads,
+            np.where(column("pad_direct"), SOLREF_MODE_RAW, mode),
+        )
     model.set_gravity(np.outer(-column("gravity_m_s2"), (0.0, 0.0, 1.0)))
 
     size = column("cube_edge_m") / np.float32(CUBE_EDGE)

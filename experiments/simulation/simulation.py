@@ -17,22 +17,36 @@ from experiments.facts.case import RUN_TIME_FIELDS, Case, CaseError, build_key
 from experiments.facts.trace import Trace
 from experiments.simulation.scene import ARM_DOF_COUNT, build_scene
 from experiments.simulation.stepper import Stepper
-from experiments.simulation.stepper_c import MuJoCoStepper, batches, device_of, update_data_interval
+from experiments.simulation.stepper_c import (
+    MuJoCoStepper,
+    batches,
+    device_of,
+    update_data_interval,
+)
 from experiments.simulation.task import FRAME_RATE, Task
 from measured_report.measuring.pool import gather, processes, start
 
-PROGRESS_FRAMES = 30  # frames between two updates of the progress bar, which wait for the devices
+PROGRESS_FRAMES = (
+    30  # frames between two updates of the progress bar, which wait for the devices
+)
 
 
 class Simulation:
     """A batch of cases with the same ``batch_key``, one world each, ready to run frame by frame."""
 
-    stepper_of: Callable[..., Stepper] = MuJoCoStepper  # what steps it, made of the scene and the cases
+    stepper_of: Callable[..., Stepper] = (
+        MuJoCoStepper  # what steps it, made of the scene and the cases
+    )
 
     def __init__(self, cases: Sequence[Case], device: wp.Device):
         newton.use_coord_layout_targets = True
         case, cases = cases[0], list(cases)
-        self.case, self.cases, self.world_count, self.device = case, cases, len(cases), device
+        self.case, self.cases, self.world_count, self.device = (
+            case,
+            cases,
+            len(cases),
+            device,
+        )
         self.frame_dt = 1.0 / FRAME_RATE
         self.substep_dt = self.frame_dt / case.substeps
         self.stream = wp.Stream(device) if device.is_cuda else None
@@ -46,14 +60,18 @@ class Simulation:
             if case.ik_beside:
                 self.task.plan(self.body_q)
                 self.task.solve()
-        wp.synchronize_device(device)  # what was built on the device's own stream is used on another
+        wp.synchronize_device(
+            device
+        )  # what was built on the device's own stream is used on another
         self._start_uncaptured()
 
     def _build_state(self) -> None:
         """Build all that frames change but the contacts, which the stepper has."""
         self.task = Task(self.scene, self.cases)
         self._start_at_approach_pose()
-        self.stepper = copy(self.stepper)  # a simulation that is built once more has contacts of its own
+        self.stepper = copy(
+            self.stepper
+        )  # a simulation that is built once more has contacts of its own
         self.stepper.contacts = self.contacts
         self.stepper.build(self.state, self.case.frame_count)
         self.solver, self.recorder = self.stepper.solver, self.stepper.recorder
@@ -72,7 +90,9 @@ class Simulation:
         """
         case = replace(case, frame_count=self.case.frame_count)
         if build_key(case) != build_key(self.case):
-            raise CaseError(f"{case.name} takes a simulation of its own: it differs in more than {RUN_TIME_FIELDS}")
+            raise CaseError(
+                f"{case.name} takes a simulation of its own: it differs in more than {RUN_TIME_FIELDS}"
+            )
         self.case = case
         self.task.ik_iterations = case.ik_iterations
         self.solver.update_data_interval = update_data_interval(case)
@@ -85,14 +105,18 @@ class Simulation:
         joint_q[:, :ARM_DOF_COUNT] = self.task.solution.numpy()[:, :ARM_DOF_COUNT]
         model.joint_q.assign(joint_q.reshape(-1))
         self.state = model.state()
-        self.state.body_f = None  # no external forces, so none are written before every substep
+        self.state.body_f = (
+            None  # no external forces, so none are written before every substep
+        )
         self.control = model.control()
         wp.copy(self.control.joint_target_q, model.joint_q)
         newton.eval_fk(model, model.joint_q, model.joint_qd, self.state)
         self.body_q = self.state.body_q.reshape((self.world_count, -1))
         self.joint_target = self.control.joint_target_q.reshape((self.world_count, -1))
         tcp = self.scene.links["fr3_hand_tcp"]
-        poses, world = np.unique(self.body_q.numpy()[:, tcp.body], axis=0, return_inverse=True)
+        poses, world = np.unique(
+            self.body_q.numpy()[:, tcp.body], axis=0, return_inverse=True
+        )
         starts = np.array([wp.transform(*pose) * tcp.pose for pose in poses])
         self.task.phase_start.assign(starts[world.reshape(-1)])
 
@@ -146,7 +170,11 @@ class Simulation:
                 self.captured = True
 
 
-def run(simulations: Sequence[Simulation], title: str = "", contact_frames: Sequence[int] = ()) -> list[list[Trace]]:
+def run(
+    simulations: Sequence[Simulation],
+    title: str = "",
+    contact_frames: Sequence[int] = (),
+) -> list[list[Trace]]:
     """Run all frames of all simulations side by side and return the traces of each one's worlds.
 
     On CUDA each simulation has a stream of its own: a few worlds leave most of the device idle, so batches overlap. For
@@ -160,8 +188,16 @@ def run(simulations: Sequence[Simulation], title: str = "", contact_frames: Sequ
         simulation.step()  # compiles and captures, so the clock starts after it
     _synchronize(simulations)
     start = time.perf_counter()
-    frame_count = max((simulation.case.frame_count for simulation in simulations), default=0)
-    for frame in tqdm(range(frame_count), desc=title, unit="frame", delay=3.0, miniters=PROGRESS_FRAMES):
+    frame_count = max(
+        (simulation.case.frame_count for simulation in simulations), default=0
+    )
+    for frame in tqdm(
+        range(frame_count),
+        desc=title,
+        unit="frame",
+        delay=3.0,
+        miniters=PROGRESS_FRAMES,
+    ):
         for simulation in simulations:
             if is_due(frame, simulation.case.frame_count, frame_count):
                 simulation.step()
@@ -185,7 +221,11 @@ def is_due(frame: int, count: int, longest: int) -> bool:
 
 
 def simulate(
-    cases: Sequence[Case], *, device: str | None = None, contact_frames: Sequence[int] = (), title: str = ""
+    cases: Sequence[Case],
+    *,
+    device: str | None = None,
+    contact_frames: Sequence[int] = (),
+    title: str = "",
 ) -> list[Trace]:
     """Run every case and return its trace, in the order of the cases.
 
@@ -201,9 +241,16 @@ def simulate(
     has_away = wp.get_device(device).is_cuda and not contact_frames
     every = batches(cases)
     # The CPU's runs have processes of their own, beside the GPU and one another.
-    away = [members for members in every if has_away and device_of(cases[members[0]], device) == "cpu"]
+    away = [
+        members
+        for members in every
+        if has_away and device_of(cases[members[0]], device) == "cpu"
+    ]
     nearby = [members for members in every if members not in away]
-    near, far = ([[cases[index] for index in members] for members in side] for side in (nearby, away))
+    near, far = (
+        [[cases[index] for index in members] for members in side]
+        for side in (nearby, away)
+    )
     with processes(len(away)) if away else nullcontext() as pool:
         waiting = start(pool, run_groups, [([group], "cpu") for group in far])
         found = run_groups(near, device, title, contact_frames)
@@ -217,10 +264,16 @@ def simulate(
 
 
 def run_groups(
-    groups: Sequence[Sequence[Case]], device: str | None, title: str = "", contact_frames: Sequence[int] = ()
+    groups: Sequence[Sequence[Case]],
+    device: str | None,
+    title: str = "",
+    contact_frames: Sequence[int] = (),
 ) -> list[list[Trace]]:
     """Run groups of cases, those of a group with the same ``batch_key``, side by side."""
-    simulations = [Simulation(group, wp.get_device(device_of(group[0], device))) for group in groups]
+    simulations = [
+        Simulation(group, wp.get_device(device_of(group[0], device)))
+        for group in groups
+    ]
     return run(simulations, title, contact_frames)
 
 

@@ -20,7 +20,9 @@ from experiments.simulation.compat import make_solver, warp_has_noslip
 from experiments.simulation.stepper import CONTACT_MAX
 from experiments.simulation.stepper_warp import WarpRecorder, WarpStepper, is_elliptic
 
-CONSTRAINT_MAX = 96  # rows per world when a case asks for none: see ``stepper.CONTACT_MAX``
+CONSTRAINT_MAX = (
+    96  # rows per world when a case asks for none: see ``stepper.CONTACT_MAX``
+)
 
 FIELDS = "dist friction frame solref solreffriction solimp dim geom".split()
 """Arrays of the engines' contacts that are copied to the host."""
@@ -31,7 +33,9 @@ def batches(cases: Sequence[Case]) -> list[list[int]]:
     each."""
     groups: dict[object, list[int]] = {}
     for index, case in enumerate(cases):
-        groups.setdefault(index if case.backend == "mujoco" else batch_key(case), []).append(index)
+        groups.setdefault(
+            index if case.backend == "mujoco" else batch_key(case), []
+        ).append(index)
     return list(groups.values())
 
 
@@ -69,7 +73,9 @@ class MuJoCoStepper(WarpStepper):
     def _build_solver(self) -> SolverMuJoCo:
         case = self.case
         if case.noslip_iterations and case.backend == "warp" and not warp_has_noslip():
-            raise CaseError("noslip_iterations must be 0 here: MuJoCo Warp of this release has no noslip")
+            raise CaseError(
+                "noslip_iterations must be 0 here: MuJoCo Warp of this release has no noslip"
+            )
         solver = make_solver(
             self.model,
             friction_timeconst_s=case.friction_timeconst_override_s,
@@ -99,23 +105,38 @@ class MuJoCoStepper(WarpStepper):
         """Give each world of a solver what its case asks for; nothing is installed that no case asks for."""
         if any(case.compensated for case in self.cases):
             if solver.use_mujoco_cpu:
-                raise CaseError("compensated must be off with backend mujoco, which sums positions in double precision")
-            compensated_positions.install(solver, worlds=[case.compensated for case in self.cases])
-        kinds = [case.contact_bias and (case.bias_centred, case.bias_normal) for case in self.cases]  # type: list
+                raise CaseError(
+                    "compensated must be off with backend mujoco, which sums positions in double precision"
+                )
+            compensated_positions.install(
+                solver, worlds=[case.compensated for case in self.cases]
+            )
+        kinds = [
+            case.contact_bias and (case.bias_centred, case.bias_normal)
+            for case in self.cases
+        ]  # type: list
         for kind in sorted(set(kinds) - {False}):
             options = dict(zip(("centred", "normal"), kind, strict=True))
             if solver.use_mujoco_cpu:
                 contact_bias_c.install(solver, **options)
             else:
-                contact_bias.install(solver, worlds=[each == kind for each in kinds], **options)
+                contact_bias.install(
+                    solver, worlds=[each == kind for each in kinds], **options
+                )
 
     def set_flags(self, solver: SolverMuJoCo) -> None:
         bits = mujoco.mjtDisableBit
-        stages = {"refsafe": bits.mjDSBL_REFSAFE, "sensors": bits.mjDSBL_SENSOR, "limits": bits.mjDSBL_LIMIT}
+        stages = {
+            "refsafe": bits.mjDSBL_REFSAFE,
+            "sensors": bits.mjDSBL_SENSOR,
+            "limits": bits.mjDSBL_LIMIT,
+        }
         for option in _options(solver):
             for name, bit in stages.items():
                 kept = option.disableflags & ~int(bit)
-                option.disableflags = kept | (0 if getattr(self.case, name) else int(bit))
+                option.disableflags = kept | (
+                    0 if getattr(self.case, name) else int(bit)
+                )
 
     def _build_recorder(self, frame_count: int) -> "MuJoCoRecorder":
         return MuJoCoRecorder(self, frame_count)
@@ -142,13 +163,20 @@ class MuJoCoRecorder(WarpRecorder):
 
     def keep_contact_rows(self, frame: int) -> None:
         """Copy every live contact of every world to the host; between frames only."""
-        self.contact_rows.append(contact_rows(self.solver, len(self.cursor), frame, self.names))
+        self.contact_rows.append(
+            contact_rows(self.solver, len(self.cursor), frame, self.names)
+        )
 
     def _watch_c_substep(self) -> None:
         data = self.solver.mj_data
-        for peak, value in ((self.peak_constraint, data.nefc), (self.peak_iteration, data.solver_niter.max())):
+        for peak, value in (
+            (self.peak_constraint, data.nefc),
+            (self.peak_iteration, data.solver_niter.max()),
+        ):
             peak.numpy()[0] = max(peak.numpy()[0], value)
-        self.failure_in_c = self.failure_in_c or failure_of(data, int(self.cursor.numpy()[0]))
+        self.failure_in_c = self.failure_in_c or failure_of(
+            data, int(self.cursor.numpy()[0])
+        )
 
     def _record_c_contacts(self) -> None:
         frame = int(self.cursor.numpy()[0])
@@ -174,47 +202,87 @@ def summarize_contacts(rows: ContactRows) -> np.ndarray:
     )
 
 
-def contact_rows(solver: SolverMuJoCo, world_count: int, frame: int, names: list[str]) -> list[ContactRows]:
+def contact_rows(
+    solver: SolverMuJoCo, world_count: int, frame: int, names: list[str]
+) -> list[ContactRows]:
     """Copy the live contacts of either engine to the host, by world."""
     if solver.use_mujoco_cpu:
         data, count = solver.mj_data, solver.mj_data.ncon
         host = {name: np.array(getattr(data.contact, name)) for name in FIELDS}
-        address, world_id = np.asarray(data.contact.efc_address).reshape(count), np.zeros(count, dtype=int)
-        efc = [np.array(rows)[None] for rows in (data.efc_force, data.efc_pos, data.efc_vel, data.efc_aref)]
+        address, world_id = (
+            np.asarray(data.contact.efc_address).reshape(count),
+            np.zeros(count, dtype=int),
+        )
+        efc = [
+            np.array(rows)[None]
+            for rows in (data.efc_force, data.efc_pos, data.efc_vel, data.efc_aref)
+        ]
     else:
         data = solver.mjw_data
         count = min(int(data.nacon.numpy()[0]), data.naconmax)
-        host = {name: np.array(getattr(data.contact, name).numpy()[:count]) for name in FIELDS}
-        address, world_id = data.contact.efc_address.numpy()[:count, 0], data.contact.worldid.numpy()[:count]
-        efc = [rows.numpy() for rows in (data.efc.force, data.efc.pos, data.efc.vel, data.efc.aref)]
+        host = {
+            name: np.array(getattr(data.contact, name).numpy()[:count])
+            for name in FIELDS
+        }
+        address, world_id = (
+            data.contact.efc_address.numpy()[:count, 0],
+            data.contact.worldid.numpy()[:count],
+        )
+        efc = [
+            rows.numpy()
+            for rows in (data.efc.force, data.efc.pos, data.efc.vel, data.efc.aref)
+        ]
     rows_by_world = []
     for world in range(world_count):
         mine = world_id == world
-        fields, rows = {name: values[mine] for name, values in host.items()}, [array[world] for array in efc]
-        rows_by_world.append(_rows_of_world(fields, address[mine], rows, frame, names, is_elliptic(solver)))
+        fields, rows = (
+            {name: values[mine] for name, values in host.items()},
+            [array[world] for array in efc],
+        )
+        rows_by_world.append(
+            _rows_of_world(
+                fields, address[mine], rows, frame, names, is_elliptic(solver)
+            )
+        )
     return rows_by_world
 
 
-def _rows_of_world(field, address, efc, frame: int, names: list[str], elliptic: bool) -> ContactRows:
+def _rows_of_world(
+    field, address, efc, frame: int, names: list[str], elliptic: bool
+) -> ContactRows:
     """Take apart the constraint rows of one world's contacts."""
     all_force, all_residual, all_velocity, all_reference = efc
     axes, friction = field["frame"].reshape(-1, 3, 3), field["friction"][:, 0]
-    force, residual, velocity, reference = np.zeros((len(address), 3)), *np.full((3, len(address), 3), np.nan)  # type: np.ndarray, np.ndarray, np.ndarray, np.ndarray  # type: ignore[misc]  # NumPy is not read
+    force, residual, velocity, reference = (
+        np.zeros((len(address), 3)),
+        *np.full((3, len(address), 3), np.nan),
+    )  # type: np.ndarray, np.ndarray, np.ndarray, np.ndarray  # type: ignore[misc]  # NumPy is not read
     for i, row in enumerate(address):
         if row < 0:
             continue
-        residual[i], velocity[i] = all_residual[row : row + 3], all_velocity[row : row + 3]
+        residual[i], velocity[i] = (
+            all_residual[row : row + 3],
+            all_velocity[row : row + 3],
+        )
         if elliptic:
-            force[i], reference[i] = all_force[row : row + 3], all_reference[row : row + 3]
+            force[i], reference[i] = (
+                all_force[row : row + 3],
+                all_reference[row : row + 3],
+            )
         else:
             a, b, c, d = all_force[row : row + 4]
             force[i] = a + b + c + d, friction[i] * (a - b), friction[i] * (c - d)
             a, b, c, d = all_velocity[row : row + 4]
-            velocity[i, 1:] = (a - b) / (2.0 * friction[i]), (c - d) / (2.0 * friction[i])
+            velocity[i, 1:] = (
+                (a - b) / (2.0 * friction[i]),
+                (c - d) / (2.0 * friction[i]),
+            )
     sign = np.where([names[second] == "cube" for _, second in field["geom"]], 1.0, -1.0)
     return ContactRows(
         frame=frame,
-        geom=np.array([[names[g] for g in pair] for pair in field["geom"]]).reshape(-1, 2),
+        geom=np.array([[names[g] for g in pair] for pair in field["geom"]]).reshape(
+            -1, 2
+        ),
         distance_m=field["dist"],
         friction=friction,
         **{name: field[name] for name in ("solref", "solreffriction", "solimp", "dim")},

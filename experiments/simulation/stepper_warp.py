@@ -22,7 +22,14 @@ from experiments.simulation.stepper import CONTACT_MAX, Stepper
 
 
 @wp.func
-def row_force(force: wp.array2d[float], world: int, address: int, dim: int, elliptic: bool, mu: float) -> wp.vec3:
+def row_force(
+    force: wp.array2d[float],
+    world: int,
+    address: int,
+    dim: int,
+    elliptic: bool,
+    mu: float,
+) -> wp.vec3:
     """Return the normal and two tangential forces of a contact from its constraint rows.
 
     With a pyramidal cone the rows are the pyramid's edges: their sum is the normal force and each tangential force is
@@ -31,7 +38,11 @@ def row_force(force: wp.array2d[float], world: int, address: int, dim: int, elli
     result = wp.vec3(force[world, address], 0.0, 0.0)
     if dim >= 3:
         if elliptic:
-            result = wp.vec3(force[world, address], force[world, address + 1], force[world, address + 2])
+            result = wp.vec3(
+                force[world, address],
+                force[world, address + 1],
+                force[world, address + 2],
+            )
         else:
             a = force[world, address]
             b = force[world, address + 1]
@@ -42,7 +53,9 @@ def row_force(force: wp.array2d[float], world: int, address: int, dim: int, elli
 
 
 @wp.func
-def row_slide(velocity: wp.array2d[float], world: int, address: int, elliptic: bool, mu: float) -> wp.vec2:
+def row_slide(
+    velocity: wp.array2d[float], world: int, address: int, elliptic: bool, mu: float
+) -> wp.vec2:
     """Return the velocities of the two friction rows; from a pyramid's edges as in ``row_force``."""
     result = wp.vec2(velocity[world, address + 1], velocity[world, address + 2])
     if not elliptic:
@@ -79,20 +92,34 @@ def record_contacts(
     wp.atomic_add(contacts, frame, world, COUNT, 1.0)
     row = address[contact, 0]
     if row >= 0 and row < constraint_capacity - 3:
-        forces = row_force(force, world, row, dim[contact], elliptic, friction[contact][0])
+        forces = row_force(
+            force, world, row, dim[contact], elliptic, friction[contact][0]
+        )
         normal = forces[0]
         if normal > 0.0:
             tangential = wp.length(wp.vec2(forces[1], forces[2]))
             wp.atomic_add(contacts, frame, world, LOADED, 1.0)
             wp.atomic_add(contacts, frame, world, NORMAL, normal)
             wp.atomic_add(contacts, frame, world, TANGENTIAL, tangential)
-            wp.atomic_max(contacts, frame, world, CONE, tangential / (friction[contact][0] * normal))
+            wp.atomic_max(
+                contacts,
+                frame,
+                world,
+                CONE,
+                tangential / (friction[contact][0] * normal),
+            )
             wp.atomic_max(contacts, frame, world, PENETRATION, -distance[contact])
             if dim[contact] >= 3:
                 slide = row_slide(velocity, world, row, elliptic, friction[contact][0])
                 along = axes[contact][1, 0] * slide[0] + axes[contact][2, 0] * slide[1]
                 # The rows hold the velocity of the second geom against the first.
-                wp.atomic_add(contacts, frame, world, SLIDE, wp.where(geom[contact][1] == cube, along, -along))
+                wp.atomic_add(
+                    contacts,
+                    frame,
+                    world,
+                    SLIDE,
+                    wp.where(geom[contact][1] == cube, along, -along),
+                )
 
 
 class WarpStepper(Stepper):
@@ -100,7 +127,10 @@ class WarpStepper(Stepper):
 
     def step(self, substep: int, control: newton.Control, step_s: float) -> None:
         case = self.case
-        if self.pipeline is not None and substep % (case.substeps // case.collide_count) == 0:
+        if (
+            self.pipeline is not None
+            and substep % (case.substeps // case.collide_count) == 0
+        ):
             self.pipeline.collide(self.state, self.contacts)
         # Without a control the engine keeps the targets that it has.
         control = control if substep == 0 or case.state_sync else None
@@ -120,7 +150,13 @@ class WarpRecorder(Recorder):
     """Records of MuJoCo Warp's contacts what they carry, and how far its buffers are used."""
 
     def __init__(self, stepper: Stepper, frame_count: int):
-        super().__init__(stepper.scene, stepper.solver, stepper.contacts, stepper.world_count, frame_count)
+        super().__init__(
+            stepper.scene,
+            stepper.solver,
+            stepper.contacts,
+            stepper.world_count,
+            frame_count,
+        )
         self.names = _geom_names(stepper.scene, stepper.solver)
         self.cube_geom = self.names.index("cube")
 
@@ -129,8 +165,19 @@ class WarpRecorder(Recorder):
         wp.launch(
             watch_substep,
             dim=self.cursor.shape,
-            inputs=[self.cursor, *self._contact_count(), data.nefc, data.njmax, data.solver_niter],
-            outputs=[self.peak_constraint, self.peak_iteration, self.contact_overflow, self.constraint_overflow],
+            inputs=[
+                self.cursor,
+                *self._contact_count(),
+                data.nefc,
+                data.njmax,
+                data.solver_niter,
+            ],
+            outputs=[
+                self.peak_constraint,
+                self.peak_iteration,
+                self.contact_overflow,
+                self.constraint_overflow,
+            ],
         )
 
     def record_contacts(self) -> None:
@@ -138,9 +185,26 @@ class WarpRecorder(Recorder):
         wp.launch(
             record_contacts,
             dim=data.naconmax,
-            inputs=[self.cursor, data.nacon, data.contact.dist, data.contact.worldid, data.contact.dim]
-            + [data.contact.friction, data.contact.frame, data.contact.geom, self.cube_geom]
-            + [data.contact.efc_address, data.efc.force, data.efc.vel, data.njmax, is_elliptic(self.solver)],
+            inputs=[
+                self.cursor,
+                data.nacon,
+                data.contact.dist,
+                data.contact.worldid,
+                data.contact.dim,
+            ]
+            + [
+                data.contact.friction,
+                data.contact.frame,
+                data.contact.geom,
+                self.cube_geom,
+            ]
+            + [
+                data.contact.efc_address,
+                data.efc.force,
+                data.efc.vel,
+                data.njmax,
+                is_elliptic(self.solver),
+            ],
             outputs=[self.contacts],
         )
 
@@ -153,7 +217,9 @@ class WarpRecorder(Recorder):
         data = self.solver.mjw_data
         if self.contacts_in is None:
             return data.nacon, data.naconmax
-        return self.contacts_in.rigid_contact_count, min(self.contacts_in.rigid_contact_max - 1, data.naconmax)
+        return self.contacts_in.rigid_contact_count, min(
+            self.contacts_in.rigid_contact_max - 1, data.naconmax
+        )
 
 
 def is_elliptic(solver: SolverMuJoCo) -> bool:

@@ -5,11 +5,22 @@ import warp as wp
 
 from experiments.facts.case import Case
 from experiments.simulation.arm_ik import ArmSolver
-from experiments.simulation.scene import ARM_DOF_COUNT, CUBE_IN_HAND, READY_POSE, ROBOT_DOF_COUNT, Scene
+from experiments.simulation.scene import (
+    ARM_DOF_COUNT,
+    CUBE_IN_HAND,
+    READY_POSE,
+    ROBOT_DOF_COUNT,
+    Scene,
+)
 
 FRAME_RATE = 60
 APPROACH, DESCEND, GRASP, LIFT, SHAKE = range(5)
-PHASE_SECONDS = (0.25, 1.0, 0.75, 1.5)  # least time of each phase [s]; the shake has no end
+PHASE_SECONDS = (
+    0.25,
+    1.0,
+    0.75,
+    1.5,
+)  # least time of each phase [s]; the shake has no end
 
 FINGER_OPEN = wp.constant(0.035)
 APPROACH_HEIGHT = wp.constant(0.10)
@@ -19,7 +30,9 @@ SHAKE_RATIO_Z = wp.constant(0.35)
 POSITION_TOLERANCE = wp.constant(0.005)
 ROTATION_TOLERANCE = wp.constant(float(np.radians(2.0)))
 FRAME_DT = wp.constant(1.0 / FRAME_RATE)
-APPROACH_SOLVE_COUNT = 30  # warm-started IK solves from the ready pose to the approach pose
+APPROACH_SOLVE_COUNT = (
+    30  # warm-started IK solves from the ready pose to the approach pose
+)
 
 
 @wp.func
@@ -67,13 +80,17 @@ def set_targets(
     elif now == GRASP:
         finger_end = finger_closed[world]
     elif now == LIFT:
-        position = start_position + wp.vec3(0.0, 0.0, wp.where(in_hand[world], 0.0, LIFT_HEIGHT))
+        position = start_position + wp.vec3(
+            0.0, 0.0, wp.where(in_hand[world], 0.0, LIFT_HEIGHT)
+        )
         finger_start = finger_closed[world]
         finger_end = finger_closed[world]
     else:
         angle = 2.0 * wp.pi * frequency[world] * t
         position = start_position + amplitude[world] * wp.vec3(
-            wp.sin(angle), SHAKE_RATIO_Y * wp.sin(2.0 * angle), SHAKE_RATIO_Z * wp.sin(1.5 * angle)
+            wp.sin(angle),
+            SHAKE_RATIO_Y * wp.sin(2.0 * angle),
+            SHAKE_RATIO_Z * wp.sin(1.5 * angle),
         )
         finger_start = finger_closed[world]
         finger_end = finger_closed[world]
@@ -117,9 +134,15 @@ def apply_targets(
     if elapsed[world] < phase_seconds[now]:
         return
     pose = body_q[world, tcp_body] * tcp_pose
-    distance = wp.length(wp.transform_get_translation(pose) - wp.transform_get_translation(goal[world]))
-    between = wp.transform_get_rotation(pose) * wp.quat_inverse(wp.transform_get_rotation(goal[world]))
-    angle = 2.0 * wp.atan2(wp.length(wp.vec3(between[0], between[1], between[2])), wp.abs(between[3]))
+    distance = wp.length(
+        wp.transform_get_translation(pose) - wp.transform_get_translation(goal[world])
+    )
+    between = wp.transform_get_rotation(pose) * wp.quat_inverse(
+        wp.transform_get_rotation(goal[world])
+    )
+    angle = 2.0 * wp.atan2(
+        wp.length(wp.vec3(between[0], between[1], between[2])), wp.abs(between[3])
+    )
     # A cube in the hand is only held still before the shake, and may be heavy enough to pull the arm down.
     if in_hand[world] or (distance < POSITION_TOLERANCE and angle < ROTATION_TOLERANCE):
         phase[world] = now + 1
@@ -143,20 +166,43 @@ class Task:
 
         in_hand = np.array([case.cube_in_hand for case in cases])
         self.in_hand = wp.array(in_hand, dtype=bool, device=self.device)
-        self.phase = wp.array(np.where(in_hand, LIFT, APPROACH), dtype=int, device=self.device)
+        self.phase = wp.array(
+            np.where(in_hand, LIFT, APPROACH), dtype=int, device=self.device
+        )
         self.phase_seconds = floats(PHASE_SECONDS)
-        self.elapsed, self.target_finger = (wp.zeros(world_count, dtype=float, device=self.device) for _ in range(2))
-        self.phase_start, self.goal = (wp.zeros(world_count, dtype=wp.transform, device=self.device) for _ in range(2))
+        self.elapsed, self.target_finger = (
+            wp.zeros(world_count, dtype=float, device=self.device) for _ in range(2)
+        )
+        self.phase_start, self.goal = (
+            wp.zeros(world_count, dtype=wp.transform, device=self.device)
+            for _ in range(2)
+        )
         self.amplitude = floats(case.shake_amplitude_m for case in cases)
         self.frequency = floats(case.shake_frequency_hz for case in cases)
         self.finger_closed = floats(case.finger_closed_m for case in cases)
-        cube_position = scene.model.body_q.numpy().reshape(world_count, -1, 7)[:, self.cube.body, :3]
+        cube_position = scene.model.body_q.numpy().reshape(world_count, -1, 7)[
+            :, self.cube.body, :3
+        ]
         above = cube_position + np.array((0.0, 0.0, APPROACH_HEIGHT), dtype=np.float32)
-        starts = np.where(in_hand[:, None], np.array(CUBE_IN_HAND, dtype=np.float32), above)
+        starts = np.where(
+            in_hand[:, None], np.array(CUBE_IN_HAND, dtype=np.float32), above
+        )
         self.target_position = wp.array(starts, dtype=wp.vec3, device=self.device)
-        self.target_rotation = wp.full(world_count, wp.vec4(1.0, 0.0, 0.0, 0.0), dtype=wp.vec4, device=self.device)
-        self.solver = ArmSolver(scene.robot, self.tcp.body, self.tcp.pose, self.target_position, self.target_rotation)
-        self.solution = wp.array(np.tile(np.float32(READY_POSE), (world_count, 1)), dtype=float, device=self.device)
+        self.target_rotation = wp.full(
+            world_count, wp.vec4(1.0, 0.0, 0.0, 0.0), dtype=wp.vec4, device=self.device
+        )
+        self.solver = ArmSolver(
+            scene.robot,
+            self.tcp.body,
+            self.tcp.pose,
+            self.target_position,
+            self.target_rotation,
+        )
+        self.solution = wp.array(
+            np.tile(np.float32(READY_POSE), (world_count, 1)),
+            dtype=float,
+            device=self.device,
+        )
         for _ in range(APPROACH_SOLVE_COUNT):
             self.solve()
 
@@ -170,7 +216,15 @@ class Task:
         wp.launch(
             apply_targets,
             dim=body_q.shape[0],
-            inputs=[body_q, self.tcp.body, self.tcp.pose, self.phase_seconds, self.in_hand, self.goal, self.solution]
+            inputs=[
+                body_q,
+                self.tcp.body,
+                self.tcp.pose,
+                self.phase_seconds,
+                self.in_hand,
+                self.goal,
+                self.solution,
+            ]
             + [self.target_finger],
             outputs=[joint_target, self.phase, self.elapsed, self.phase_start],
             device=self.device,
@@ -181,9 +235,21 @@ class Task:
         wp.launch(
             set_targets,
             dim=body_q.shape[0],
-            inputs=[body_q, self.cube.body, self.phase_start, self.phase, self.phase_seconds]
+            inputs=[
+                body_q,
+                self.cube.body,
+                self.phase_start,
+                self.phase,
+                self.phase_seconds,
+            ]
             + [self.amplitude, self.frequency, self.in_hand, self.finger_closed],
-            outputs=[self.elapsed, self.goal, self.target_position, self.target_rotation, self.target_finger],
+            outputs=[
+                self.elapsed,
+                self.goal,
+                self.target_position,
+                self.target_rotation,
+                self.target_finger,
+            ],
             device=self.device,
         )
 

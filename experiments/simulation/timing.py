@@ -46,19 +46,35 @@ def put_in_state_of(target: Simulation, source: Simulation, world: int = 0) -> N
 
     Frames that were watched before do not count: one simulation may run several cases, one after the other.
     """
-    pairs = [(getattr(target.task, name), getattr(source.task, name)) for name in TASK_ARRAYS]
-    pairs += [(getattr(target.state, name), getattr(source.state, name)) for name in STATE_ARRAYS]
-    pairs += [(getattr(target.solver.mjw_data, name), getattr(source.solver.mjw_data, name)) for name in ENGINE_ARRAYS]
+    pairs = [
+        (getattr(target.task, name), getattr(source.task, name)) for name in TASK_ARRAYS
+    ]
+    pairs += [
+        (getattr(target.state, name), getattr(source.state, name))
+        for name in STATE_ARRAYS
+    ]
+    pairs += [
+        (getattr(target.solver.mjw_data, name), getattr(source.solver.mjw_data, name))
+        for name in ENGINE_ARRAYS
+    ]
     wp.synchronize()  # simulations run on streams of their own, these copies do not
     for to, of in pairs:
         state = of.reshape((source.world_count, -1))[world]
         # A step of 0 from one world to the next repeats this one, so the copy never leaves the device.
         shape, strides = (target.world_count, *state.shape), (0, *state.strides)
-        repeated = wp.array(ptr=state.ptr, dtype=state.dtype, shape=shape, strides=strides, device=state.device)
+        repeated = wp.array(
+            ptr=state.ptr,
+            dtype=state.dtype,
+            shape=shape,
+            strides=strides,
+            device=state.device,
+        )
         wp.copy(to.reshape((target.world_count, -1)), repeated)
     for name, start in WATCHED_ARRAYS.items():
         getattr(target.recorder, name).fill_(start)
-    newton.eval_fk(target.model, target.state.joint_q, target.state.joint_qd, target.state)
+    newton.eval_fk(
+        target.model, target.state.joint_q, target.state.joint_qd, target.state
+    )
     wp.synchronize()
 
 
@@ -93,23 +109,36 @@ def invalid_reason(case: Case, trace: Trace) -> str | None:
 
 def batch_invalid_reason(simulation: Simulation) -> str | None:
     """Return the same of the frames that a simulation has run, in any of its worlds."""
-    reasons = (invalid_reason(simulation.case, trace) for trace in simulation.recorder.traces())
+    reasons = (
+        invalid_reason(simulation.case, trace) for trace in simulation.recorder.traces()
+    )
     return next(filter(None, reasons), None)
 
 
 def wall_time(traces: Sequence[Trace]) -> dict[str, object]:
     """Return the wall time of a batch of whole runs; None, with the reason, where one has failed."""
     reason = next((str(trace.failure) for trace in traces if trace.failure), None)
-    return absent(["wall_s"], f"not timed: {reason}") if reason else {"wall_s": traces[0].wall_s}
+    return (
+        absent(["wall_s"], f"not timed: {reason}")
+        if reason
+        else {"wall_s": traces[0].wall_s}
+    )
 
 
 def spread(name: str, values: np.ndarray) -> dict[str, float | int]:
     """Return as columns the median of values, under ``name``, their 5th and 95th percentiles, and how many."""
     median, low, high = (float(value) for value in np.percentile(values, (50, 5, 95)))
-    return {name: median, f"{name}_p5": low, f"{name}_p95": high, "repeat_count": len(values)}
+    return {
+        name: median,
+        f"{name}_p5": low,
+        f"{name}_p95": high,
+        "repeat_count": len(values),
+    }
 
 
-def buffer_bytes_per_world(solver: SolverMuJoCo, contacts: newton.Contacts | None) -> int:
+def buffer_bytes_per_world(
+    solver: SolverMuJoCo, contacts: newton.Contacts | None
+) -> int:
     """Return the memory of the contact and constraint buffers, the engine's and Newton's, per world [B]."""
     data = solver.mjw_data
     holders = [data.contact, data.efc] + ([contacts] if contacts is not None else [])

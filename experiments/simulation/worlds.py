@@ -31,7 +31,9 @@ def model_of(world_count: int, build: Callable[[int], newton.Model]) -> newton.M
     """
     if world_count <= WORLDS_BUILT:
         return build(world_count)
-    model = _extended(build(WORLDS_BUILT - 1), build(WORLDS_BUILT), world_count, "model")
+    model = _extended(
+        build(WORLDS_BUILT - 1), build(WORLDS_BUILT), world_count, "model"
+    )
     model.body_shapes = {body: [] for body in range(-1, model.body_count)}
     for shape, body in enumerate(model.shape_body.numpy().tolist()):
         model.body_shapes[body].append(shape)
@@ -45,29 +47,51 @@ def _extended(two: object, three: object, count: int, name: str) -> object:
         if three.shape == two.shape:
             return three
         fewer, rows = two.numpy(), three.numpy()
-        if three.dtype is wp.uint64:  # pointers, to what the model of three worlds and the new one hold
+        if (
+            three.dtype is wp.uint64
+        ):  # pointers, to what the model of three worlds and the new one hold
             stride = len(rows) - len(fewer)
             fewer = np.delete(rows, range(stride), axis=0)
-        return wp.array(_extended_array(fewer, rows, count, name), dtype=three.dtype, device=three.device)
+        return wp.array(
+            _extended_array(fewer, rows, count, name),
+            dtype=three.dtype,
+            device=three.device,
+        )
     if isinstance(three, np.ndarray):
-        return three if three.shape == two.shape else _extended_array(two, three, count, name)
+        return (
+            three
+            if three.shape == two.shape
+            else _extended_array(two, three, count, name)
+        )
     if isinstance(three, int):
         return three if three == two else three + (count - WORLDS_BUILT) * (three - two)
     if isinstance(three, list):
-        return three if len(three) == len(two) else _extended_list(two, three, count, name)
-    if not type(three).__module__.startswith("newton.") or callable(three) or not hasattr(three, "__dict__"):
+        return (
+            three if len(three) == len(two) else _extended_list(two, three, count, name)
+        )
+    if (
+        not type(three).__module__.startswith("newton.")
+        or callable(three)
+        or not hasattr(three, "__dict__")
+    ):
         return three
-    extended = type(three).__new__(type(three))  # a plain copy of Newton's lazy set of pairs would hold those of three
+    extended = type(three).__new__(
+        type(three)
+    )  # a plain copy of Newton's lazy set of pairs would hold those of three
     vars(extended).update(vars(three))
     for attribute, value in vars(three).items():
         if isinstance(getattr(type(three), attribute, None), cached_property):
             del vars(extended)[attribute]
         elif not attribute.startswith(NOT_EXTENDED):
-            vars(extended)[attribute] = _extended(vars(two)[attribute], value, count, f"{name}.{attribute}")
+            vars(extended)[attribute] = _extended(
+                vars(two)[attribute], value, count, f"{name}.{attribute}"
+            )
     return extended
 
 
-def _extended_array(two: np.ndarray, three: np.ndarray, count: int, name: str) -> np.ndarray:
+def _extended_array(
+    two: np.ndarray, three: np.ndarray, count: int, name: str
+) -> np.ndarray:
     """Return the rows of each world one after the other, then those of none; shape [count * rows per world + rest, …].
 
     Integers may grow from world to world and with the number of worlds; all else must be the same in all worlds.
@@ -77,7 +101,9 @@ def _extended_array(two: np.ndarray, three: np.ndarray, count: int, name: str) -
     worlds, tail = _cut(three, WORLDS_BUILT, stride)
     is_index = np.issubdtype(three.dtype, np.signedinteger)
     by_world, by_count, by_count_rest = (
-        (worlds[1] - worlds[0], worlds[0] - fewer[0], tail - fewer_rest) if is_index else (None, None, None)
+        (worlds[1] - worlds[0], worlds[0] - fewer[0], tail - fewer_rest)
+        if is_index
+        else (None, None, None)
     )
 
     def at(world_count: int) -> tuple[np.ndarray, np.ndarray]:
@@ -89,9 +115,15 @@ def _extended_array(two: np.ndarray, three: np.ndarray, count: int, name: str) -
         steps = np.arange(world_count, dtype=three.dtype).reshape(-1, *[1] * first.ndim)
         return (first + steps * by_world).astype(three.dtype), end.astype(three.dtype)
 
-    for actual, expected in zip((worlds, tail, fewer, fewer_rest), (*at(len(worlds)), *at(len(fewer))), strict=True):
+    for actual, expected in zip(
+        (worlds, tail, fewer, fewer_rest),
+        (*at(len(worlds)), *at(len(fewer))),
+        strict=True,
+    ):
         if actual.tobytes() != expected.tobytes():
-            raise UnequalWorlds(f"{name} does not repeat world by world: build these worlds one by one")
+            raise UnequalWorlds(
+                f"{name} does not repeat world by world: build these worlds one by one"
+            )
     many, end = at(count)
     return np.concatenate([many.reshape(-1, *three.shape[1:]), end])
 
@@ -100,10 +132,14 @@ def _extended_list(two: list, three: list, count: int, name: str) -> list:
     stride = len(three) - len(two)
     world, tail = three[:stride], three[WORLDS_BUILT * stride :]
     if three != world * WORLDS_BUILT + tail:
-        raise UnequalWorlds(f"{name} does not repeat world by world: build these worlds one by one")
+        raise UnequalWorlds(
+            f"{name} does not repeat world by world: build these worlds one by one"
+        )
     return world * count + tail
 
 
-def _cut(rows: np.ndarray, world_count: int, stride: int) -> tuple[np.ndarray, np.ndarray]:
+def _cut(
+    rows: np.ndarray, world_count: int, stride: int
+) -> tuple[np.ndarray, np.ndarray]:
     split = world_count * stride
     return rows[:split].reshape(world_count, stride, *rows.shape[1:]), rows[split:]

@@ -8,24 +8,47 @@ import numpy as np
 
 from experiments.facts import metrics
 from experiments.facts.case import Case
-from experiments.facts.classes import CLASSES, STABLE, classify, creep_mm_s, cycle_increments, is_exploded, is_finite
+from experiments.facts.classes import (
+    CLASSES,
+    STABLE,
+    classify,
+    creep_mm_s,
+    cycle_increments,
+    is_exploded,
+    is_finite,
+)
 from experiments.facts.trace import Trace
-from experiments.simulation.limits import demand_m_s2, exit_bound_m_s, friction_load, step_s
+from experiments.simulation.limits import (
+    demand_m_s2,
+    exit_bound_m_s,
+    friction_load,
+    step_s,
+)
 from experiments.simulation.measurement import Conditions, Measurement, absent
 from experiments.simulation.scene import cube_start
 from experiments.simulation.simulation import simulate
 from experiments.simulation.task import FRAME_RATE
 from experiments.stability import families as stability_families
-from experiments.stability.families import HOLD_FRAME_COUNT, REFERENCE_SUBSTEPS, SHAKE_FRAME_COUNT, Probe
+from experiments.stability.families import (
+    HOLD_FRAME_COUNT,
+    REFERENCE_SUBSTEPS,
+    SHAKE_FRAME_COUNT,
+    Probe,
+)
 from measured_report.measuring.batch import Batch, Plan
 
-OFFSETS_M = {"full": (0.0, 2e-4, -2e-4), "quick": (0.0,)}  # starts of the repeats: the cube's shift in the hand
+OFFSETS_M = {
+    "full": (0.0, 2e-4, -2e-4),
+    "quick": (0.0,),
+}  # starts of the repeats: the cube's shift in the hand
 FLOOR_FAMILY = "steps"
 """The family whose repeats say what creep cannot be told from none; it has two of them also when quick."""
 SINGLE_FAMILY = "buffers"
 TRIED_FAMILIES = ("ke-critical", "ke-kd-100")
 TRIAL_FRAME_COUNT = 30
-HOLD_END = slice(HOLD_FRAME_COUNT - 11, HOLD_FRAME_COUNT - 1)  # frames in which the grip at rest is measured
+HOLD_END = slice(
+    HOLD_FRAME_COUNT - 11, HOLD_FRAME_COUNT - 1
+)  # frames in which the grip at rest is measured
 GONE_M = 0.005  # a cube that has moved farther in the hand by the end of the hold is sliding out
 EXIT_FRAMES = 15
 
@@ -45,7 +68,10 @@ def measure_others(conditions: Conditions) -> tuple[list[dict[str, object]], flo
     """Return a row for each case but the long run, and what creep cannot be told from none [mm/s]."""
     frame_count = HOLD_FRAME_COUNT + SHAKE_FRAME_COUNT[conditions.profile]
     probes = stability_families.probes(conditions.profile)
-    runs = [replace(probe, case=replace(probe.case, frame_count=frame_count)) for probe in probes]
+    runs = [
+        replace(probe, case=replace(probe.case, frame_count=frame_count))
+        for probe in probes
+    ]
     runs += stability_families.buffers(frame_count)
     traces = simulate_repeats(conditions, runs)
     floor = creep_floor_mm_s(
@@ -55,24 +81,37 @@ def measure_others(conditions: Conditions) -> tuple[list[dict[str, object]], flo
             if run.family == FLOOR_FAMILY and run.case.substeps == REFERENCE_SUBSTEPS
         ]
     )
-    rows = [worst(run, [observe(*pair, floor) for pair in group]) for run, group in zip(runs, traces, strict=True)]
+    rows = [
+        worst(run, [observe(*pair, floor) for pair in group])
+        for run, group in zip(runs, traces, strict=True)
+    ]
     return [row | {"creep_floor_mm_s": floor} for row in rows], floor
 
 
 def measure_long(conditions: Conditions) -> tuple[Probe, Trace]:
     """Return the long run and its trace."""
     long = stability_families.long_run(conditions.profile)
-    [trace] = simulate([long.case], device=conditions.device, title="stability, long run")
+    [trace] = simulate(
+        [long.case], device=conditions.device, title="stability, long run"
+    )
     return long, trace
 
 
-def simulate_repeats(conditions: Conditions, runs: Sequence[Probe]) -> list[list[tuple[Case, Trace]]]:
+def simulate_repeats(
+    conditions: Conditions, runs: Sequence[Probe]
+) -> list[list[tuple[Case, Trace]]]:
     """Return every repeat of every run, all of them side by side.
 
     What explodes does so at once, and then costs the most solver iterations that there are, of which all worlds of its
     batch wait for the last. So the runs that may are tried for some frames first, and not run on where that is enough.
     """
-    groups = [[replace(run.case, cube_offset_m=offset) for offset in offsets_m(conditions, run)] for run in runs]
+    groups = [
+        [
+            replace(run.case, cube_offset_m=offset)
+            for offset in offsets_m(conditions, run)
+        ]
+        for run in runs
+    ]
     cases = [case for group in groups for case in group]
     tried = [
         replace(case, frame_count=TRIAL_FRAME_COUNT)
@@ -88,7 +127,13 @@ def simulate_repeats(conditions: Conditions, runs: Sequence[Probe]) -> list[list
     }
     waiting = [case for case in cases if (case.name, case.cube_offset_m) not in ended]
     traces = iter(simulate(waiting, device=conditions.device, title="stability"))
-    return [[(case, ended.get((case.name, case.cube_offset_m)) or next(traces)) for case in group] for group in groups]
+    return [
+        [
+            (case, ended.get((case.name, case.cube_offset_m)) or next(traces))
+            for case in group
+        ]
+        for group in groups
+    ]
 
 
 def offsets_m(conditions: Conditions, run: Probe) -> tuple[float, ...]:
@@ -96,7 +141,11 @@ def offsets_m(conditions: Conditions, run: Probe) -> tuple[float, ...]:
     if run.family == SINGLE_FAMILY:
         return (0.0,)
     offsets = OFFSETS_M[conditions.profile]
-    return OFFSETS_M["full"][:2] if run.family == FLOOR_FAMILY and conditions.quick else offsets
+    return (
+        OFFSETS_M["full"][:2]
+        if run.family == FLOOR_FAMILY and conditions.quick
+        else offsets
+    )
 
 
 def creep_floor_mm_s(groups: Sequence[Sequence[float]]) -> float:
@@ -108,13 +157,19 @@ def observe(case: Case, trace: Trace, floor: float) -> dict[str, Any]:
     """Return what is measured in one run. Motion in the grasp has numbers only where the cube stays in it."""
     kind = classify(case, trace, floor)
     finite = is_finite(trace)
-    row = {"class": kind, "finite": finite, "failure": str(trace.failure) if trace.failure else None}
+    row = {
+        "class": kind,
+        "finite": finite,
+        "failure": str(trace.failure) if trace.failure else None,
+    }
     moved = metrics.displacement(trace)
     reached = len(moved.time_s) > 2
     row |= numbers(
         "" if kind in STABLE and reached else f"the run ended as {kind}",
         creep_mm_s=lambda: creep_mm_s(case, trace),
-        penetration_mm=lambda: 1e3 * float(np.median(trace.column("penetration_m")[HOLD_END])),
+        penetration_mm=lambda: (
+            1e3 * float(np.median(trace.column("penetration_m")[HOLD_END]))
+        ),
     )
     grip = grip_force_n(trace) if finite and reached and case.cube_in_hand else 0.0
     row |= numbers(
@@ -127,7 +182,10 @@ def observe(case: Case, trace: Trace, floor: float) -> dict[str, Any]:
             exit_speed_mm_s=lambda: 1e3 * exit_speed_m_s(case, trace),
             exit_bound_mm_s=lambda: 1e3 * exit_bound_m_s(case),
         )
-    peaks = {"peak_contact_count": trace.peak_contact_count, "peak_constraint_count": trace.peak_constraint_count}
+    peaks = {
+        "peak_contact_count": trace.peak_contact_count,
+        "peak_constraint_count": trace.peak_constraint_count,
+    }
     return row | peaks | {"step_ms": 1e3 * step_s(case)}
 
 
@@ -140,24 +198,39 @@ def numbers(reason: str, **functions: Callable[[], float]) -> dict[str, object]:
 
 def worst(run: Probe, observed: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
     """Return one row for the repeats of a case: the worst of them, and the classes of them all, the worst first."""
-    ranked = sorted(observed, key=lambda row: (CLASSES.index(row["class"]), -(row["creep_mm_s"] or 0.0)))
+    ranked = sorted(
+        observed,
+        key=lambda row: (CLASSES.index(row["class"]), -(row["creep_mm_s"] or 0.0)),
+    )
     row = {"case": run.case.name, "family": run.family, **run.parameters, **ranked[0]}
-    return row | {"repeat_count": len(observed), "classes": ", ".join(observation["class"] for observation in ranked)}
+    return row | {
+        "repeat_count": len(observed),
+        "classes": ", ".join(observation["class"] for observation in ranked),
+    }
 
 
 def exit_speed_m_s(case: Case, trace: Trace) -> float:
     """Return the largest speed [m/s] at which the cube leaves what it starts in, √(v² + 2 g h) at h above contact."""
     start = np.array(cube_start(case))
     touching = start[2] + (0.0 if case.cube_in_hand else case.start_overlap_m)
-    position = np.vstack([start, trace.poses[:EXIT_FRAMES, metrics.CUBE, :3].astype(np.float64)])
+    position = np.vstack(
+        [start, trace.poses[:EXIT_FRAMES, metrics.CUBE, :3].astype(np.float64)]
+    )
     velocity = np.diff(position, axis=0) / trace.frame_dt
     height = 0.5 * (position[1:, 2] + position[:-1, 2]) - touching
-    return float(np.sqrt((velocity**2).sum(axis=1) + 2.0 * case.gravity_m_s2 * np.maximum(0.0, height)).max())
+    return float(
+        np.sqrt(
+            (velocity**2).sum(axis=1)
+            + 2.0 * case.gravity_m_s2 * np.maximum(0.0, height)
+        ).max()
+    )
 
 
 def grip_force_n(trace: Trace) -> float:
     """Return the sum of both pads' normal forces [N] at the hold's end, or in frame 0 where the cube slides out."""
-    positions = metrics.relative_position(trace.poses[:HOLD_FRAME_COUNT], metrics.CUBE, metrics.TCP)
+    positions = metrics.relative_position(
+        trace.poses[:HOLD_FRAME_COUNT], metrics.CUBE, metrics.TCP
+    )
     is_gone = np.linalg.norm(positions[-1] - positions[0]) > GONE_M
     force = trace.column("normal_force_n")
     return float(force[0] if is_gone else np.median(force[HOLD_END]))
@@ -170,9 +243,17 @@ def long_columns(trace: Trace, case: Case, kind: str) -> dict[str, object]:
     """
     moved = metrics.displacement(trace)
     # The shake repeats every second cycle of its main axis.
-    increments = cycle_increments(moved.time_s, 1e3 * moved.along_m, 0.5 * case.shake_frequency_hz)[1:] / 2.0
+    increments = (
+        cycle_increments(
+            moved.time_s, 1e3 * moved.along_m, 0.5 * case.shake_frequency_hz
+        )[1:]
+        / 2.0
+    )
     tenth = max(1, len(increments) // 10)
-    first, last = (float(np.abs(tenths.mean())) for tenths in (increments[:tenth], increments[-tenth:]))
+    first, last = (
+        float(np.abs(tenths.mean()))
+        for tenths in (increments[:tenth], increments[-tenth:])
+    )
     columns = numbers(
         "" if kind in STABLE else f"the run ended as {kind}",
         increment_first_mm_per_cycle=lambda: first,
@@ -187,6 +268,7 @@ def long_table(trace: Trace) -> dict[str, np.ndarray]:
     stride = slice(None, None, FRAME_RATE)
     vector = 1e3 * moved.vector_m[stride]
     names = ("x_mm", "y_mm", "z_mm")
-    return {"time_s": moved.time_s[stride], "along_mm": 1e3 * moved.along_m[stride]} | dict(
-        zip(names, vector.T, strict=True)
-    )
+    return {
+        "time_s": moved.time_s[stride],
+        "along_mm": 1e3 * moved.along_m[stride],
+    } | dict(zip(names, vector.T, strict=True))

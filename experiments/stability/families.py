@@ -7,16 +7,27 @@ from typing import Any
 import numpy as np
 
 from experiments.facts.case import AS_SHIPPED, LEAN, STIFF_PADS, Case
-from experiments.simulation.limits import cube_mass_kg, is_clamped, step_s, target_demand_m_s2
+from experiments.simulation.limits import (
+    cube_mass_kg,
+    is_clamped,
+    step_s,
+    target_demand_m_s2,
+)
 from experiments.simulation.scene import EFFORT_LIMIT, PAD_FACE, TARGET_KE
 
 HOLD_FRAME_COUNT = 91  # frames in which a cube that starts in the hand is held still
-SHAKE_FRAME_COUNT = {"full": 241, "quick": 121}  # two periods of the shake as shipped, or one
+SHAKE_FRAME_COUNT = {
+    "full": 241,
+    "quick": 121,
+}  # two periods of the shake as shipped, or one
 LONG_FRAME_COUNT = {"full": HOLD_FRAME_COUNT + 36_001, "quick": HOLD_FRAME_COUNT + 361}
 
 BASE = replace(LEAN, cube_in_hand=True, contact_max=64, constraint_max=192)
 """Room for more than a grasp needs, so that no buffer overflows: an arm that falls to the ground has more contacts."""
-PADS = {"as-shipped": {}, "stiff": {"pad_ke": STIFF_PADS.pad_ke, "pad_kd": STIFF_PADS.pad_kd}}
+PADS = {
+    "as-shipped": {},
+    "stiff": {"pad_ke": STIFF_PADS.pad_ke, "pad_kd": STIFF_PADS.pad_kd},
+}
 REFERENCE_SUBSTEPS = AS_SHIPPED.substeps
 
 STEPS = {"full": (1, 2, 4, 8, 16, 32, 64, 128), "quick": (4, 16)}
@@ -28,21 +39,36 @@ TIMECONST_STEPS = {"full": np.geomspace(4.0, 0.25, 9), "quick": (4.0, 0.25)}
 SHAKE_MU = 0.0187
 """Friction with which the pads carry the cube as shipped, at the grip as shipped, 1.4 times over when nothing moves."""
 SHAKES = {  # amplitude [m] and frequency [Hz]
-    "full": [(a, 2.0) for a in (0.01, 0.02, 0.03, 0.04, 0.045, 0.05, 0.055, 0.06, 0.07, 0.08, 0.1)]
+    "full": [
+        (a, 2.0)
+        for a in (0.01, 0.02, 0.03, 0.04, 0.045, 0.05, 0.055, 0.06, 0.07, 0.08, 0.1)
+    ]
     + [(0.05, f) for f in (0.5, 1.0, 1.5, 1.75, 2.25, 2.5, 3.0)],
     "quick": [(0.02, 2.0)],
 }
 GRIP_MU = 0.1
-GRIPS = {"full": (0.25, 0.5, 0.7, 0.8, 0.9, 1.0, 1.1, 1.2, 1.4, 2.0, 4.0), "quick": (0.5,)}
+GRIPS = {
+    "full": (0.25, 0.5, 0.7, 0.8, 0.9, 1.0, 1.1, 1.2, 1.4, 2.0, 4.0),
+    "quick": (0.5,),
+}
 """Grip force over what the shake as shipped needs."""
 FRICTIONS = {"full": (0.0, 1e-3, 0.1, 1.0, 2.0, 100.0), "quick": (0.0, 100.0)}
 MASSES_KG = {"full": np.geomspace(1e-3, 10.0, 9), "quick": (10.0,)}
-EDGES_M = {"full": (0.002, 0.003, 0.005, 0.008, 0.012, 0.02, 0.03, 0.04, 0.06, 0.08), "quick": (0.08,)}
+EDGES_M = {
+    "full": (0.002, 0.003, 0.005, 0.008, 0.012, 0.02, 0.03, 0.04, 0.06, 0.08),
+    "quick": (0.08,),
+}
 OVERLAPS_M = {"full": (1e-4, 3e-4, 1e-3, 3e-3, 5e-3), "quick": (5e-3,)}
 GRAVITIES = {"full": (0.0, 9.81, 98.1, -9.81), "quick": (-9.81,)}
 SPRINGY = {"cube_ke": 1e8, "cube_kd": 1e3}
 """Material of a cube that leaves the ground, where that of the cube as shipped is damped too well for it."""
-BUFFERS = ({}, {"contact_max": 8}, {"contact_max": 4}, {"constraint_max": 24}, {"constraint_max": 12})  # type: tuple[dict, ...]
+BUFFERS = (
+    {},
+    {"contact_max": 8},
+    {"contact_max": 4},
+    {"constraint_max": 24},
+    {"constraint_max": 12},
+)  # type: tuple[dict, ...]
 """None, then less than the grasp needs."""
 OVERFLOW_FRAME_COUNT = 4  # an overflow shows in the first frame
 FINGER_FORCE_N = 1.0  # grip that is added for the fingers' own inertia where the grip is scaled with the cube's mass
@@ -99,7 +125,9 @@ def grids(profile: str) -> list[Probe]:
 def grid_cell(family: str, ke: float, substeps: int) -> Probe:
     changes = {"pad_ke": ke, "pad_kd": DAMPING[family](ke), "substeps": substeps}
     cell = probe(family, f"{ke:.3g}-{substeps}", changes)
-    return replace(cell, parameters=cell.parameters | {"clamped": is_clamped(cell.case)})
+    return replace(
+        cell, parameters=cell.parameters | {"clamped": is_clamped(cell.case)}
+    )
 
 
 def without_clamp(profile: str) -> list[Probe]:
@@ -109,7 +137,15 @@ def without_clamp(profile: str) -> list[Probe]:
         for count in TIMECONST_STEPS[profile]:
             rate = 1.0 / (count * step_s(BASE))
             stiff = {"pad_ke": rate**2, "pad_kd": 2.0 * rate}
-            cells.append(probe("clamp", f"{way}-{count:.3g}", changes | stiff, clamp=way, timeconst_steps=float(count)))
+            cells.append(
+                probe(
+                    "clamp",
+                    f"{way}-{count:.3g}",
+                    changes | stiff,
+                    clamp=way,
+                    timeconst_steps=float(count),
+                )
+            )
     return cells
 
 
@@ -118,7 +154,8 @@ def shakes(profile: str) -> list[Probe]:
         probe(
             "shake",
             f"{1e3 * a:g}mm-{f:g}hz",
-            PADS["stiff"] | {"pad_mu": SHAKE_MU, "shake_amplitude_m": a, "shake_frequency_hz": f},
+            PADS["stiff"]
+            | {"pad_mu": SHAKE_MU, "shake_amplitude_m": a, "shake_frequency_hz": f},
             shake_amplitude_m=a,
             shake_frequency_hz=f,
         )
@@ -132,7 +169,11 @@ def grips(profile: str) -> list[Probe]:
         probe(
             "grip",
             f"{ratio:g}",
-            PADS["stiff"] | {"pad_mu": GRIP_MU, "finger_closed_m": closed_m(BASE.cube_edge_m, ratio * needed)},
+            PADS["stiff"]
+            | {
+                "pad_mu": GRIP_MU,
+                "finger_closed_m": closed_m(BASE.cube_edge_m, ratio * needed),
+            },
             grip_ratio=ratio,
         )
         for ratio in GRIPS[profile]
@@ -140,7 +181,10 @@ def grips(profile: str) -> list[Probe]:
 
 
 def frictions(profile: str) -> list[Probe]:
-    return [probe("friction", f"{mu:g}", PADS["stiff"] | {"pad_mu": mu}, pad_mu=mu) for mu in FRICTIONS[profile]]
+    return [
+        probe("friction", f"{mu:g}", PADS["stiff"] | {"pad_mu": mu}, pad_mu=mu)
+        for mu in FRICTIONS[profile]
+    ]
 
 
 def masses(profile: str) -> list[Probe]:
@@ -148,19 +192,37 @@ def masses(profile: str) -> list[Probe]:
     for mass in (float(mass) for mass in MASSES_KG[profile]):
         changes = {"cube_density_kg_m3": mass / BASE.cube_edge_m**3}
         changes["finger_closed_m"] = closed_m(BASE.cube_edge_m, carrying_force_n(mass))
-        found.append(probe("mass", f"{mass:.3g}kg", PADS["stiff"] | changes, cube_mass_kg=mass))
+        found.append(
+            probe("mass", f"{mass:.3g}kg", PADS["stiff"] | changes, cube_mass_kg=mass)
+        )
     return found
 
 
 def sizes(profile: str) -> list[Probe]:
     """Return cubes of one density, in the grip as shipped and in one that goes with their mass."""
     found = []
-    as_shipped_n = TARGET_KE * (0.5 * BASE.cube_edge_m + PAD_FACE - AS_SHIPPED.finger_closed_m)
+    as_shipped_n = TARGET_KE * (
+        0.5 * BASE.cube_edge_m + PAD_FACE - AS_SHIPPED.finger_closed_m
+    )
     for edge in EDGES_M[profile]:
         mass = BASE.cube_density_kg_m3 * edge**3
-        for grip, force in (("as-shipped", as_shipped_n), ("scaled", carrying_force_n(mass))):
-            changes = PADS["stiff"] | {"cube_edge_m": edge, "finger_closed_m": closed_m(edge, force)}
-            found.append(probe("size", f"{1e3 * edge:g}mm-{grip}", changes, cube_edge_mm=1e3 * edge, grip=grip))
+        for grip, force in (
+            ("as-shipped", as_shipped_n),
+            ("scaled", carrying_force_n(mass)),
+        ):
+            changes = PADS["stiff"] | {
+                "cube_edge_m": edge,
+                "finger_closed_m": closed_m(edge, force),
+            }
+            found.append(
+                probe(
+                    "size",
+                    f"{1e3 * edge:g}mm-{grip}",
+                    changes,
+                    cube_edge_mm=1e3 * edge,
+                    grip=grip,
+                )
+            )
     return found
 
 
@@ -185,7 +247,12 @@ def overlaps(profile: str) -> list[Probe]:
 
 def gravities(profile: str) -> list[Probe]:
     return [
-        probe("gravity", f"{gravity:g}", PADS["stiff"] | {"gravity_m_s2": gravity}, gravity_m_s2=gravity)
+        probe(
+            "gravity",
+            f"{gravity:g}",
+            PADS["stiff"] | {"gravity_m_s2": gravity},
+            gravity_m_s2=gravity,
+        )
         for gravity in GRAVITIES[profile]
     ]
 
@@ -193,7 +260,11 @@ def gravities(profile: str) -> list[Probe]:
 def long_run(profile: str) -> Probe:
     """Return one world for ten minutes. A CPU is as fast at that as a GPU, and has it beside all the others."""
     room = {"contact_max": LEAN.contact_max, "constraint_max": LEAN.constraint_max}
-    changes = PADS["stiff"] | room | {"frame_count": LONG_FRAME_COUNT[profile], "device": "cpu"}
+    changes = (
+        PADS["stiff"]
+        | room
+        | {"frame_count": LONG_FRAME_COUNT[profile], "device": "cpu"}
+    )
     return probe("long", "stiff", changes)
 
 
@@ -201,8 +272,13 @@ def buffers(frame_count: int) -> list[Probe]:
     return [
         probe(
             "buffers",
-            "-".join(f"{name.removesuffix('_max')}-{count}" for name, count in room.items()) or "ample",
-            PADS["stiff"] | room | {"frame_count": OVERFLOW_FRAME_COUNT if room else frame_count},
+            "-".join(
+                f"{name.removesuffix('_max')}-{count}" for name, count in room.items()
+            )
+            or "ample",
+            PADS["stiff"]
+            | room
+            | {"frame_count": OVERFLOW_FRAME_COUNT if room else frame_count},
             contact_max=room.get("contact_max", BASE.contact_max),
             constraint_max=room.get("constraint_max", BASE.constraint_max),
         )
@@ -213,7 +289,10 @@ def buffers(frame_count: int) -> list[Probe]:
 def carrying_force_n(mass_kg: float) -> float:
     """Return the force [N] of each finger that has friction carry ``mass_kg`` twice over in the shake as shipped, and a
     bit more; no more than the fingers' effort limit."""
-    return min(mass_kg * target_demand_m_s2(BASE) / BASE.pad_mu + FINGER_FORCE_N, EFFORT_LIMIT[-1])
+    return min(
+        mass_kg * target_demand_m_s2(BASE) / BASE.pad_mu + FINGER_FORCE_N,
+        EFFORT_LIMIT[-1],
+    )
 
 
 def closed_m(edge_m: float, force_n: float) -> float:

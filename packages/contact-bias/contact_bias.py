@@ -27,10 +27,19 @@ RUNGE_KUTTA = int(mujoco.mjtIntegrator.mjINT_RK4)
 ELLIPTIC = int(mujoco.mjtCone.mjCONE_ELLIPTIC)
 NO_ACTUATION = int(mujoco.mjtDisableBit.mjDSBL_ACTUATION)
 NO_REFSAFE = int(mujoco.mjtDisableBit.mjDSBL_REFSAFE)
-MIN_IMPEDANCE, MAX_IMPEDANCE = wp.constant(mujoco.mjMINIMP), wp.constant(mujoco.mjMAXIMP)
+MIN_IMPEDANCE, MAX_IMPEDANCE = (
+    wp.constant(mujoco.mjMINIMP),
+    wp.constant(mujoco.mjMAXIMP),
+)
 
 
-def install(solver, *, centred: bool = False, normal: bool = False, worlds: Sequence[bool] | None = None) -> None:
+def install(
+    solver,
+    *,
+    centred: bool = False,
+    normal: bool = False,
+    worlds: Sequence[bool] | None = None,
+) -> None:
     """Give the friction rows of all contacts the acceleration that they leave out.
 
     Args:
@@ -50,13 +59,23 @@ def install(solver, *, centred: bool = False, normal: bool = False, worlds: Sequ
     """
     model = getattr(solver, "mjw_model", None)
     if model is None:
-        raise ValueError("contact_bias needs a solver with a mjw_model, one that runs MuJoCo Warp")
+        raise ValueError(
+            "contact_bias needs a solver with a mjw_model, one that runs MuJoCo Warp"
+        )
     if model.opt.disableflags & NO_ACTUATION:
-        raise ValueError("contact_bias: MuJoCo Warp calls nothing while actuation is disabled; enable it")
+        raise ValueError(
+            "contact_bias: MuJoCo Warp calls nothing while actuation is disabled; enable it"
+        )
     if centred and model.opt.integrator == RUNGE_KUTTA:
-        raise ValueError("contact_bias: RK4 has no error of the step to take out; leave centred off")
+        raise ValueError(
+            "contact_bias: RK4 has no error of the step to take out; leave centred off"
+        )
     data, before = solver.mjw_data, model.callback.control
-    chosen = wp.array([True] * data.nworld if worlds is None else list(worlds), dtype=bool, device=data.qpos.device)
+    chosen = wp.array(
+        [True] * data.nworld if worlds is None else list(worlds),
+        dtype=bool,
+        device=data.qpos.device,
+    )
 
     def control(m: mujoco_warp.Model, d: mujoco_warp.Data) -> None:
         if before is not None:
@@ -90,10 +109,16 @@ class Rows:
     aref: wp.array2d(dtype=float)
 
 
-def rows_of(m: mujoco_warp.Model, d: mujoco_warp.Data, *, centred: bool, normal: bool) -> Rows:
+def rows_of(
+    m: mujoco_warp.Model, d: mujoco_warp.Data, *, centred: bool, normal: bool
+) -> Rows:
     """Return the contacts and rows of the engine's data."""
     rows = Rows()
-    rows.elliptic, rows.centred, rows.normal = int(m.opt.cone) == ELLIPTIC, centred, normal
+    rows.elliptic, rows.centred, rows.normal = (
+        int(m.opt.cone) == ELLIPTIC,
+        centred,
+        normal,
+    )
     rows.refsafe, rows.timestep = not m.opt.disableflags & NO_REFSAFE, m.opt.timestep
     rows.nacon, rows.aref = d.nacon, d.efc.aref
     for name in "worldid geom dim pos dist frame friction solref solreffriction solimp efc_address".split():
@@ -101,7 +126,14 @@ def rows_of(m: mujoco_warp.Model, d: mujoco_warp.Data, *, centred: bool, normal:
     return rows
 
 
-def apply(m: mujoco_warp.Model, d: mujoco_warp.Data, worlds: wp.array, *, centred: bool, normal: bool) -> None:
+def apply(
+    m: mujoco_warp.Model,
+    d: mujoco_warp.Data,
+    worlds: wp.array,
+    *,
+    centred: bool,
+    normal: bool,
+) -> None:
     """Subtract J̇ q̇ from what the rows ask for, as in ``install``; where ``Model.callback.control`` is called."""
     wp.launch(
         subtract_bias,
@@ -113,11 +145,15 @@ def apply(m: mujoco_warp.Model, d: mujoco_warp.Data, worlds: wp.array, *, centre
 
 
 @wp.func
-def material_acceleration(velocity: wp.spatial_vector, acceleration: wp.spatial_vector, offset: wp.vec3) -> wp.vec3:
+def material_acceleration(
+    velocity: wp.spatial_vector, acceleration: wp.spatial_vector, offset: wp.vec3
+) -> wp.vec3:
     """Return the acceleration of a body's point: the spatial one moved by ``offset``, and its velocity's turning."""
     turning = wp.spatial_top(velocity)
     of_point = wp.spatial_bottom(velocity) + wp.cross(turning, offset)
-    moved = wp.spatial_bottom(acceleration) + wp.cross(wp.spatial_top(acceleration), offset)
+    moved = wp.spatial_bottom(acceleration) + wp.cross(
+        wp.spatial_top(acceleration), offset
+    )
     return moved + wp.cross(turning, of_point)
 
 
@@ -148,7 +184,11 @@ def subtract(rows: Rows, contact: int, linear: wp.vec3, angular: wp.vec3):
     h = rows.timestep[world % rows.timestep.shape[0]]
     part = float(1.0)
     if rows.centred:
-        part -= 0.5 * h * damping(rows.solref[contact], rows.solimp[contact], h, rows.refsafe)
+        part -= (
+            0.5
+            * h
+            * damping(rows.solref[contact], rows.solimp[contact], h, rows.refsafe)
+        )
     upright = wp.where(rows.normal, wp.dot(frame[0], linear) * part, 0.0)
     if rows.elliptic or dim == 1:
         rows.aref[world, rows.efc_address[contact, 0]] -= upright
@@ -156,7 +196,10 @@ def subtract(rows: Rows, contact: int, linear: wp.vec3, angular: wp.vec3):
     if rows.centred and rows.elliptic and (own[0] != 0.0 or own[1] != 0.0):
         part = 1.0 - 0.5 * h * damping(own, rows.solimp[contact], h, rows.refsafe)
     for direction in range(1, dim):  # two of sliding, one of spin, two of rolling
-        value = wp.dot(frame[direction % 3], wp.where(direction < 3, linear, angular)) * part
+        value = (
+            wp.dot(frame[direction % 3], wp.where(direction < 3, linear, angular))
+            * part
+        )
         if rows.elliptic:
             row = rows.efc_address[contact, direction]
             if row >= 0:
@@ -190,7 +233,15 @@ def subtract_bias(
     # Velocities and accelerations of a body refer to the centre of mass of its tree. Gravity is in all accelerations,
     # those of what does not move included, and drops out of the difference.
     linear = material_acceleration(
-        velocity[world, other], acceleration[world, other], place - centre[world, body_root[other]]
-    ) - material_acceleration(velocity[world, one], acceleration[world, one], place - centre[world, body_root[one]])
-    angular = wp.spatial_top(acceleration[world, other]) - wp.spatial_top(acceleration[world, one])
+        velocity[world, other],
+        acceleration[world, other],
+        place - centre[world, body_root[other]],
+    ) - material_acceleration(
+        velocity[world, one],
+        acceleration[world, one],
+        place - centre[world, body_root[one]],
+    )
+    angular = wp.spatial_top(acceleration[world, other]) - wp.spatial_top(
+        acceleration[world, one]
+    )
     subtract(rows, contact, linear, angular)

@@ -35,8 +35,14 @@ try:
 except ImportError:
     import contact_bias
 
-PLANE, SPHERE = wp.constant(int(mujoco.mjtGeom.mjGEOM_PLANE)), wp.constant(int(mujoco.mjtGeom.mjGEOM_SPHERE))
-CAPSULE, BOX = wp.constant(int(mujoco.mjtGeom.mjGEOM_CAPSULE)), wp.constant(int(mujoco.mjtGeom.mjGEOM_BOX))
+PLANE, SPHERE = (
+    wp.constant(int(mujoco.mjtGeom.mjGEOM_PLANE)),
+    wp.constant(int(mujoco.mjtGeom.mjGEOM_SPHERE)),
+)
+CAPSULE, BOX = (
+    wp.constant(int(mujoco.mjtGeom.mjGEOM_CAPSULE)),
+    wp.constant(int(mujoco.mjtGeom.mjGEOM_BOX)),
+)
 CYLINDER = wp.constant(int(mujoco.mjtGeom.mjGEOM_CYLINDER))
 ELLIPSOID = wp.constant(int(mujoco.mjtGeom.mjGEOM_ELLIPSOID))
 NEAR = wp.constant(1e-3)
@@ -48,7 +54,13 @@ ALONG = wp.constant(1e-4)
 UNIT = wp.constant(wp.mat22(1.0, 0.0, 0.0, 1.0))
 
 
-def install(solver, *, centred: bool = False, normal: bool = False, worlds: Sequence[bool] | None = None) -> None:
+def install(
+    solver,
+    *,
+    centred: bool = False,
+    normal: bool = False,
+    worlds: Sequence[bool] | None = None,
+) -> None:
     """Give the rows of all contacts the acceleration that they leave out.
 
     Args:
@@ -62,7 +74,11 @@ def install(solver, *, centred: bool = False, normal: bool = False, worlds: Sequ
     """
     contact_bias.install(solver, centred=centred, normal=normal, worlds=worlds)
     model, data = solver.mjw_model, solver.mjw_data
-    chosen = wp.array([True] * data.nworld if worlds is None else list(worlds), dtype=bool, device=data.qpos.device)
+    chosen = wp.array(
+        [True] * data.nworld if worlds is None else list(worlds),
+        dtype=bool,
+        device=data.qpos.device,
+    )
     of_points = model.callback.control
 
     def control(m: mujoco_warp.Model, d: mujoco_warp.Data) -> None:
@@ -72,13 +88,33 @@ def install(solver, *, centred: bool = False, normal: bool = False, worlds: Sequ
     model.callback.control = control
 
 
-def apply(m: mujoco_warp.Model, d: mujoco_warp.Data, worlds: wp.array, *, centred: bool, normal: bool) -> None:
+def apply(
+    m: mujoco_warp.Model,
+    d: mujoco_warp.Data,
+    worlds: wp.array,
+    *,
+    centred: bool,
+    normal: bool,
+) -> None:
     """Subtract from what the rows ask for what ``contact_bias.apply`` lacks; where that is called."""
     wp.launch(
         subtract_place,
         dim=d.naconmax,
-        inputs=[worlds, m.geom_type, m.geom_size, m.geom_bodyid, m.body_rootid, d.subtree_com, d.cvel, d.cacc]
-        + [d.geom_xpos, d.geom_xmat, contact_bias.rows_of(m, d, centred=centred, normal=normal)],
+        inputs=[
+            worlds,
+            m.geom_type,
+            m.geom_size,
+            m.geom_bodyid,
+            m.body_rootid,
+            d.subtree_com,
+            d.cvel,
+            d.cacc,
+        ]
+        + [
+            d.geom_xpos,
+            d.geom_xmat,
+            contact_bias.rows_of(m, d, centred=centred, normal=normal),
+        ],
         device=d.qpos.device,
     )
 
@@ -115,7 +151,9 @@ def flatness(part: float) -> float:
 
 
 @wp.func
-def surface_of(kind: int, size: wp.vec3, at: wp.vec3, out: wp.vec3, x: wp.vec3, y: wp.vec3) -> Surface:
+def surface_of(
+    kind: int, size: wp.vec3, at: wp.vec3, out: wp.vec3, x: wp.vec3, y: wp.vec3
+) -> Surface:
     """Find how a geom is bent at ``at``, where its outward normal is ``out``; all in the geom's frame."""
     surface = Surface()
     axis = wp.vec3(0.0, 0.0, 1.0)
@@ -129,25 +167,45 @@ def surface_of(kind: int, size: wp.vec3, at: wp.vec3, out: wp.vec3, x: wp.vec3, 
         else:
             surface.bend = along(wp.cross(axis, lean) / sine, x, y) / size[0]
     elif kind == ELLIPSOID:
-        inverse = wp.vec3(1.0 / (size[0] * size[0]), 1.0 / (size[1] * size[1]), 1.0 / (size[2] * size[2]))
-        across, by_x, by_y = wp.cw_mul(inverse, at), wp.cw_mul(inverse, x), wp.cw_mul(inverse, y)
+        inverse = wp.vec3(
+            1.0 / (size[0] * size[0]),
+            1.0 / (size[1] * size[1]),
+            1.0 / (size[2] * size[2]),
+        )
+        across, by_x, by_y = (
+            wp.cw_mul(inverse, at),
+            wp.cw_mul(inverse, x),
+            wp.cw_mul(inverse, y),
+        )
         mixed = wp.dot(x, by_y)
-        surface.bend = wp.mat22(wp.dot(x, by_x), mixed, mixed, wp.dot(y, by_y)) / wp.length(across)
+        surface.bend = wp.mat22(
+            wp.dot(x, by_x), mixed, mixed, wp.dot(y, by_y)
+        ) / wp.length(across)
         surface.varying = 1.0 / wp.max(size)
     elif kind == CYLINDER:
         # The engine's place is rounded; a normal that leans to the axis is none of the side.
-        is_end = wp.abs(at[2]) > size[1] - NEAR * wp.min(size[0], size[1]) or wp.abs(out[2]) > UPRIGHT
-        is_side = at[0] * at[0] + at[1] * at[1] > (1.0 - NEAR) * (1.0 - NEAR) * size[0] * size[0]
+        is_end = (
+            wp.abs(at[2]) > size[1] - NEAR * wp.min(size[0], size[1])
+            or wp.abs(out[2]) > UPRIGHT
+        )
+        is_side = (
+            at[0] * at[0] + at[1] * at[1]
+            > (1.0 - NEAR) * (1.0 - NEAR) * size[0] * size[0]
+        )
         if is_end and is_side and sine < UPRIGHT:
             surface.sharp = UNIT
         elif is_side:
             tangent = wp.cross(axis, lean) / sine
-            surface.bend = along(tangent, x, y) * (sine / size[0])  # by Meusnier's theorem
+            surface.bend = along(tangent, x, y) * (
+                sine / size[0]
+            )  # by Meusnier's theorem
             if is_end:
                 surface.sharp = along(wp.cross(out, tangent), x, y)
                 surface.varying = 1.0 / size[0]
     elif kind == BOX:
-        edge = wp.vec3(flatness(out[0]), flatness(out[1]), flatness(out[2]))  # along no face's normal
+        edge = wp.vec3(
+            flatness(out[0]), flatness(out[1]), flatness(out[2])
+        )  # along no face's normal
         if edge[0] + edge[1] + edge[2] == 1.0:
             surface.sharp = along(wp.normalize(wp.cross(out, edge)), x, y)
         elif edge[0] + edge[1] + edge[2] == 0.0:
@@ -156,7 +214,9 @@ def surface_of(kind: int, size: wp.vec3, at: wp.vec3, out: wp.vec3, x: wp.vec3, 
 
 
 @wp.func
-def place_on(first: Surface, second: Surface, gap: float, turning: wp.vec2, sliding: wp.vec2) -> wp.vec2:
+def place_on(
+    first: Surface, second: Surface, gap: float, turning: wp.vec2, sliding: wp.vec2
+) -> wp.vec2:
     """Find how fast the place of a contact moves over the first surface, which has no edge.
 
     What the first normal turns by, ω₁ × n + S₁ u₁, is what the second one does, ω₂ × n - S₂ u₂, and the two places stay
@@ -200,7 +260,9 @@ def round_the_rim(radius: float, at: wp.vec3, out: wp.vec3, over: wp.vec3) -> wp
 def lasting_part(rows: contact_bias.Rows, contact: int, turning: float) -> float:
     """Return the part of a row's rate that is left once it has settled, of a rate that turns at ``turning`` [rad/s]."""
     step = rows.timestep[rows.worldid[contact] % rows.timestep.shape[0]]
-    settled = step + 2.0 / contact_bias.damping(rows.solref[contact], rows.solimp[contact], step, rows.refsafe)
+    settled = step + 2.0 / contact_bias.damping(
+        rows.solref[contact], rows.solimp[contact], step, rows.refsafe
+    )
     return wp.max(0.0, 1.0 - turning * settled)
 
 
@@ -208,7 +270,10 @@ def lasting_part(rows: contact_bias.Rows, contact: int, turning: float) -> float
 def is_made_of(way: wp.vec3, normal: wp.vec3, tangent: wp.vec3) -> bool:
     """Tell whether the engine made a tangent of ``way``, less what of it is along the normal."""
     upright, level = wp.dot(way, normal), wp.dot(way, tangent)
-    return level * level > UPRIGHT * UPRIGHT and wp.abs(level * level + upright * upright - 1.0) < 1e-5
+    return (
+        level * level > UPRIGHT * UPRIGHT
+        and wp.abs(level * level + upright * upright - 1.0) < 1e-5
+    )
 
 
 @wp.kernel(enable_backward=False)
@@ -231,7 +296,9 @@ def subtract_place(
     world, position = rows.worldid[contact], rows.pos[contact]
     one, two = rows.geom[contact][0], rows.geom[contact][1]
     n, x = rows.frame[contact][0], rows.frame[contact][1]
-    if wp.length_sq(n) < 0.5:  # MuJoCo Warp 4.0.0 has contacts with no normal, between a box and a cylinder's rim
+    if (
+        wp.length_sq(n) < 0.5
+    ):  # MuJoCo Warp 4.0.0 has contacts with no normal, between a box and a cylinder's rim
         return
     y = wp.cross(n, x)
     twist_1, twist_2 = velocity[world, geom_body[one]], velocity[world, geom_body[two]]
@@ -244,15 +311,25 @@ def subtract_place(
     # Where the two surfaces are: half of their distance to either side.
     gap = rows.dist[contact]
     half = 0.5 * gap * n
-    mat_1, mat_2 = wp.transpose(geom_frame[world, one]), wp.transpose(geom_frame[world, two])
+    mat_1, mat_2 = (
+        wp.transpose(geom_frame[world, one]),
+        wp.transpose(geom_frame[world, two]),
+    )
     at_1 = mat_1 * (position - half - geom_position[world, one])
     at_2 = mat_2 * (position + half - geom_position[world, two])
-    size_1, size_2 = geom_size[world % geom_size.shape[0], one], geom_size[world % geom_size.shape[0], two]
+    size_1, size_2 = (
+        geom_size[world % geom_size.shape[0], one],
+        geom_size[world % geom_size.shape[0], two],
+    )
     first = surface_of(geom_type[one], size_1, at_1, mat_1 * n, mat_1 * x, mat_1 * y)
-    second = surface_of(geom_type[two], size_2, at_2, -(mat_2 * n), mat_2 * x, mat_2 * y)
+    second = surface_of(
+        geom_type[two], size_2, at_2, -(mat_2 * n), mat_2 * x, mat_2 * y
+    )
     turn, slide = wp.cross(w, n), wp.cross(w, half)
     turning = wp.vec2(wp.dot(turn, x), wp.dot(turn, y))
-    if wp.trace(first.sharp) > 0.5 and wp.trace(second.sharp) > 0.5:  # side by side, a corner of the second one
+    if (
+        wp.trace(first.sharp) > 0.5 and wp.trace(second.sharp) > 0.5
+    ):  # side by side, a corner of the second one
         first.bend = 0.0 * UNIT
         first.sharp = 0.0 * UNIT
         second.sharp = UNIT
@@ -284,18 +361,30 @@ def subtract_place(
     turning_frame = wp.cross(n, rate) + spin * n
     over = over_1 + over_2
     place = 0.5 * (slide + over[0] * x + over[1] * y)
-    if geom_type[one] == PLANE and geom_type[two] == CYLINDER and wp.trace(second.sharp) < 1.5:
+    if (
+        geom_type[one] == PLANE
+        and geom_type[two] == CYLINDER
+        and wp.trace(second.sharp) < 1.5
+    ):
         on_rim = place - 0.5 * slide - 0.5 * (v + slide)
-        ahead = wp.transpose(mat_2) * round_the_rim(size_2[0], at_2, -(mat_2 * n), mat_2 * on_rim)
+        ahead = wp.transpose(mat_2) * round_the_rim(
+            size_2[0], at_2, -(mat_2 * n), mat_2 * on_rim
+        )
         place += ahead - 0.5 * wp.dot(ahead, n) * n
     linear = wp.cross(w, place) + wp.cross(v, turning_frame + 0.5 * (w_1 + w_2))
     angular = wp.cross(w, turning_frame)
     # The rate of the material points is there already; of that too, what does not last goes.
     running = wp.length(over_1) * first.varying + wp.length(over_2) * second.varying
     part = lasting_part(rows, contact, wp.length(w) + running + wp.abs(with_axis))
-    rate_1, rate_2 = acceleration[world, geom_body[one]], acceleration[world, geom_body[two]]
+    rate_1, rate_2 = (
+        acceleration[world, geom_body[one]],
+        acceleration[world, geom_body[two]],
+    )
     points = contact_bias.material_acceleration(twist_2, rate_2, arm_2)
     points -= contact_bias.material_acceleration(twist_1, rate_1, arm_1)
     turned = wp.spatial_top(rate_2) - wp.spatial_top(rate_1)
-    linear, angular = part * linear - (1.0 - part) * points, part * angular - (1.0 - part) * turned
+    linear, angular = (
+        part * linear - (1.0 - part) * points,
+        part * angular - (1.0 - part) * turned,
+    )
     contact_bias.subtract(rows, contact, linear, angular)

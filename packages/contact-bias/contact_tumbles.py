@@ -24,7 +24,10 @@ import warp as wp
 import contact_place
 
 STEPS_S = {"full": (0.0005, 0.001, 0.002, 0.005, 0.01), "quick": (0.005,)}
-PAIR_COUNT = {"full": 100, "quick": 4}  # of each body, step and start: 12 bodies, 5 steps and 4 starts are 24,000 pairs
+PAIR_COUNT = {
+    "full": 100,
+    "quick": 4,
+}  # of each body, step and start: 12 bodies, 5 steps and 4 starts are 24,000 pairs
 SECONDS = wp.constant(1.0)
 RADIUS_M, HELD_M, FRICTION, GAIN, RISE_M = 0.03, 0.2, 0.8, 1.01, 1e-3
 BROKEN = 1e3  # times its energy at the start: what stands for more, and for a world that has no number
@@ -35,13 +38,20 @@ STARTS = {  # tilt [rad], spin [rad/s] and height above what is below [m]
     "falls": ((0.0, np.pi), (0.0, 40.0), (0.05, 0.5)),
 }
 AT_RANDOM = ("wobbles", "falls")  # the others spin about the body's own axis
-CORNERS = " ".join(f"{x} {y} {z}" for x, y, z in np.random.default_rng(7).normal(scale=0.03, size=(14, 3)).round(4))
-RIM = [(RADIUS_M * np.cos(angle), RADIUS_M * np.sin(angle), 0.0) for angle in np.linspace(0, 2 * np.pi, 24, False)]
-CONE = " ".join(f"{x:.5f} {y:.5f} {z}" for x, y, z in [*RIM, (0.0, 0.0, 0.06)])
-CAN, COIN = f'type="cylinder" size="{RADIUS_M} {RADIUS_M}"', f'type="cylinder" size="{RADIUS_M} 0.003"'
-BLOCK = (
-    f'<body pos="0 0 0.03"><freejoint/><geom type="box" size="0.06 0.06 0.03" mass="1" friction="{FRICTION}"/></body>'
+CORNERS = " ".join(
+    f"{x} {y} {z}"
+    for x, y, z in np.random.default_rng(7).normal(scale=0.03, size=(14, 3)).round(4)
 )
+RIM = [
+    (RADIUS_M * np.cos(angle), RADIUS_M * np.sin(angle), 0.0)
+    for angle in np.linspace(0, 2 * np.pi, 24, False)
+]
+CONE = " ".join(f"{x:.5f} {y:.5f} {z}" for x, y, z in [*RIM, (0.0, 0.0, 0.06)])
+CAN, COIN = (
+    f'type="cylinder" size="{RADIUS_M} {RADIUS_M}"',
+    f'type="cylinder" size="{RADIUS_M} 0.003"',
+)
+BLOCK = f'<body pos="0 0 0.03"><freejoint/><geom type="box" size="0.06 0.06 0.03" mass="1" friction="{FRICTION}"/></body>'
 PADS = "".join(
     f"""<body pos="{sign * (RADIUS_M + 0.01)} 0 {HELD_M}">
     <joint type="slide" axis="{-sign} 0 0" stiffness="1000" springref="0.01"/>
@@ -74,10 +84,15 @@ def measure(body: str, profile: str, device: str) -> list[dict]:
     """
     steps_s = STEPS_S[profile]
     energies, heights_m = peaks(body, steps_s, PAIR_COUNT[profile], device)
-    return [row_of(body, *of_step) for of_step in zip(steps_s, energies, heights_m, strict=True)]
+    return [
+        row_of(body, *of_step)
+        for of_step in zip(steps_s, energies, heights_m, strict=True)
+    ]
 
 
-def row_of(body: str, step_s: float, energies: np.ndarray, heights_m: np.ndarray) -> dict[str, object]:
+def row_of(
+    body: str, step_s: float, energies: np.ndarray, heights_m: np.ndarray
+) -> dict[str, object]:
     """Count the pairs in which either world gains over 1 %, and those in which either rises higher by 1 mm.
 
     Args:
@@ -93,10 +108,17 @@ def row_of(body: str, step_s: float, energies: np.ndarray, heights_m: np.ndarray
         "higher_count": exact_m > plain_m + RISE_M,
         "lower_count": exact_m < plain_m - RISE_M,
     }
-    row = {"case": f"tumble-{body}-{1e3 * step_s:g}ms", "tumbling": body, "step_ms": 1e3 * step_s}
+    row = {
+        "case": f"tumble-{body}-{1e3 * step_s:g}ms",
+        "tumbling": body,
+        "step_ms": 1e3 * step_s,
+    }
     row |= {"contact_bias": True, "pair_count": energies.shape[1]}
     row |= {name: int(chosen.sum()) for name, chosen in counts.items()}
-    return row | {"plain_most_energy": float(plain.max()), "exact_most_energy": float(exact.max())}
+    return row | {
+        "plain_most_energy": float(plain.max()),
+        "exact_most_energy": float(exact.max()),
+    }
 
 
 def model_of(body: str) -> mujoco.MjModel:
@@ -113,7 +135,9 @@ def model_of(body: str) -> mujoco.MjModel:
     </mujoco>""")
 
 
-def starts_of(model: mujoco.MjModel, count: int) -> Iterator[tuple[np.ndarray, np.ndarray]]:
+def starts_of(
+    model: mujoco.MjModel, count: int
+) -> Iterator[tuple[np.ndarray, np.ndarray]]:
     """Draw positions and velocities, ``count`` of each start, alike for all steps; what pads hold is not tilted."""
     random, data, near = np.random.default_rng(0), mujoco.MjData(model), copy(model)
     near.geom_margin[:] = 1.0  # so that there is a distance to the ground
@@ -124,12 +148,22 @@ def starts_of(model: mujoco.MjModel, count: int) -> Iterator[tuple[np.ndarray, n
             data.qpos[:], data.qvel[:] = model.qpos0, 0.0
             heading, way = random.uniform(0.0, 2.0 * np.pi), random.normal(size=3)
             axis = np.array([np.cos(heading), np.sin(heading), 0.0])
-            mujoco.mju_axisAngle2Quat(data.qpos[-4:], axis, random.uniform(*tilts) if is_free else 0.0)
-            turning = way / np.linalg.norm(way) if start in AT_RANDOM else np.array([0.0, 0.0, 1.0])
+            mujoco.mju_axisAngle2Quat(
+                data.qpos[-4:], axis, random.uniform(*tilts) if is_free else 0.0
+            )
+            turning = (
+                way / np.linalg.norm(way)
+                if start in AT_RANDOM
+                else np.array([0.0, 0.0, 1.0])
+            )
             data.qvel[-3:] = random.uniform(*spins) * turning
             mujoco.mj_fwdPosition(near, data)
             if is_free:
-                to_ground = [contact for contact in data.contact if tuple(contact.geom) == (0, model.ngeom - 1)]
+                to_ground = [
+                    contact
+                    for contact in data.contact
+                    if tuple(contact.geom) == (0, model.ngeom - 1)
+                ]
                 nearest = min(to_ground, key=lambda contact: contact.dist)
                 if start == "rolls":
                     spin = data.xmat[-1].reshape(3, 3) @ data.qvel[-3:]
@@ -152,7 +186,9 @@ def keep_peaks(
     if time[world] > SECONDS + 0.5 * timestep[world]:
         return
     last[world] = energy[world][0] + energy[world][1]
-    most[world] = wp.max(most[world], wp.where(wp.isfinite(last[world]), last[world], wp.inf))
+    most[world] = wp.max(
+        most[world], wp.where(wp.isfinite(last[world]), last[world], wp.inf)
+    )
     highest[world] = wp.max(highest[world], places[world, places.shape[1] - 1][2])
 
 
@@ -163,7 +199,9 @@ def captured(queue: Callable[[], None]) -> Callable[[], None]:
     return partial(wp.capture_launch, capture.graph)
 
 
-def peaks(body: str, steps_s: Sequence[float], count: int, device: str) -> tuple[np.ndarray, np.ndarray]:
+def peaks(
+    body: str, steps_s: Sequence[float], count: int, device: str
+) -> tuple[np.ndarray, np.ndarray]:
     """Return the most energy of each world, by that at the start, and the highest place of its body [m].
 
     Shapes [steps, 2, worlds]. All steps are worlds of one batch; one that is done goes on and is no longer looked at.
@@ -176,14 +214,22 @@ def peaks(body: str, steps_s: Sequence[float], count: int, device: str) -> tuple
     with wp.ScopedDevice(device):
         m = mjw.put_model(model)
         d = mjw.put_data(model, data, nworld=math.prod(shape), nconmax=32, njmax=128)
-        m.opt.timestep = wp.array(np.repeat(steps_s, d.nworld // len(steps_s)), dtype=float)
+        m.opt.timestep = wp.array(
+            np.repeat(steps_s, d.nworld // len(steps_s)), dtype=float
+        )
         worlds = np.broadcast_to([[False], [True]], shape).ravel().tolist()
-        contact_place.install(SimpleNamespace(mjw_model=m, mjw_data=d), normal=True, worlds=worlds)
+        contact_place.install(
+            SimpleNamespace(mjw_model=m, mjw_data=d), normal=True, worlds=worlds
+        )
         last, most, highest = (wp.empty(d.nworld, dtype=float) for _ in range(3))
 
         def step() -> None:
             mjw.step(m, d)  # energy and places are those before it
-            wp.launch(keep_peaks, dim=d.nworld, inputs=[d.energy, d.xipos, m.opt.timestep, d.time, last, most, highest])
+            wp.launch(
+                keep_peaks,
+                dim=d.nworld,
+                inputs=[d.energy, d.xipos, m.opt.timestep, d.time, last, most, highest],
+            )
 
         step()  # compiles, which must not happen inside a capture
         advance = captured(step)
@@ -197,7 +243,9 @@ def peaks(body: str, steps_s: Sequence[float], count: int, device: str) -> tuple
             values.fill_(-wp.inf)
         for _ in range(round(SECONDS / min(steps_s))):
             advance()
-        energies = relative(*(values.reshape(shape) for values in (start, most.numpy(), last.numpy())))
+        energies = relative(
+            *(values.reshape(shape) for values in (start, most.numpy(), last.numpy()))
+        )
         return energies, highest.numpy().reshape(shape)
 
 
@@ -212,11 +260,18 @@ def relative(start: np.ndarray, most: np.ndarray, last: np.ndarray) -> np.ndarra
 
 def main() -> None:
     """Print a line for each body and step."""
-    parser = argparse.ArgumentParser(prog="python -m contact_tumbles", description="Pairs of tumbling bodies")
+    parser = argparse.ArgumentParser(
+        prog="python -m contact_tumbles", description="Pairs of tumbling bodies"
+    )
     parser.add_argument("--quick", action="store_true", help="one step and few pairs")
-    parser.add_argument("--device", help="Warp device, as cuda:0 or cpu; CUDA if there is one")
+    parser.add_argument(
+        "--device", help="Warp device, as cuda:0 or cpu; CUDA if there is one"
+    )
     arguments = parser.parse_args()
-    profile, device = "quick" if arguments.quick else "full", wp.get_device(arguments.device).alias
+    profile, device = (
+        "quick" if arguments.quick else "full",
+        wp.get_device(arguments.device).alias,
+    )
     for body in BODIES:
         for row in measure(body, profile, device):
             print(

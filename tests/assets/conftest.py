@@ -14,10 +14,16 @@ BROWSERS = ("chromium", "chromium-browser", "google-chrome")
 
 @pytest.fixture(scope="module")
 def browser() -> Iterator["Browser"]:
-    sync_api = pytest.importorskip("playwright.sync_api", reason="there is no Playwright: run make test")
+    sync_api = pytest.importorskip(
+        "playwright.sync_api", reason="there is no Playwright: run make test"
+    )
     if not (program := next(filter(None, map(shutil.which, BROWSERS)), None)):
-        pytest.skip(f"there is no browser ({', '.join(BROWSERS)}): run apt-get install chromium, or playwright install")
+        pytest.skip(
+            f"there is no browser ({', '.join(BROWSERS)}): run apt-get install chromium, or playwright install"
+        )
     with sync_api.sync_playwright() as playwright:
-        browser = playwright.chromium.launch(executable_path=program, args=["--no-sandbox"])
+        browser = playwright.chromium.launch(
+            executable_path=program, args=["--no-sandbox"]
+        )
         yield browser
         browser.close()

@@ -9,8 +9,12 @@ import pytest
 
 from measured_report.editions.project import own_release
 
-sync_api = pytest.importorskip("playwright.sync_api", reason="there is no Playwright to look at the site with")
-axe_core = pytest.importorskip("axe_playwright_python.base", reason="there is no axe to judge the site with")
+sync_api = pytest.importorskip(
+    "playwright.sync_api", reason="there is no Playwright to look at the site with"
+)
+axe_core = pytest.importorskip(
+    "axe_playwright_python.base", reason="there is no axe to judge the site with"
+)
 
 pytestmark = pytest.mark.words
 
@@ -59,44 +63,75 @@ def tab(browser, request) -> Iterator["sync_api.Page"]:
     screen, scheme = getattr(request, "param", ("desk", "light"))
     width, height = SCREENS[screen]
     context = browser.new_context(
-        viewport={"width": width, "height": height}, color_scheme=scheme, has_touch=screen == "phone"
+        viewport={"width": width, "height": height},
+        color_scheme=scheme,
+        has_touch=screen == "phone",
     )
     tab = context.new_page()
     problems: list[str] = []
-    tab.on("console", lambda said: problems.append(said.text) if said.type in ("error", "warning") else None)
+    tab.on(
+        "console",
+        lambda said: (
+            problems.append(said.text) if said.type in ("error", "warning") else None
+        ),
+    )
     tab.on("pageerror", lambda error: problems.append(str(error)))
-    tab.on("requestfailed", lambda request: problems.append(f"{request.failure}: {request.url}"))
+    tab.on(
+        "requestfailed",
+        lambda request: problems.append(f"{request.failure}: {request.url}"),
+    )
     yield tab
     context.close()
     # Not what is said of drawing without a graphics card, nor what is given up when another page is gone to.
-    assert [each for each in problems if "GL Driver Message" not in each and "net::ERR_ABORTED" not in each] == []
+    assert [
+        each
+        for each in problems
+        if "GL Driver Message" not in each and "net::ERR_ABORTED" not in each
+    ] == []
 
 
 def pages(site: Path) -> list[Path]:
     """All of the release that is shown first, and the front page of the newest other one."""
-    return [*sorted(site.glob("*.html")), *sorted(site.glob("newton-*/index.html"))[-1:]]
+    return [
+        *sorted(site.glob("*.html")),
+        *sorted(site.glob("newton-*/index.html"))[-1:],
+    ]
 
 
 def open_page(tab, path: Path, fragment: str = "") -> None:
     tab.goto(path.as_uri() + fragment)
 
 
-@pytest.mark.parametrize("tab", [("desk", "light"), ("phone", "dark")], indirect=True, ids="-".join)
+@pytest.mark.parametrize(
+    "tab", [("desk", "light"), ("phone", "dark")], indirect=True, ids="-".join
+)
 def test_every_page_fits_its_screen_and_can_be_read_by_all(site, tab):
     axe = axe_core.AXE_FILE_PATH.read_text(encoding="utf-8")
     for path in pages(site):
         open_page(tab, path)
-        drawings = {f"figures/{file.name}": file.read_text() for file in path.parent.glob("figures/*.svg")}
+        drawings = {
+            f"figures/{file.name}": file.read_text()
+            for file in path.parent.glob("figures/*.svg")
+        }
         tab.evaluate(PUT_IN, drawings)
-        assert tab.evaluate("document.documentElement.scrollWidth") <= tab.viewport_size["width"], path.name
+        assert (
+            tab.evaluate("document.documentElement.scrollWidth")
+            <= tab.viewport_size["width"]
+        ), path.name
         assert tab.evaluate(TOO_WIDE) == [], path.name
         assert tab.evaluate(OUTSIDE) == [], path.name
-        assert min(tab.evaluate(TEXT_SIZES), default=LEAST_TEXT_PX) >= LEAST_TEXT_PX, path.name
+        assert min(tab.evaluate(TEXT_SIZES), default=LEAST_TEXT_PX) >= LEAST_TEXT_PX, (
+            path.name
+        )
         assert tab.evaluate(STOPS) < MOST_STOPS, path.name
         if tab.viewport_size["width"] < 600:
             tab.set_viewport_size({"width": 320, "height": 640})
-            assert tab.evaluate("document.documentElement.scrollWidth") <= 320, path.name
-            tab.set_viewport_size(dict(zip(("width", "height"), SCREENS["phone"], strict=True)))
+            assert tab.evaluate("document.documentElement.scrollWidth") <= 320, (
+                path.name
+            )
+            tab.set_viewport_size(
+                dict(zip(("width", "height"), SCREENS["phone"], strict=True))
+            )
         if (
             path.name not in JUDGED
             or path.parent != site
@@ -104,12 +139,22 @@ def test_every_page_fits_its_screen_and_can_be_read_by_all(site, tab):
         ):
             continue  # to judge a page takes long, and on a phone differs in colours alone
         tab.evaluate(axe)
-        found = tab.evaluate("axe.run({resultTypes: ['violations'], preload: false})")["violations"]
+        found = tab.evaluate("axe.run({resultTypes: ['violations'], preload: false})")[
+            "violations"
+        ]
         for rule in found:
-            assert rule["impact"] not in ("serious", "critical"), (path.name, rule["id"], rule["nodes"][0]["html"][:99])
+            assert rule["impact"] not in ("serious", "critical"), (
+                path.name,
+                rule["id"],
+                rule["nodes"][0]["html"][:99],
+            )
 
 
-@pytest.mark.parametrize(("tab", "screens"), [(("desk", "light"), 1), (("phone", "light"), 3)], indirect=["tab"])
+@pytest.mark.parametrize(
+    ("tab", "screens"),
+    [(("desk", "light"), 1), (("phone", "light"), 3)],
+    indirect=["tab"],
+)
 def test_answers_come_first(site, tab, screens):
     """What, why, what to paste, and who needs it, on the first screen, or on three of a phone."""
     for path in site.glob("**/index.html"):
@@ -121,16 +166,25 @@ def test_answers_come_first(site, tab, screens):
         assert list(ends)[:4] == ["what", "why", "fix", "releases"], path
         assert max(ends.values()) < screens * tab.viewport_size["height"], (path, ends)
         assert tab.locator('[data-answer="fix"] pre').count() == 1
-        for figure in tab.locator("#story-frontier").all():  # the next screen has what decides
-            assert figure.bounding_box()["y"] < (screens + 0.5) * tab.viewport_size["height"], path
+        for figure in tab.locator(
+            "#story-frontier"
+        ).all():  # the next screen has what decides
+            assert (
+                figure.bounding_box()["y"]
+                < (screens + 0.5) * tab.viewport_size["height"]
+            ), path
 
 
 def test_the_replay_reads_out_what_was_kept_and_moves_when_asked_to(site, tab):
     open_page(tab, site / "replay.html")
-    rows = json.loads((site / f"data/newton-{own_release()}/poses.json").read_text())["rows"]
+    rows = json.loads((site / f"data/newton-{own_release()}/poses.json").read_text())[
+        "rows"
+    ]
     slips = {row["case"]: row["slip_mm"] for row in rows}
     for number, case in enumerate(("as-shipped", "stiff-pads")):
-        sync_api.expect(tab.locator(f'h2 [data-slip="{number}"]')).to_have_text(f"{slips[case]:.2f} mm")
+        sync_api.expect(tab.locator(f'h2 [data-slip="{number}"]')).to_have_text(
+            f"{slips[case]:.2f} mm"
+        )
     clock = tab.locator("#clock")
     tab.keyboard.press("Home")
     sync_api.expect(clock).to_contain_text("−")
@@ -147,23 +201,39 @@ def assert_drawn(tab) -> None:
     assert images.count() > 0
     for image in images.all():
         image.scroll_into_view_if_needed()
-        assert image.evaluate("image => image.decode().then(() => image.naturalWidth)") > 0
+        assert (
+            image.evaluate("image => image.decode().then(() => image.naturalWidth)") > 0
+        )
 
 
 def test_no_markdown_is_left(site):
     """The words of a claim are HTML."""
     for path in site.rglob("*.html"):
         if path.name not in OWN_PAGES:
-            page = re.sub(r"<(pre|code|script)\b.*?</\1>", "", path.read_text(encoding="utf-8"), flags=re.DOTALL)
+            page = re.sub(
+                r"<(pre|code|script)\b.*?</\1>",
+                "",
+                path.read_text(encoding="utf-8"),
+                flags=re.DOTALL,
+            )
             assert re.findall(r"\]\(|[*`]\w+[*`]", WORDLESS.sub(" ", page)) == [], path
 
 
 def test_a_caption_has_at_most_35_words(site):
     for path in site.rglob("*.html"):
-        page = re.sub(r"<details\b.*?</details>", "", path.read_text(encoding="utf-8"), flags=re.DOTALL)
+        page = re.sub(
+            r"<details\b.*?</details>",
+            "",
+            path.read_text(encoding="utf-8"),
+            flags=re.DOTALL,
+        )
         for caption in re.findall(r"<figcaption.*?</figcaption>", page, re.DOTALL):
-            said = WORDLESS.sub("", caption).replace("\u202f", "").replace("&nbsp;", " ")
-            assert len([word for word in said.split() if re.search(r"\w", word)]) <= 35, (path.name, said)
+            said = (
+                WORDLESS.sub("", caption).replace("\u202f", "").replace("&nbsp;", " ")
+            )
+            assert (
+                len([word for word in said.split() if re.search(r"\w", word)]) <= 35
+            ), (path.name, said)
 
 
 def test_old_links_lead_on_and_the_contents_show_where_one_is(site, tab):
@@ -172,22 +242,33 @@ def test_old_links_lead_on_and_the_contents_show_where_one_is(site, tab):
     open_page(tab, site / "index.html", "#stability-maps")
     tab.wait_for_url("**/limits.html#stability-maps")
     open_page(tab, site / "cause.html", "#friction")
-    tab.locator('.beside a[aria-current="location"][href="#friction"]').wait_for(timeout=5000)
+    tab.locator('.beside a[aria-current="location"][href="#friction"]').wait_for(
+        timeout=5000
+    )
 
 
 def test_without_script_the_page_is_whole(site, browser):
     context = browser.new_context(java_script_enabled=False)
     tab = context.new_page()
     open_page(tab, site / "index.html", "#friction")
-    assert tab.locator(".index a#friction").get_attribute("href") == "cause.html#friction"
+    assert (
+        tab.locator(".index a#friction").get_attribute("href") == "cause.html#friction"
+    )
     open_page(tab, site / "cause.html")
     assert tab.locator("main table tbody tr").count() > 1
-    assert tab.locator("main svg:visible").count() == tab.locator("main svg.broad").count() > 0
+    assert (
+        tab.locator("main svg:visible").count()
+        == tab.locator("main svg.broad").count()
+        > 0
+    )
     assert_drawn(tab)
     assert tab.locator("button:visible").count() == 0
     assert tab.locator(".beside a[aria-current=page]").is_visible()
     open_page(tab, site / "replay.html")
-    assert tab.locator(".resting img").is_visible() and not tab.locator(".player").is_visible()
+    assert (
+        tab.locator(".resting img").is_visible()
+        and not tab.locator(".player").is_visible()
+    )
     assert tab.locator("table tbody tr").count() > 1
     context.close()
 
@@ -201,14 +282,21 @@ def open_table(tab, site: Path):
         open_page(tab, path)
         for table in tab.locator("main table").filter(has=tab.locator(SLIPS)).all():
             slips = numbers(table, slip_column(table))
-            if len(slips) > 2 and slips not in (sorted(slips), sorted(slips, reverse=True)):
-                tab.evaluate("for (const each of document.querySelectorAll('details')) each.open = true")
+            if len(slips) > 2 and slips not in (
+                sorted(slips),
+                sorted(slips, reverse=True),
+            ):
+                tab.evaluate(
+                    "for (const each of document.querySelectorAll('details')) each.open = true"
+                )
                 return table
     raise AssertionError("no page has a table of slips in no order")
 
 
 def slip_column(table) -> int:
-    return table.locator(SLIPS).first.evaluate("number => number.closest('td').cellIndex")
+    return table.locator(SLIPS).first.evaluate(
+        "number => number.closest('td').cellIndex"
+    )
 
 
 def numbers(table, column: int) -> list[float]:
@@ -226,7 +314,9 @@ def test_tables_are_sorted_by_a_click(site, tab):
         assert numbers(table, column) == expected
 
 
-@pytest.mark.parametrize("tab", [("desk", "light"), ("phone", "dark")], indirect=True, ids="-".join)
+@pytest.mark.parametrize(
+    "tab", [("desk", "light"), ("phone", "dark")], indirect=True, ids="-".join
+)
 def test_a_number_says_where_it_comes_from(site, tab):
     number = open_table(tab, site).locator(SLIPS).first
     if tab.viewport_size["width"] < 600:
@@ -234,9 +324,13 @@ def test_a_number_says_where_it_comes_from(site, tab):
     else:
         number.hover()
     said = tab.locator("#origin").inner_text()
-    record = json.loads((site / "data" / number.get_attribute("data-src").partition("#")[0]).read_text())
+    record = json.loads(
+        (site / "data" / number.get_attribute("data-src").partition("#")[0]).read_text()
+    )
     assert f"{number.get_attribute('value')} mm" in said and "±" in said
     assert f"Newton {own_release()}" in said and record["measured"]["date"][:10] in said
-    assert (site / tab.locator("#origin a").get_attribute("href").partition("#")[0]).is_file()
+    assert (
+        site / tab.locator("#origin a").get_attribute("href").partition("#")[0]
+    ).is_file()
     tab.keyboard.press("Escape")
     assert tab.locator("#origin").is_hidden()

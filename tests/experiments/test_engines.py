@@ -25,28 +25,52 @@ def shown(path) -> Trace:
 def test_rows_of_what_an_engine_answers():
     """A box that grows by 1 %/s, a capsule that sinks by 2 mm/s, and what is lost, not finite or not run."""
     time_s = np.arange(41) * engines.SAMPLE_S
-    walking = np.stack([0.2 * np.exp(0.01 * time_s), 0.0 * time_s, 0.1 + 0.0 * time_s], axis=1)
-    assert engines.columns("turntable", shown(walking)) == {"growth_per_s": pytest.approx(0.01)}
+    walking = np.stack(
+        [0.2 * np.exp(0.01 * time_s), 0.0 * time_s, 0.1 + 0.0 * time_s], axis=1
+    )
+    assert engines.columns("turntable", shown(walking)) == {
+        "growth_per_s": pytest.approx(0.01)
+    }
     sinking = np.stack([0.0 * time_s, 0.0 * time_s, -0.002 * time_s], axis=1)
-    assert engines.columns("pinch", shown(sinking)) == {"creep_mm_s": pytest.approx(2.0)}
+    assert engines.columns("pinch", shown(sinking)) == {
+        "creep_mm_s": pytest.approx(2.0)
+    }
     falling = walking - np.outer(time_s, [0.0, 0.0, 0.01])
-    for path, reason in ((falling, "not on the table"), (np.full((41, 3), np.nan), "not finite")):
+    for path, reason in (
+        (falling, "not on the table"),
+        (np.full((41, 3), np.nan), "not finite"),
+    ):
         row = engines.columns("turntable", shown(path))
         assert row["growth_per_s"] is None and reason in row["growth_per_s_reason"]
-    late = sinking * (time_s[:, None] > 3.95)  # the last place, 8 mm down, says it alone: 20 mm may be
+    late = sinking * (
+        time_s[:, None] > 3.95
+    )  # the last place, 8 mm down, says it alone: 20 mm may be
     assert engines.columns("pinch", shown(2.4 * late))["creep_mm_s"] > 0.0
-    assert engines.columns("pinch", shown(2.6 * late))["creep_mm_s_reason"] == "the capsule is lost"
-    assert engines.columns("pinch", "no such contact")["creep_mm_s_reason"] == "no such contact"
+    assert (
+        engines.columns("pinch", shown(2.6 * late))["creep_mm_s_reason"]
+        == "the capsule is lost"
+    )
+    assert (
+        engines.columns("pinch", "no such contact")["creep_mm_s_reason"]
+        == "no such contact"
+    )
 
 
-def test_an_engine_that_cannot_be_installed_or_ends_is_a_reason_and_no_error(monkeypatch):
+def test_an_engine_that_cannot_be_installed_or_ends_is_a_reason_and_no_error(
+    monkeypatch,
+):
     def offline(name, requirements):
         raise UsageError(f"{name} cannot be installed: offline")
 
     scene = turntable(0.002, 0.1)
     monkeypatch.setattr(engine, "python_with", offline)
-    assert engine.run([scene] * 2, engines.DART) == ["engine-dart cannot be installed: offline"] * 2
-    monkeypatch.setattr(engine, "python_with", lambda *_: sys.executable)  # which has no dartpy
+    assert (
+        engine.run([scene] * 2, engines.DART)
+        == ["engine-dart cannot be installed: offline"] * 2
+    )
+    monkeypatch.setattr(
+        engine, "python_with", lambda *_: sys.executable
+    )  # which has no dartpy
     [reason] = engine.run([scene], engines.DART)
     assert "dartpy" in reason
 
@@ -65,17 +89,23 @@ def load(scene):
 """
 
 
-def test_a_scene_is_sampled_after_its_steps_and_what_goes_wrong_in_it_leaves_the_others(tmp_path, monkeypatch):
+def test_a_scene_is_sampled_after_its_steps_and_what_goes_wrong_in_it_leaves_the_others(
+    tmp_path, monkeypatch
+):
     (tmp_path / "world.py").write_text(SCRIPT)
     monkeypatch.setattr(engine, "python_with", lambda *_: sys.executable)
     own = engine.Engine("own", "", str(tmp_path / "world.py"), ())
-    reason, trace = engine.run([Scene(0.02, 0.1, [[number], [2.0]]) for number in (0, 1.0)], own)
+    reason, trace = engine.run(
+        [Scene(0.02, 0.1, [[number], [2.0]]) for number in (0, 1.0)], own
+    )
     assert "division by zero" in reason
     assert trace.path_m[:, 2] == pytest.approx([0.0, 5.0, 7.5])
     assert trace.forces == pytest.approx(np.array([[7.0, 0.5, 2e-3]] * 2))
 
 
-def test_the_critical_friction_is_the_weight_over_what_the_fingers_press_with(monkeypatch):
+def test_the_critical_friction_is_the_weight_over_what_the_fingers_press_with(
+    monkeypatch,
+):
     """By hand: 350 N/m times half an edge are 7 N; an engine that cannot run it is a reason."""
     row = published.hold(QUICK, published.in_c)
     assert row["critical_friction"] == pytest.approx(0.064 * 9.81 / 7.0, rel=0.01)
@@ -91,10 +121,16 @@ def test_a_robot_whose_engine_has_no_armature_gets_it_with_its_links(tmp_path):
         links = ElementTree.parse(tmp_path / "robot.urdf").iter("link")
         parts = {link.get("name"): link.find("inertial") for link in links}
         masses[armature] = {
-            name: (float(part.find("mass").get("value")), float(part.find("inertia").get("izz")))
+            name: (
+                float(part.find("mass").get("value")),
+                float(part.find("inertia").get("izz")),
+            )
             for name, part in parts.items()
         }
-    added = {name: np.subtract(links, masses["own"][name]) for name, links in masses["links"].items()}
+    added = {
+        name: np.subtract(links, masses["own"][name])
+        for name, links in masses["links"].items()
+    }
     assert added["fr3_link4"] == pytest.approx((0.0, 0.3))
     assert added["fr3_rightfinger"] == pytest.approx((0.15, 0.0))
     assert added["fr3_hand"] == pytest.approx((0.0, 0.0))
@@ -108,14 +144,38 @@ def test_rows_of_a_shake_that_an_engine_shows():
     moved = poses.copy()
     moved[:, 0, 0] += 1e-3 * np.arange(301) / 60
     forces = np.array([[20.0, 5.0, math.nan]] * 301)
-    found = Trace(np.concatenate([poses[:1], moved]), forces)  # the first one is before the first frame
+    found = Trace(
+        np.concatenate([poses[:1], moved]), forces
+    )  # the first one is before the first frame
     row = robot.row_of("dart", "links", own, robot.traced(found, frames))
     names = ("case", "backend", "model", "shake", "armature")
-    assert [row[name] for name in names] == ["dart-shake-3cm", "dart", "dart", "3cm", "links"]
-    numbers = [row[name] for name in ("slip_mm", "drift_mm_s", "creep_mm_per_cycle", "friction_share", "path_off_mm")]
+    assert [row[name] for name in names] == [
+        "dart-shake-3cm",
+        "dart",
+        "dart",
+        "3cm",
+        "links",
+    ]
+    numbers = [
+        row[name]
+        for name in (
+            "slip_mm",
+            "drift_mm_s",
+            "creep_mm_per_cycle",
+            "friction_share",
+            "path_off_mm",
+        )
+    ]
     assert numbers == pytest.approx((5.0, 1.0, 1.0, 0.25, 0.0))
     assert row["penetration_mm"] is None and row["penetration_mm_reason"]
     found.poses[-1, 0, 2] = 0.02
     lost = robot.row_of("dart", "links", own, robot.traced(found, frames))
-    assert (lost["slip_mm"], lost["dropped"], lost["slip_mm_reason"]) == (None, True, "the cube is lost")
-    assert robot.row_of("dart", "links", own, "no such engine")["slip_mm_reason"] == "no such engine"
+    assert (lost["slip_mm"], lost["dropped"], lost["slip_mm_reason"]) == (
+        None,
+        True,
+        "the cube is lost",
+    )
+    assert (
+        robot.row_of("dart", "links", own, "no such engine")["slip_mm_reason"]
+        == "no such engine"
+    )

@@ -30,8 +30,13 @@ def shakes():
     """One setting of each pads in Warp, with its traces and the states from which C starts."""
     pilot = pilot_at_shake(CASES.values(), wp.get_device("cpu"))
     points = [setting(case, pads, "newton", "substeps") for pads, case in CASES.items()]
-    points = [replace(point, case=replace(point.case, frame_count=FRAME_COUNT)) for point in points]
-    simulations = {point: error_runtime.in_warp(point, pilot, pilot.device) for point in points}
+    points = [
+        replace(point, case=replace(point.case, frame_count=FRAME_COUNT))
+        for point in points
+    ]
+    simulations = {
+        point: error_runtime.in_warp(point, pilot, pilot.device) for point in points
+    }
     starts = error_runtime.starts_by_pads(pilot, FRAME_COUNT)  # runs the pilot on
     return error_runtime.run_shakes(simulations), starts
 
@@ -39,19 +44,29 @@ def shakes():
 def test_warp_and_c_agree_from_the_same_state(shakes):
     traces, starts = shakes
     for point, of_warp in traces.items():
-        of_c = NativeShake(replace(native_of(point).case, frame_count=FRAME_COUNT), starts[point.pads]).run()
+        of_c = NativeShake(
+            replace(native_of(point).case, frame_count=FRAME_COUNT), starts[point.pads]
+        ).run()
         assert len(of_warp.phase) == len(of_c.phase) == FRAME_COUNT
         assert (of_warp.phase == metrics.SHAKE).all()
-        np.testing.assert_allclose(of_warp.poses[0, : of_c.poses.shape[1]], of_c.poses[0], atol=2e-5)
+        np.testing.assert_allclose(
+            of_warp.poses[0, : of_c.poses.shape[1]], of_c.poses[0], atol=2e-5
+        )
         assert error_runtime.distance_mm(of_warp, of_c) < 0.02
 
 
-def test_the_model_in_c_has_the_timeconst_of_the_pads_and_merged_links_where_they_were(shakes):
+def test_the_model_in_c_has_the_timeconst_of_the_pads_and_merged_links_where_they_were(
+    shakes,
+):
     _, starts = shakes
     timeconst = {
-        pads: NativeShake(replace(base, backend="mujoco"), starts[pads]).pad_timeconst_s for pads, base in PADS.items()
+        pads: NativeShake(replace(base, backend="mujoco"), starts[pads]).pad_timeconst_s
+        for pads, base in PADS.items()
     }
     assert timeconst == pytest.approx({"as-shipped": 0.02, "stiff": 0.002})
-    cases = [replace(case, backend="mujoco", frame_count=2) for case in (PADS["stiff"], FIXED)]
+    cases = [
+        replace(case, backend="mujoco", frame_count=2)
+        for case in (PADS["stiff"], FIXED)
+    ]
     own, merged = (NativeShake(case, starts["stiff"]).run() for case in cases)
     np.testing.assert_allclose(merged.poses, own.poses, atol=1e-5)

@@ -38,7 +38,9 @@ def run_script(text: str, folder: Path, frame_count: int = FEW) -> tuple[int, st
     A scene goes through MuJoCo's C engine.
     """
     (folder / "scene.py").write_text(text, encoding="utf-8")
-    process = get_context("fork").Process(target=_be_the_script, args=(folder, frame_count))
+    process = get_context("fork").Process(
+        target=_be_the_script, args=(folder, frame_count)
+    )
     process.start()
     process.join()
     return process.exitcode, (folder / "said").read_text()
@@ -52,7 +54,9 @@ def _be_the_script(folder: Path, frame_count: int) -> None:
     runpy.run_path("scene.py", run_name="__main__")
 
 
-def assert_slip_is_tracked(folder: Path, case: str, within_mm: float, frame_count: int = FEW) -> None:
+def assert_slip_is_tracked(
+    folder: Path, case: str, within_mm: float, frame_count: int = FEW
+) -> None:
     """The tracked run of this case had come as far by then."""
     summary = json.loads((folder / "summary.json").read_text())
     expected = tracked_mm(ROOT / "results/newton-1.4.0", case, frame_count)
@@ -72,8 +76,12 @@ def test_the_scene_as_shipped_is_that_of_this_report_and_fails_its_own_test(tmp_
 def test_the_patch_makes_the_shipped_scene_the_fixed_one(tmp_path):
     for name, text in fix_files().items():
         (tmp_path / name).write_text(text, encoding="utf-8")
-    subprocess.run(["git", "apply", "fix.patch"], cwd=tmp_path, check=True, capture_output=True)
-    assert (tmp_path / "scene_as_shipped.py").read_text() == fix_files()["fixed_scene.py"]
+    subprocess.run(
+        ["git", "apply", "fix.patch"], cwd=tmp_path, check=True, capture_output=True
+    )
+    assert (tmp_path / "scene_as_shipped.py").read_text() == fix_files()[
+        "fixed_scene.py"
+    ]
 
 
 CODE = re.compile(r"<pre[^>]*><code[^>]*>(.*?)</code></pre>", re.DOTALL)
@@ -83,7 +91,10 @@ BEFORE = "    return robot\n"
 
 def block_with(page: Path, word: str) -> str:
     """The first lines to paste that have a word in them, as a page has them."""
-    blocks = (html.unescape(re.sub("<[^>]+>", "", code)) for code in CODE.findall(page.read_text(encoding="utf-8")))
+    blocks = (
+        html.unescape(re.sub("<[^>]+>", "", code))
+        for code in CODE.findall(page.read_text(encoding="utf-8"))
+    )
     return next(block for block in blocks if word in block)
 
 
@@ -98,9 +109,14 @@ def test_the_lines_of_the_front_page_hold_the_cube_as_it_says(site, tmp_path):
     scene = (site / "download/scene_as_shipped.py").read_text(encoding="utf-8")
     block = fix_block(site / "index.html")
     assert scene.count(BEFORE) == 1
-    status, said = run_script(scene.replace(BEFORE, f"    builder = robot\n{indent(block, '    ')}{BEFORE}"), tmp_path)
+    status, said = run_script(
+        scene.replace(BEFORE, f"    builder = robot\n{indent(block, '    ')}{BEFORE}"),
+        tmp_path,
+    )
     assert status == 0, said
-    noise = json.loads((site / "data/values.json").read_text(encoding="utf-8"))["noise"]["slip_floor"]["value"]
+    noise = json.loads((site / "data/values.json").read_text(encoding="utf-8"))[
+        "noise"
+    ]["slip_floor"]["value"]
     assert_slip_is_tracked(tmp_path, "stiff-pads", noise)
 
 
@@ -110,14 +126,20 @@ URDF = """<robot name="hand"><link name="finger">
 <collision><geometry><box size=".1 .1 .1"/></geometry></collision></link></robot>"""
 
 
-@pytest.mark.parametrize("solref", ["", 'solref="0.02 1"', 'solref="-2500 -100"', "in URDF"])
+@pytest.mark.parametrize(
+    "solref", ["", 'solref="0.02 1"', 'solref="-2500 -100"', "in URDF"]
+)
 def test_the_lines_of_the_front_page_reach_pads_that_were_imported(site, solref):
     """A solref in MJCF is taken as it is, whatever ke and kd say, unless the lines take it away."""
     builder = newton.ModelBuilder()
     newton.solvers.SolverMuJoCo.register_custom_attributes(builder)
-    builder.add_urdf(URDF, floating=True) if solref == "in URDF" else builder.add_mjcf(MJCF.format(solref))
+    builder.add_urdf(URDF, floating=True) if solref == "in URDF" else builder.add_mjcf(
+        MJCF.format(solref)
+    )
     exec(fix_block(site / "index.html"), {"builder": builder})
-    solver = newton.solvers.SolverMuJoCo(builder.finalize(device="cpu"), use_mujoco_cpu=True)
+    solver = newton.solvers.SolverMuJoCo(
+        builder.finalize(device="cpu"), use_mujoco_cpu=True
+    )
     assert solver.mj_model.geom_solref.tolist() == [pytest.approx([0.002, 1.0])]
 
 
@@ -127,8 +149,12 @@ def test_the_smallest_file_runs_as_it_is_shown(site, tmp_path):
 
 
 def test_the_lines_of_mjcf_say_of_pads_what_the_other_block_does(site):
-    geoms = block_with(site / "index.html", "left_pad").replace("<geom", '<geom type="box" size="0.01 0.01 0.01"')
-    model = mujoco.MjModel.from_xml_string(f"<mujoco><worldbody>{geoms}</worldbody></mujoco>")
+    geoms = block_with(site / "index.html", "left_pad").replace(
+        "<geom", '<geom type="box" size="0.01 0.01 0.01"'
+    )
+    model = mujoco.MjModel.from_xml_string(
+        f"<mujoco><worldbody>{geoms}</worldbody></mujoco>"
+    )
     for pad in map(model.geom, ("left_pad", "right_pad")):
         assert pad.priority[0] == 1 and pad.solref == pytest.approx([0.002, 1.0])
 
@@ -150,9 +176,13 @@ class Pasted(MuJoCoStepper):
 @pytest.mark.slow
 def test_the_block_of_the_cure_does_what_was_measured(site, monkeypatch):
     monkeypatch.syspath_prepend(ROOT / "experiments/simulation")
-    monkeypatch.setattr(Pasted, "block", block_with(site / "cure.html", "compensated_positions"))
+    monkeypatch.setattr(
+        Pasted, "block", block_with(site / "cure.html", "compensated_positions")
+    )
     case = replace(FIXED, cube_in_hand=True, frame_count=130)
-    cured = replace(case, impratio=400.0, compensated=True, contact_bias=True, bias_centred=True)
+    cured = replace(
+        case, impratio=400.0, compensated=True, contact_bias=True, bias_centred=True
+    )
     monkeypatch.setattr(Simulation, "stepper_of", Pasted)
     [[pasted]] = run([Simulation([case], wp.get_device("cpu"))])
     monkeypatch.undo()

@@ -9,7 +9,11 @@ from experiments.simulation.measurement import Conditions
 from measured_report.records.identity import sections
 
 MODULES = {section: import_module(f"experiments.{section}") for section in sections()}
-PLANNED = [section for section, module in MODULES.items() if inspect.isgeneratorfunction(module.measure)]
+PLANNED = [
+    section
+    for section, module in MODULES.items()
+    if inspect.isgeneratorfunction(module.measure)
+]
 
 
 @pytest.mark.parametrize("device", ["cpu", "cuda:0"])

@@ -8,7 +8,16 @@ import numpy as np
 import pytest
 import warp as wp
 
-from experiments import contacts, error_runtime, hold, leave_out, newton_solvers, poses, stability, stiffness
+from experiments import (
+    contacts,
+    error_runtime,
+    hold,
+    leave_out,
+    newton_solvers,
+    poses,
+    stability,
+    stiffness,
+)
 from experiments.cure import bodies, combinations, controls, turntable
 from experiments.drivers import newton_solver
 from experiments.drivers.apart import apart
@@ -54,16 +63,22 @@ def along(axis: int, values) -> np.ndarray:
 def test_a_cube_leaves_with_the_speed_that_its_way_and_its_height_show():
     """Out of the ground, 2 mm deep in it: at 1.2 m/s up through contact; from the middle of a frame, √(v² + 2 g h)."""
     case = replace(AS_SHIPPED, start_overlap_m=2e-3)
-    rises = 0.018 + 0.02 * np.arange(1, 31)  # 1.2 m/s, from 18 mm on; contact ends at 20 mm
+    rises = 0.018 + 0.02 * np.arange(
+        1, 31
+    )  # 1.2 m/s, from 18 mm on; contact ends at 20 mm
     trace = trace_of(np.zeros((30, 3)))
     trace.poses[:, metrics.CUBE, :3] = stability.cube_start(case)
     trace.poses[:, metrics.CUBE, 2] = rises
     trace.poses[20:, metrics.CUBE, 2] += 5.0  # beyond the 15 frames that count
     middle = 0.5 * (rises[14] + rises[13])
-    assert stability.exit_speed_m_s(case, trace) == pytest.approx(np.sqrt(1.44 + 2.0 * G * (middle - 0.02)))
+    assert stability.exit_speed_m_s(case, trace) == pytest.approx(
+        np.sqrt(1.44 + 2.0 * G * (middle - 0.02))
+    )
     held = replace(case, cube_in_hand=True)
     trace.poses[:, metrics.CUBE, :3] = stability.cube_start(held)
-    trace.poses[2, metrics.CUBE, 2] -= 0.01  # down, from where it starts, at 0.6 m/s: no height to add
+    trace.poses[2, metrics.CUBE, 2] -= (
+        0.01  # down, from where it starts, at 0.6 m/s: no height to add
+    )
     assert stability.exit_speed_m_s(held, trace) == pytest.approx(0.6)
 
 
@@ -72,29 +87,48 @@ def test_the_grip_is_that_at_the_end_of_the_hold_unless_the_cube_slides_out_of_i
     force = np.where((np.arange(100) >= 80) & (np.arange(100) < 90), 24.0, 50.0)
     force[0], force[85] = 7.0, 99.0  # which the median leaves out
     for moved_m, grip_n in ((0.0049, 24.0), (0.0051, 7.0)):
-        place = along(2, np.select([np.arange(100) < 1, np.arange(100) > 50], [0.002, 0.002 + moved_m]))
-        assert stability.grip_force_n(trace_of(place, 91, normal_force_n=force)) == pytest.approx(grip_n)
+        place = along(
+            2,
+            np.select(
+                [np.arange(100) < 1, np.arange(100) > 50], [0.002, 0.002 + moved_m]
+            ),
+        )
+        assert stability.grip_force_n(
+            trace_of(place, 91, normal_force_n=force)
+        ) == pytest.approx(grip_n)
 
 
 def test_a_long_run_creeps_by_so_much_a_cycle_in_its_first_and_its_last_tenth():
     """42 s at 1 Hz: 21 pairs of cycles, of which the first is left out and a tenth are two; x = t³ mm of an hour."""
     time_s = np.arange(42 * FRAME_RATE + 1) / FRAME_RATE
-    columns = stability.long_columns(trace_of(along(0, 1e-6 * time_s**3)), AS_SHIPPED, "creeping")
+    columns = stability.long_columns(
+        trace_of(along(0, 1e-6 * time_s**3)), AS_SHIPPED, "creeping"
+    )
     first, last = (6.0**3 - 2.0**3) / 4.0, (42.0**3 - 38.0**3) / 4.0
     found = [columns[f"increment_{each}_mm_per_cycle"] for each in ("first", "last")]
-    assert found == pytest.approx([1e-3 * first, 1e-3 * last]) and columns["shake_duration_s"] == pytest.approx(42.0)
+    assert found == pytest.approx([1e-3 * first, 1e-3 * last]) and columns[
+        "shake_duration_s"
+    ] == pytest.approx(42.0)
     table = stability.long_table(trace_of(np.outer(1e-3 * time_s, (2.0, 1.0, 0.0))))
-    assert table["y_mm"] == pytest.approx(np.arange(43.0)) and table["along_mm"] == pytest.approx(2.0 * np.arange(43.0))
+    assert table["y_mm"] == pytest.approx(np.arange(43.0)) and table[
+        "along_mm"
+    ] == pytest.approx(2.0 * np.arange(43.0))
 
 
 def test_of_repeats_the_worst_counts_and_their_spread_is_the_floor():
-    assert stability.creep_floor_mm_s([(1.0, 1.5), (4.0, 4.2, 4.9)]) == pytest.approx(0.9)
+    assert stability.creep_floor_mm_s([(1.0, 1.5), (4.0, 4.2, 4.9)]) == pytest.approx(
+        0.9
+    )
     rows = [
-        {"class": each, "creep_mm_s": creep} for each, creep in (("holding", 9.0), ("creeping", 1.0), ("creeping", 3.0))
+        {"class": each, "creep_mm_s": creep}
+        for each, creep in (("holding", 9.0), ("creeping", 1.0), ("creeping", 3.0))
     ]
     run = SimpleNamespace(case=AS_SHIPPED, family="steps", parameters={})
     worst = stability.worst(run, rows)
-    assert (worst["creep_mm_s"], worst["classes"]) == (3.0, "creeping, creeping, holding")
+    assert (worst["creep_mm_s"], worst["classes"]) == (
+        3.0,
+        "creeping, creeping, holding",
+    )
 
 
 def test_what_is_observed_of_a_run_is_in_millimetres_and_as_a_share_of_what_friction_carries():
@@ -116,40 +150,72 @@ def test_a_held_cube_creeps_down_the_tool_and_by_so_much_in_its_last_second():
     time_s = np.arange(3 * FRAME_RATE + 20) / FRAME_RATE
     place = along(2, 1e-3 * (2.0 * time_s + time_s**2))
     row = hold.creep(trace_of(place))
-    assert row["creep_z_mm_s"] == pytest.approx(np.polyfit(time_s, 1e3 * place[:, 2], 1)[0])
+    assert row["creep_z_mm_s"] == pytest.approx(
+        np.polyfit(time_s, 1e3 * place[:, 2], 1)[0]
+    )
     assert row["increment_final_mm"] == pytest.approx(2.0 + 9.0 - 4.0)
-    assert hold.creep(trace_of(-place))["increment_final_mm"] == pytest.approx(7.0)  # in the direction in which it ends
+    assert hold.creep(trace_of(-place))["increment_final_mm"] == pytest.approx(
+        7.0
+    )  # in the direction in which it ends
     assert hold.creep(trace_of(place[:60]))["creep_z_mm_s"] is None
     assert hold.LONG_FRAME_COUNT - hold.SETUP_FRAME_COUNT - 1 == 60 * FRAME_RATE
 
 
 def test_a_cube_has_left_the_grasp_when_it_is_8_cm_away_and_every_sixth_frame_is_kept():
     way = np.where(np.arange(62) < 40, 0.0799, 0.0801)
-    trace = trace_of(along(0, way), 10, penetration_m=1e-3, normal_force_n=np.arange(62.0))
+    trace = trace_of(
+        along(0, way), 10, penetration_m=1e-3, normal_force_n=np.arange(62.0)
+    )
     assert poses.left_grasp(trace)["left_grasp_s"] == pytest.approx(30.0 / FRAME_RATE)
     stays = poses.left_grasp(trace_of(along(0, way[:40])))
-    assert stays == {"left_grasp_s": None, "left_grasp_s_reason": "the cube stays in the grasp"}
-    table = poses.pose_table(trace, np.tile(np.arange(62.0)[:, None], (1, len(poses.COORDINATES))), 6)
+    assert stays == {
+        "left_grasp_s": None,
+        "left_grasp_s_reason": "the cube stays in the grasp",
+    }
+    table = poses.pose_table(
+        trace, np.tile(np.arange(62.0)[:, None], (1, len(poses.COORDINATES))), 6
+    )
     assert table["frame"].tolist() == [1, 7, 13, 19, 25, 31, 37, 43, 49, 55, 61]
-    assert np.isnan(table["x_mm"][:2]).all() and table["x_mm"][2:] == pytest.approx([0.0] * 5 + [0.2] * 4)
-    assert table["penetration_mm"] == pytest.approx(1.0) and table["normal_force_n"] == pytest.approx(table["frame"])
+    assert np.isnan(table["x_mm"][:2]).all() and table["x_mm"][2:] == pytest.approx(
+        [0.0] * 5 + [0.2] * 4
+    )
+    assert table["penetration_mm"] == pytest.approx(1.0) and table[
+        "normal_force_n"
+    ] == pytest.approx(table["frame"])
     assert table[poses.COORDINATES[0]] == pytest.approx(table["frame"])
 
 
 def test_rows_of_the_strongest_contact_are_in_millimetres():
     force = np.array([(1.0, 9.0, 9.0), (2.0, 0.3, -0.4)])
-    arrays = {"residual_m": 1e-3 * force, "velocity_m_s": 2e-3 * force, "reference_m_s2": force, "force_n": force}
-    arrays |= {"distance_m": np.array([1e-3, -2e-3]), "slide_m_s": np.array([0.1, 0.2]), "friction": np.ones(2)}
-    arrays |= {"solref": np.array([(3.0, 4.0), (5.0, 6.0)]), "solreffriction": force[:, :2], "dim": np.ones(2)}
-    rows = ContactRows(frame=3, geom=np.full((2, 2), "pad"), solimp=np.zeros((2, 5)), **arrays)
+    arrays = {
+        "residual_m": 1e-3 * force,
+        "velocity_m_s": 2e-3 * force,
+        "reference_m_s2": force,
+        "force_n": force,
+    }
+    arrays |= {
+        "distance_m": np.array([1e-3, -2e-3]),
+        "slide_m_s": np.array([0.1, 0.2]),
+        "friction": np.ones(2),
+    }
+    arrays |= {
+        "solref": np.array([(3.0, 4.0), (5.0, 6.0)]),
+        "solreffriction": force[:, :2],
+        "dim": np.ones(2),
+    }
+    rows = ContactRows(
+        frame=3, geom=np.full((2, 2), "pad"), solimp=np.zeros((2, 5)), **arrays
+    )
     found = contacts.constraint_rows("case", rows)
     assert [row["force_n"] for row in found] == [2.0, 0.3, -0.4]
     assert [row["residual_mm"] for row in found] == pytest.approx([2.0, 0.3, -0.4])
     assert [row["velocity_mm_s"] for row in found] == pytest.approx([4.0, 0.6, -0.8])
     table = contacts.contact_table(rows)
-    assert (table["distance_mm"][1], table["slide_mm_s"][1], table["tangential_force_n"][1]) == pytest.approx(
-        (-2, 200, 0.5)
-    )
+    assert (
+        table["distance_mm"][1],
+        table["slide_mm_s"][1],
+        table["tangential_force_n"][1],
+    ) == pytest.approx((-2, 200, 0.5))
     assert (table["timeconst_s"][1], table["dampratio"][1]) == (5.0, 6.0)
 
 
@@ -168,19 +234,33 @@ def test_the_term_predicts_a_slide_of_its_sum_over_b(monkeypatch):
 def test_what_rows_leave_out_along_the_shake_is_the_mean_of_what_is_loaded(monkeypatch):
     """2, -4 of a contact that has the cube first, and others that are idle, not in the solver, or not the cube's."""
     rows, geoms = (0, 2, 4, -1, 6), ((5, 7), (7, 5), (5, 7), (5, 7), (5, 6))
-    found = [SimpleNamespace(efc_address=row, geom=geom) for row, geom in zip(rows, geoms, strict=True)]
+    found = [
+        SimpleNamespace(efc_address=row, geom=geom)
+        for row, geom in zip(rows, geoms, strict=True)
+    ]
     values = dict(zip(map(id, found), (2.0, 4.0, 90.0, 90.0, 90.0), strict=True))
-    monkeypatch.setattr(contacts, "velocity_product", lambda _, __, each: (np.array([values[id(each)], 9, 9]), None))
+    monkeypatch.setattr(
+        contacts,
+        "velocity_product",
+        lambda _, __, each: (np.array([values[id(each)], 9, 9]), None),
+    )
     monkeypatch.setattr(contacts, "_at_end_of_step", lambda *_: None)
-    data = SimpleNamespace(contact=found, efc_force=np.array([1.0, 0, 1.0, 0, 0, 0, 1.0, 0, 0, 1.0]))
+    data = SimpleNamespace(
+        contact=found, efc_force=np.array([1.0, 0, 1.0, 0, 0, 0, 1.0, 0, 0, 1.0])
+    )
     simulation = SimpleNamespace(solver=SimpleNamespace(mj_model=None, mj_data=data))
     simulation.recorder = SimpleNamespace(cube_geom=7)
-    assert contacts.mean_along_shake_m_s2(simulation) == pytest.approx((2.0 - 4.0) / 2.0)
+    assert contacts.mean_along_shake_m_s2(simulation) == pytest.approx(
+        (2.0 - 4.0) / 2.0
+    )
 
 
 def test_swept_pads_are_critically_damped_or_have_the_default_damping():
     swept = [case for case in stiffness.cases("full") if case.name.startswith("sweep")]
-    ratios = {case.name.endswith("kd-100"): case.pad_kd / 2.0 / case.pad_ke**0.5 for case in swept}
+    ratios = {
+        case.name.endswith("kd-100"): case.pad_kd / 2.0 / case.pad_ke**0.5
+        for case in swept
+    }
     assert ratios[False] == pytest.approx(1.0) and len(swept) == 80
     assert {case.pad_kd for case in swept if case.name.endswith("kd-100")} == {100.0}
     for case in stiffness.cases("quick")[:4]:
@@ -189,37 +269,86 @@ def test_swept_pads_are_critically_damped_or_have_the_default_damping():
 
 def test_runs_are_apart_and_slip_by_so_much():
     time_s = np.arange(181) / FRAME_RATE
-    still, moved = trace_of(np.zeros((181, 3))), trace_of(along(0, 3e-3 * time_s) + along(1, np.full(181, 4e-3)))
+    still, moved = (
+        trace_of(np.zeros((181, 3))),
+        trace_of(along(0, 3e-3 * time_s) + along(1, np.full(181, 4e-3))),
+    )
     row = error_runtime.errors(moved, still)
     assert row["grasp_error_mm_per_cycle"] == pytest.approx(3.0)
-    assert row["numerical_error_mm"] == pytest.approx(np.sqrt(16.0 + 9.0 * np.mean(time_s**2)))
+    assert row["numerical_error_mm"] == pytest.approx(
+        np.sqrt(16.0 + 9.0 * np.mean(time_s**2))
+    )
     shake = SimpleNamespace(pad_timeconst_s=0.02)
     point = error_runtime.settings("quick", cpu_too=False)[0]
-    row = error_runtime.describe(replace(point, case=replace(point.case, substeps=4)), still, shake)
-    assert (row["substep_ms"], row["timeconst_ms"]) == pytest.approx((1e3 / 240.0, 20.0))
-    assert leave_out.mean_slip([{"failure": None, "slip_mm": each} for each in (1.0, 2.0, 6.0)])["slip_mm"] == 3.0
+    row = error_runtime.describe(
+        replace(point, case=replace(point.case, substeps=4)), still, shake
+    )
+    assert (row["substep_ms"], row["timeconst_ms"]) == pytest.approx(
+        (1e3 / 240.0, 20.0)
+    )
+    assert (
+        leave_out.mean_slip(
+            [{"failure": None, "slip_mm": each} for each in (1.0, 2.0, 6.0)]
+        )["slip_mm"]
+        == 3.0
+    )
 
 
 def test_an_audit_counts_what_is_used():
     """Room for 10 contacts and 40 rows a world; of these 4 and 30 at most, so three quarters of memory are used."""
-    seen = Seen(contact_counts=[2, 4], loaded_counts=[1, 2], peaks={"nefc": 30, "nl": 1, "ne": 0})
+    seen = Seen(
+        contact_counts=[2, 4],
+        loaded_counts=[1, 2],
+        peaks={"nefc": 30, "nl": 1, "ne": 0},
+    )
     held = SimpleNamespace(one=wp.zeros(100, dtype=float, device="cpu"))
-    data = SimpleNamespace(naconmax=20, nworld=2, njmax=40, contact=held, efc=SimpleNamespace())
+    data = SimpleNamespace(
+        naconmax=20, nworld=2, njmax=40, contact=held, efc=SimpleNamespace()
+    )
     scene = SimpleNamespace(solver=SimpleNamespace(mjw_data=data), contacts=None)
     found = [(item.present, item.used) for item in _contact_items(scene, seen)]
     assert found == [(3.0, 1.5), (10, 4), (40, 30), (200, 150.0)]
-    arrays = {"nacon": [4], "nefc": [31], "nl": [0], "ne": [2], "actuator_force": [[0.0, 3.0]]}
+    arrays = {
+        "nacon": [4],
+        "nefc": [31],
+        "nl": [0],
+        "ne": [2],
+        "actuator_force": [[0.0, 3.0]],
+    }
     arrays |= {"ten_length": [[1.0]], "sensordata": [[1.0]], "worldid": [0, 0, 1, 0, 0]}
-    arrays |= {"geom": [[1, 0], [0, 2], [2, 2], [1, 2], [0, 0]], "efc_address": [[0], [1], [0], [-1], [0]]}
-    shown = {name: SimpleNamespace(numpy=lambda each=each: np.array(each)) for name, each in arrays.items()}
+    arrays |= {
+        "geom": [[1, 0], [0, 2], [2, 2], [1, 2], [0, 0]],
+        "efc_address": [[0], [1], [0], [-1], [0]],
+    }
+    shown = {
+        name: SimpleNamespace(numpy=lambda each=each: np.array(each))
+        for name, each in arrays.items()
+    }
     efc = SimpleNamespace(force=SimpleNamespace(numpy=lambda: np.array([[5.0, 0.0]])))
-    data = SimpleNamespace(naconmax=20, contact=SimpleNamespace(**shown), efc=efc, **shown)
+    data = SimpleNamespace(
+        naconmax=20, contact=SimpleNamespace(**shown), efc=efc, **shown
+    )
     shapes = SimpleNamespace(numpy=lambda: np.array([[10, 11, 12]]))
-    seen.look(SimpleNamespace(solver=SimpleNamespace(mjw_data=data, mjc_geom_to_newton_shape=shapes)))
-    assert (seen.pairs_near, seen.pairs_loaded) == ({(10, 11), (10, 12), (11, 12)}, {(10, 11)})
-    assert (seen.contact_counts[-1], seen.loaded_counts[-1], seen.actuators_moved) == (3, 1, {1})
+    seen.look(
+        SimpleNamespace(
+            solver=SimpleNamespace(mjw_data=data, mjc_geom_to_newton_shape=shapes)
+        )
+    )
+    assert (seen.pairs_near, seen.pairs_loaded) == (
+        {(10, 11), (10, 12), (11, 12)},
+        {(10, 11)},
+    )
+    assert (seen.contact_counts[-1], seen.loaded_counts[-1], seen.actuators_moved) == (
+        3,
+        1,
+        {1},
+    )
     assert seen.peaks == {"nefc": 31, "nl": 1, "ne": 2}
-    seen.outputs["sensordata"] = [np.array([1.0, 2.0, 3.0]), np.array([1.0, 2.0, 4.0]), np.array([1.0, 0.0, 3.0])]
+    seen.outputs["sensordata"] = [
+        np.array([1.0, 2.0, 3.0]),
+        np.array([1.0, 2.0, 4.0]),
+        np.array([1.0, 0.0, 3.0]),
+    ]
     assert seen.changed_count("sensordata") == 2
 
 
@@ -239,15 +368,26 @@ def test_an_audit_counts_what_is_used():
     ],
 )
 def test_the_box_on_the_turntable_is_predicted_as_by_hand(variant, rate):
-    touched = Contacts(count=4, normal_n=2.0, softness_1_kg=0.3, damping_per_s=100.0, depth_m=1e-3)
-    assert turntable.predicted_growth_per_s(variant, touched) == pytest.approx(0.998 * rate)
+    touched = Contacts(
+        count=4, normal_n=2.0, softness_1_kg=0.3, damping_per_s=100.0, depth_m=1e-3
+    )
+    assert turntable.predicted_growth_per_s(variant, touched) == pytest.approx(
+        0.998 * rate
+    )
 
 
 def test_what_moves_along_an_arc_creeps_on_hinges_whether_it_turns_or_not_and_not_on_slides():
     conditions = SimpleNamespace(profile="quick", device="cpu")
-    drifts = {motion: controls.row_of(motion, "c", conditions)["drift_mm_s"] for motion in controls.ON_AN_ARC}
-    mean_m_s2 = (0.03 * 2.0 * np.pi) ** 2 / (2.0 * controls.PLACE_M)  # of the speed's square over the radius
-    assert drifts["hinge"] == pytest.approx(1e3 * mean_m_s2 * (0.95 * 0.02 / 2.0 - 0.002 / 2.0), rel=0.03)
+    drifts = {
+        motion: controls.row_of(motion, "c", conditions)["drift_mm_s"]
+        for motion in controls.ON_AN_ARC
+    }
+    mean_m_s2 = (0.03 * 2.0 * np.pi) ** 2 / (
+        2.0 * controls.PLACE_M
+    )  # of the speed's square over the radius
+    assert drifts["hinge"] == pytest.approx(
+        1e3 * mean_m_s2 * (0.95 * 0.02 / 2.0 - 0.002 / 2.0), rel=0.03
+    )
     assert drifts["two-hinges"] == pytest.approx(drifts["hinge"], rel=0.03)
     assert drifts["two-slides"] == pytest.approx(0.0, abs=1e-3)
 
@@ -257,28 +397,50 @@ def test_controls_creep_along_their_walls_and_turn_as_hard_as_the_shake(monkeypa
     turned_m_s2 = controls.PLACE_M * 2.0**2
     assert turned_m_s2 == pytest.approx(0.03 * (2.0 * np.pi) ** 2)
     time_s = 0.1 * np.arange(31)
-    path = np.stack([0.3 + np.where(time_s < 0.95, 9.0, 0.002 * time_s), 0.0 * time_s, 0.0 * time_s], axis=1)
+    path = np.stack(
+        [
+            0.3 + np.where(time_s < 0.95, 9.0, 0.002 * time_s),
+            0.0 * time_s,
+            0.0 * time_s,
+        ],
+        axis=1,
+    )
     touched = Contacts(4, 2.0, 0.3, 100.0, 1e-3)
     monkeypatch.setattr(controls.turntable, "run", lambda *_: (path, touched))
     conditions = SimpleNamespace(profile="quick", device="cpu")
-    assert controls.row_of("straight", "c", conditions)["drift_mm_s"] == pytest.approx(2.0)
+    assert controls.row_of("straight", "c", conditions)["drift_mm_s"] == pytest.approx(
+        2.0
+    )
     turned = controls.row_of("turning", "c", conditions)
     assert turned["growth_per_s"] == pytest.approx(0.002 / 0.304, rel=2e-3)
     motion = next(each for each in bodies.MOTIONS if each.place == "table")
     with pytest.raises(bodies.RunFailed):
         bodies.columns_of(motion, np.array([(0.3, 0.0, 0.0), (0.4, 0.31, 0.0)]))
-    on_plane = bodies.columns_of(bodies.MOTIONS[0], np.array([(0.1, 0.2, 0.3), (9.0, 9.0, 9.0), (0.2, 0.4, 0.2)]))
+    on_plane = bodies.columns_of(
+        bodies.MOTIONS[0], np.array([(0.1, 0.2, 0.3), (9.0, 9.0, 9.0), (0.2, 0.4, 0.2)])
+    )
     assert list(on_plane.values()) == pytest.approx([100.0, 200.0, -100.0])
 
 
-def test_combinations_are_all_but_those_that_no_engine_has_and_kf_is_taken_out_in_contacts_of_newton(monkeypatch):
+def test_combinations_are_all_but_those_that_no_engine_has_and_kf_is_taken_out_in_contacts_of_newton(
+    monkeypatch,
+):
     """2 pads, 3 shakes and 2 positions by 4 terms with Euler, implicit or not, and 2 with RK4, which has no centre."""
     monkeypatch.setattr(combinations, "kf_is_read", lambda: True)
     for quick, shakes in ((False, [0.0, 0.03, 0.1]), (True, [0.0, 0.03])):
-        found = {kind: combinations.cases(kind, quick) for kind in combinations.CONTACTS}
-        off = {kind: [case.shake_amplitude_m for case in cases if case.pad_kf == -1.0] for kind, cases in found.items()}
+        found = {
+            kind: combinations.cases(kind, quick) for kind in combinations.CONTACTS
+        }
+        off = {
+            kind: [case.shake_amplitude_m for case in cases if case.pad_kf == -1.0]
+            for kind, cases in found.items()
+        }
         assert off == {"newton": shakes, "mujoco": [], "pyramidal": []}
-        counts = [2 * 2 * 4 * 2 + 2, 0, 0] if quick else [12 * (4 * 4 + 2 * 2) + 3, 12 * (3 * 4 + 2), 12 * (3 * 4 + 2)]
+        counts = (
+            [2 * 2 * 4 * 2 + 2, 0, 0]
+            if quick
+            else [12 * (4 * 4 + 2 * 2) + 3, 12 * (3 * 4 + 2), 12 * (3 * 4 + 2)]
+        )
         assert [len(cases) for cases in found.values()] == counts
 
 
@@ -288,12 +450,19 @@ def test_on_the_slope_gravity_leans_by_its_tilt():
 
 
 def test_the_arm_goes_from_pose_to_pose_and_drops_are_counted():
-    poses_at = {0.0: pick.READY, 0.5: np.add(pick.READY, pick.LIFTED) / 2.0, 1.0: pick.LIFTED, 2.0: pick.AT_OBJECT}
+    poses_at = {
+        0.0: pick.READY,
+        0.5: np.add(pick.READY, pick.LIFTED) / 2.0,
+        1.0: pick.LIFTED,
+        2.0: pick.AT_OBJECT,
+    }
     poses_at |= {3.0: pick.AT_OBJECT, 4.0: pick.LIFTED, 9.0: pick.LIFTED}
     fingers = {0.0: 0.04, 2.0: 0.04, 2.5: 0.02, 3.0: 0.0, 9.0: 0.0}
     for time_s, arm in poses_at.items():
         assert pick.pick_controls(time_s)[:7] == pytest.approx(arm)
-    assert pick.pick_controls(np.array(list(fingers)))[:, 7] == pytest.approx(list(fingers.values()))
+    assert pick.pick_controls(np.array(list(fingers)))[:, 7] == pytest.approx(
+        list(fingers.values())
+    )
 
 
 def test_drops_are_counted_from_when_the_object_should_be_up(monkeypatch):
@@ -301,7 +470,9 @@ def test_drops_are_counted_from_when_the_object_should_be_up(monkeypatch):
     heights = np.full((8, 4, 3), 0.2)
     heights[:, 0] = heights[4:, 1] = heights[6, 2] = 0.02
     shown = iter([*heights])
-    world = SimpleNamespace(command=lambda _: None, advance=lambda: None, body=lambda: (next(shown), None))
+    world = SimpleNamespace(
+        command=lambda _: None, advance=lambda: None, body=lambda: (next(shown), None)
+    )
     monkeypatch.setitem(pick.ENGINES, "c", lambda *_: world)
     case = pick.Pick("", timestep=1.0)  # up after the second sample of 2 s
     row = pick.shake(case, np.zeros((9, 4, 8)), "cpu")
@@ -314,15 +485,32 @@ def test_drops_are_counted_from_when_the_object_should_be_up(monkeypatch):
 def test_bodies_have_the_inertia_that_mujoco_gives_their_shapes():
     made = turning_box(0.002, 1.0).body
     model = mujoco.MjModel.from_xml_string(turntable.MJCF)
-    assert made.inertia_kg_m2 == pytest.approx(model.body_inertia[-1]) and made.mass_kg == model.body_mass[-1]
+    assert (
+        made.inertia_kg_m2 == pytest.approx(model.body_inertia[-1])
+        and made.mass_kg == model.body_mass[-1]
+    )
     made = pinch(0.002, 1.0).body
-    rod = f'<geom type="cylinder" size="0.004 0.02" zaxis="0 1 0" mass="{made.mass_kg}"/>'
-    shape = mujoco.MjModel.from_xml_string(f"<mujoco><worldbody><body>{rod}</body></worldbody></mujoco>")
-    assert made.inertia_kg_m2 == pytest.approx(np.array(shape.body_inertia[1])[[0, 2, 1]])
-    cube = robot.scene_of(robot.Reference(replace(AS_SHIPPED, cube_edge_m=0.06), None, np.zeros((2, 9))), "").body
+    rod = (
+        f'<geom type="cylinder" size="0.004 0.02" zaxis="0 1 0" mass="{made.mass_kg}"/>'
+    )
+    shape = mujoco.MjModel.from_xml_string(
+        f"<mujoco><worldbody><body>{rod}</body></worldbody></mujoco>"
+    )
+    assert made.inertia_kg_m2 == pytest.approx(
+        np.array(shape.body_inertia[1])[[0, 2, 1]]
+    )
+    cube = robot.scene_of(
+        robot.Reference(replace(AS_SHIPPED, cube_edge_m=0.06), None, np.zeros((2, 9))),
+        "",
+    ).body
     box_ = f'<geom type="box" size="0.03 0.03 0.03" mass="{500.0 * 0.06**3}"/>'
-    shape = mujoco.MjModel.from_xml_string(f"<mujoco><worldbody><body>{box_}</body></worldbody></mujoco>")
-    assert cube.inertia_kg_m2 == pytest.approx(shape.body_inertia[1]) and cube.half_size_m == [0.03] * 3
+    shape = mujoco.MjModel.from_xml_string(
+        f"<mujoco><worldbody><body>{box_}</body></worldbody></mujoco>"
+    )
+    assert (
+        cube.inertia_kg_m2 == pytest.approx(shape.body_inertia[1])
+        and cube.half_size_m == [0.03] * 3
+    )
 
 
 def test_drives_of_engines_apart():
@@ -333,10 +521,18 @@ def test_drives_of_engines_apart():
 
 def test_a_box_walks_by_its_radius_or_creeps_by_its_way_along_a_table_that_stands():
     time_s = 0.1 * np.arange(21)
-    path = np.stack([0.2 * np.exp(0.03 * time_s), 0.0 * time_s, 0.1 + 0.0 * time_s], axis=1)
-    assert box.columns("growth_per_s", path) == {"stays": True, "growth_per_s": pytest.approx(0.03)}
+    path = np.stack(
+        [0.2 * np.exp(0.03 * time_s), 0.0 * time_s, 0.1 + 0.0 * time_s], axis=1
+    )
+    assert box.columns("growth_per_s", path) == {
+        "stays": True,
+        "growth_per_s": pytest.approx(0.03),
+    }
     path[:, :2] = 0.2 + np.outer(time_s, (0.003, 0.004)) + (time_s < 0.95)[:, None]
-    assert box.columns("creep_mm_s", path) == {"stays": True, "creep_mm_s": pytest.approx(5.0)}
+    assert box.columns("creep_mm_s", path) == {
+        "stays": True,
+        "creep_mm_s": pytest.approx(5.0),
+    }
     for drop_m, stays in ((0.0099, True), (0.0101, False)):
         path[-1, 2] = 0.1 - drop_m
         assert box.columns("creep_mm_s", path)["stays"] is stays
@@ -351,33 +547,70 @@ def test_a_box_is_sampled_each_tenth_of_a_second_from_its_place_on(monkeypatch):
         places[1, 0] += 1e-3
         there.body_q.assign(places)
 
-    monkeypatch.setattr(newton_solver.solvers, "SolverMuJoCo", lambda *_, **options: SimpleNamespace(step=step))
-    pipeline = SimpleNamespace(contacts=lambda: None, collide=lambda *_: found.append(0))
-    monkeypatch.setattr(newton_solver.newton, "CollisionPipeline", lambda *_, **options: pipeline)
+    monkeypatch.setattr(
+        newton_solver.solvers,
+        "SolverMuJoCo",
+        lambda *_, **options: SimpleNamespace(step=step),
+    )
+    pipeline = SimpleNamespace(
+        contacts=lambda: None, collide=lambda *_: found.append(0)
+    )
+    monkeypatch.setattr(
+        newton_solver.newton, "CollisionPipeline", lambda *_, **options: pipeline
+    )
     variant = newton_solver.Variant("", "SolverMuJoCo", steps_between_contacts=4)
     path = newton_solver.run(still(0.01, 0.3), variant, "cpu").path_m
-    assert path == pytest.approx(np.outer([0.0, 0.01, 0.02, 0.03], [1.0, 0.0, 0.0]) + [0.2, 0.0, 0.1])
+    assert path == pytest.approx(
+        np.outer([0.0, 0.01, 0.02, 0.03], [1.0, 0.0, 0.0]) + [0.2, 0.0, 0.1]
+    )
     assert len(found) == 3 * 3
 
 
 def test_gravity_leans_on_the_slope_by_a_tangent_of_035_and_arms_carry_their_weight():
-    gravity = newton_solver.build(slope_of_table(0.01, 0.3), "cpu").gravity.numpy().reshape(-1, 3)[0]
-    assert np.linalg.norm(gravity) == pytest.approx(G) and -gravity[0] / gravity[2] == pytest.approx(0.35)
+    gravity = (
+        newton_solver.build(slope_of_table(0.01, 0.3), "cpu")
+        .gravity.numpy()
+        .reshape(-1, 3)[0]
+    )
+    assert np.linalg.norm(gravity) == pytest.approx(G) and -gravity[0] / gravity[
+        2
+    ] == pytest.approx(0.35)
     labels = ["base", "arm/fr3_link1", "cube"] * 2
-    model = SimpleNamespace(body_label=labels, body_count=6, device="cpu", body_mass=wp.array([1.0, 2.0, 3.0] * 2))
+    model = SimpleNamespace(
+        body_label=labels,
+        body_count=6,
+        device="cpu",
+        body_mass=wp.array([1.0, 2.0, 3.0] * 2),
+    )
     scene = SimpleNamespace(links={"cube": SimpleNamespace(body=2)})
     cases = [AS_SHIPPED, replace(AS_SHIPPED, gravity_m_s2=2.0)]
-    forces = weight_of_the_arm(SimpleNamespace(model=model, scene=scene, world_count=2, cases=cases)).numpy()
-    assert forces[:, 2] == pytest.approx([0.0, 2.0 * G, 0.0, 0.0, 4.0, 0.0]) and not forces[:, [0, 1, 3, 4, 5]].any()
+    forces = weight_of_the_arm(
+        SimpleNamespace(model=model, scene=scene, world_count=2, cases=cases)
+    ).numpy()
+    assert (
+        forces[:, 2] == pytest.approx([0.0, 2.0 * G, 0.0, 0.0, 4.0, 0.0])
+        and not forces[:, [0, 1, 3, 4, 5]].any()
+    )
 
 
 def test_a_row_of_a_solver_has_the_means_of_the_shake():
     """A cube that goes 1 mm/s, 30 N on pads of μ = 0.5 that carry 6 N: 0.4 of it; the hand goes 3 cm to each side."""
     time_s = np.arange(301) / FRAME_RATE
-    trace = trace_of(along(0, 1e-3 * time_s), normal_force_n=30.0, tangential_force_n=6.0, penetration_m=2e-3)
+    trace = trace_of(
+        along(0, 1e-3 * time_s),
+        normal_force_n=30.0,
+        tangential_force_n=6.0,
+        penetration_m=2e-3,
+    )
     trace.poses[:, :2, 0] += 0.03 * np.sin(2.0 * np.pi * time_s)[:, None]
     row = newton_solvers.row_of("xpbd", "3cm", replace(AS_SHIPPED, pad_mu=0.5), trace)
-    names = ("creep_mm_per_cycle", "friction_share", "normal_force_n", "penetration_mm", "hand_amplitude_mm")
+    names = (
+        "creep_mm_per_cycle",
+        "friction_share",
+        "normal_force_n",
+        "penetration_mm",
+        "hand_amplitude_mm",
+    )
     assert [row[name] for name in names] == pytest.approx([1.0, 0.4, 30.0, 2.0, 30.0])
 
 
@@ -387,4 +620,6 @@ def test_what_others_published_is_measured_over_its_own_times(monkeypatch):
     height_m = np.cumsum([0.0, *(-0.02 * speed_m_s)])
     falling = Shown(np.outer(height_m, [0.0, 0.0, 1.0])[:, None])
     monkeypatch.setattr(published, "run_here", lambda scene, *_: falling)
-    assert published.press(SimpleNamespace(device="cpu"), "c")["creep_mm_s"] == pytest.approx(5.0)
+    assert published.press(SimpleNamespace(device="cpu"), "c")[
+        "creep_mm_s"
+    ] == pytest.approx(5.0)

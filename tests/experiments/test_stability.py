@@ -27,9 +27,13 @@ def test_the_limits_are_as_by_hand():
     still = replace(BASE, shake_amplitude_m=0.0)
     assert limits.target_demand_m_s2(still) == pytest.approx(9.81)
     # 32 g at 9.81 m/s² on two pads that press with 1.57 N together, μ = 0.1: twice what friction can carry.
-    assert limits.friction_load(replace(still, pad_mu=0.1), 9.81, 1.5696) == pytest.approx(2.0, rel=1e-4)
+    assert limits.friction_load(
+        replace(still, pad_mu=0.1), 9.81, 1.5696
+    ) == pytest.approx(2.0, rel=1e-4)
     # As shipped k = 1 / (0.95 * 0.02)², so a millimetre leaves at 1e-3 / 0.019 m/s.
-    assert limits.exit_bound_m_s(replace(BASE, start_overlap_m=1e-3)) == pytest.approx(1e-3 / 0.019)
+    assert limits.exit_bound_m_s(replace(BASE, start_overlap_m=1e-3)) == pytest.approx(
+        1e-3 / 0.019
+    )
     # Two steps of 1/60 s are longer than the timeconst.
     slow = replace(BASE, start_overlap_m=1e-3, substeps=1)
     assert limits.exit_bound_m_s(slow) == pytest.approx(1e-3 / (0.95 / 30.0))
@@ -43,13 +47,21 @@ def extremes() -> dict[str, tuple]:
     changes = {
         "stiff": {},
         "frictionless": {"pad_mu": 0.0},
-        "direct": {"pad_direct": True, "pad_ke": 960.0**2, "pad_kd": 2.0 * 960.0, "pad_kf": -1.0},
+        "direct": {
+            "pad_direct": True,
+            "pad_ke": 960.0**2,
+            "pad_kd": 2.0 * 960.0,
+            "pad_kf": -1.0,
+        },
         "unstable": {"pad_direct": True, "pad_ke": 1e8, "pad_kd": 2e4},
         "upward": {"gravity_m_s2": -9.81},
         "large": {"cube_edge_m": 0.08, "finger_closed_m": closed_m(0.08, 12.0)},
         "shifted": {"cube_offset_m": 5e-4},
     }
-    cases = [replace(STIFF, name=name, frame_count=122, **change) for name, change in changes.items()]
+    cases = [
+        replace(STIFF, name=name, frame_count=122, **change)
+        for name, change in changes.items()
+    ]
     traces = simulate(cases, device="cpu")
     assert {trace.world_count for trace in traces} == {len(cases)}
     return {case.name: (case, trace) for case, trace in zip(cases, traces, strict=True)}
@@ -57,7 +69,12 @@ def extremes() -> dict[str, tuple]:
 
 @pytest.mark.parametrize(
     ("name", "expected"),
-    [("stiff", "creeping"), ("frictionless", "dropped"), ("direct", "exploded"), ("unstable", "non-finite")]
+    [
+        ("stiff", "creeping"),
+        ("frictionless", "dropped"),
+        ("direct", "exploded"),
+        ("unstable", "non-finite"),
+    ]
     + [("upward", "creeping"), ("large", "creeping")],
 )
 def test_how_extreme_cases_end(extremes, name, expected):
@@ -66,12 +83,18 @@ def test_how_extreme_cases_end(extremes, name, expected):
 
 def test_a_cube_starts_in_the_hand_with_its_grip_and_weight(extremes):
     _, trace = extremes["stiff"]
-    np.testing.assert_allclose(trace.poses[0, metrics.CUBE, :3], CUBE_IN_HAND, atol=2e-4)
+    np.testing.assert_allclose(
+        trace.poses[0, metrics.CUBE, :3], CUBE_IN_HAND, atol=2e-4
+    )
     assert trace.column("normal_force_n")[2:9] == pytest.approx(24.0, abs=0.2)
     _, shifted = extremes["shifted"]
-    assert shifted.poses[5, metrics.CUBE, 0] - trace.poses[5, metrics.CUBE, 0] == pytest.approx(5e-4, abs=1e-5)
+    assert shifted.poses[5, metrics.CUBE, 0] - trace.poses[
+        5, metrics.CUBE, 0
+    ] == pytest.approx(5e-4, abs=1e-5)
     _, trace = extremes["large"]
     fingers = trace.poses[60, 3:5, :3]
     assert np.linalg.norm(fingers[0] - fingers[1]) == pytest.approx(0.08, abs=1e-4)
     # 256 g need 2.5 N of friction, 24 N of grip give μ times as much: the tangential force is the weight.
-    assert trace.column("tangential_force_n")[60] == pytest.approx(0.256 * 9.81, rel=0.02)
+    assert trace.column("tangential_force_n")[60] == pytest.approx(
+        0.256 * 9.81, rel=0.02
+    )

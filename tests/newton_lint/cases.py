@@ -82,7 +82,9 @@ class Case:
         given = USUAL | dict(self.changes)
         slope = math.atan(given["slope"])
         given |= {"gx": 9.81 * math.sin(slope), "gz": -9.81 * math.cos(slope)}
-        return {"incline": INCLINE, "pinch": PINCH, "turn": TURN}[self.kind].format(**given)
+        return {"incline": INCLINE, "pinch": PINCH, "turn": TURN}[self.kind].format(
+            **given
+        )
 
     @property
     def target(self) -> Target:
@@ -91,7 +93,11 @@ class Case:
     def predicted_mm_s(self) -> float:
         """By ``--hold``, of a table that turns at half a radian a second with ``--turn``."""
         target = self.target
-        return settled_hold(scene_of(target), target, Work("held", turn_rad_s=0.5 * (self.kind == "turn"))).mm_s
+        return settled_hold(
+            scene_of(target),
+            target,
+            Work("held", turn_rad_s=0.5 * (self.kind == "turn")),
+        ).mm_s
 
     def measured_mm_s(self) -> float:
         """How fast it moves relative to what it stands on, or is held by."""
@@ -99,14 +105,19 @@ class Case:
         data = started(model)
         body, support = model.body("held").id, 1 if self.kind == "turn" else 0
         if self.kind == "turn":
-            data.qvel[0], data.qvel[2] = 0.5, 0.5 * dict(self.changes).get("radius", 1.0)
+            data.qvel[0], data.qvel[2] = (
+                0.5,
+                0.5 * dict(self.changes).get("radius", 1.0),
+            )
         start = _within(model, settled(model, data, 0.5), body, support)
         time = 0.3
         end = _within(model, settled(model, data, time), body, support)
         return 1e3 * float(np.linalg.norm(end - start)) / time
 
 
-def _within(model: mujoco.MjModel, data: mujoco.MjData, body: int, support: int) -> np.ndarray:
+def _within(
+    model: mujoco.MjModel, data: mujoco.MjData, body: int, support: int
+) -> np.ndarray:
     """Where a body is in another's frame; of a body that turns only how far from its axis."""
     mujoco.mj_kinematics(model, data)
     place = data.xmat[support].reshape(3, 3).T @ (data.xpos[body] - data.xpos[support])
@@ -122,11 +133,25 @@ def cases() -> Iterator[Case]:
 def _settings(kind: str) -> Iterator[tuple[tuple[str, object], ...]]:
     yield ()
     yield from ((("cone", "pyramidal"), ("mu", mu)) for mu in (0.6, 1, 2))
-    yield from ((("cone", cone), ("impratio", 10)) for cone in ("pyramidal", "elliptic"))
-    yield from ((("condim", condim), ("cone", cone)) for condim in (4, 6) for cone in ("elliptic", "pyramidal"))
-    yield from ((("solref", solref),) for solref in ("0.01 1", "0.001 1", "0.02 2", "-2500 -100", "-10000 -100"))
     yield from (
-        (("solimp", solimp),) for solimp in ("0.5 0.9 0.01 0.5 2", "0.95 0.99 0.001 0.3 4", "0.95 0.6 0.002 0.5 2")
+        (("cone", cone), ("impratio", 10)) for cone in ("pyramidal", "elliptic")
+    )
+    yield from (
+        (("condim", condim), ("cone", cone))
+        for condim in (4, 6)
+        for cone in ("elliptic", "pyramidal")
+    )
+    yield from (
+        (("solref", solref),)
+        for solref in ("0.01 1", "0.001 1", "0.02 2", "-2500 -100", "-10000 -100")
+    )
+    yield from (
+        (("solimp", solimp),)
+        for solimp in (
+            "0.5 0.9 0.01 0.5 2",
+            "0.95 0.99 0.001 0.3 4",
+            "0.95 0.6 0.002 0.5 2",
+        )
     )
     yield (("floor", 'solref="0.004 1"'),)
     yield (("floor", 'solref="0.004 1" priority="1"'),)
@@ -145,12 +170,27 @@ def _settings(kind: str) -> Iterator[tuple[tuple[str, object], ...]]:
     if kind != "pinch":
         yield (("rest", PAIR.format(one="floor", more='solref="0.006 1"')),)
         yield (("rest", PAIR.format(one="floor", more='solreffriction="0.005 1"')),)
-        yield (("rest", PAIR.format(one="floor", more='solreffriction="-500 -80" friction="0.8 0.8"')),)
+        yield (
+            (
+                "rest",
+                PAIR.format(
+                    one="floor", more='solreffriction="-500 -80" friction="0.8 0.8"'
+                ),
+            ),
+        )
         yield (("rest", PAIR.format(one="floor", more='friction="0.8 0.3"')),)
-        yield (("rest", '<default><pair solref="0.008 1"/></default>' + PAIR.format(one="floor", more="")),)
+        yield (
+            (
+                "rest",
+                '<default><pair solref="0.008 1"/></default>'
+                + PAIR.format(one="floor", more=""),
+            ),
+        )
     if kind == "incline":
         yield from (
-            (("slope", slope), ("cone", cone)) for slope in (0.6, 0.95, 1.1) for cone in ("elliptic", "pyramidal")
+            (("slope", slope), ("cone", cone))
+            for slope in (0.6, 0.95, 1.1)
+            for cone in ("elliptic", "pyramidal")
         )
     if kind == "pinch":
         yield from ((("mass", mass), ("grip", 10)) for mass in (0.1, 1, 2.2))

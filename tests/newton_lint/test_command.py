@@ -30,12 +30,30 @@ SPHERE = '<collision><geometry><sphere radius="0.1"/></geometry></collision>'
 URDF = f'<robot name="ball"><link name="skin">{SPHERE}</link></robot>'
 KINDS = {
     "findings": {
-        **{"rule": str, "shape": str, "against": list, "parameter": str, "value": float, "used": float | None},
+        **{
+            "rule": str,
+            "shape": str,
+            "against": list,
+            "parameter": str,
+            "value": float,
+            "used": float | None,
+        },
         **{"unit": str, "message": str},
     },
     "creep": {
-        **{"acceleration_m_s2": float, "load_n": float, "pairs": list, "timeconst_s": float, "dmax": float},
-        **{"response_s": float, "acceleration_response_s": float, "load_deep_mm_s": float, "load_shallow_mm_s": float},
+        **{
+            "acceleration_m_s2": float,
+            "load_n": float,
+            "pairs": list,
+            "timeconst_s": float,
+            "dmax": float,
+        },
+        **{
+            "response_s": float,
+            "acceleration_response_s": float,
+            "load_deep_mm_s": float,
+            "load_shallow_mm_s": float,
+        },
     },
 }
 
@@ -73,22 +91,41 @@ def test_a_clean_scene(scene, capsys):
     assert main([scene(), "--acceleration", "1"]) == 0
     out = capsys.readouterr().out
     assert ": 2 shapes, 1 pair, dt 0.002 s: nothing found" in out.splitlines()[0]
-    assert "timeconst 0.02 s; 8.5 mm/s for each m/s²" in out  # 0.95 · 20 ms / 2 less half a step
+    assert (
+        "timeconst 0.02 s; 8.5 mm/s for each m/s²" in out
+    )  # 0.95 · 20 ms / 2 less half a step
     texture = '<asset><texture name="a" type="2d" file="no.png"/><material name="b" texture="a"/></asset>'
-    assert main([scene('material="b"', f'{texture}<sensor><touch site="nowhere"/></sensor>')]) == 0
+    assert (
+        main(
+            [
+                scene(
+                    'material="b"', f'{texture}<sensor><touch site="nowhere"/></sensor>'
+                )
+            ]
+        )
+        == 0
+    )
 
 
 def test_warnings_end_with_one_and_notes_do_not(scene, capsys):
     short = 'solref="0.001 1" priority="1"'
     assert main([scene(short), "--dt", "0.01"]) == 1
-    assert re.findall(r"(warning|note) ([\w-]+):", capsys.readouterr().out) == [("warning", "timeconst")]
-    assert main([scene('solref="0.001 0.1" priority="1"'), "--dt", "0.0001"]) == 0  # which bounces, and may be meant to
+    assert re.findall(r"(warning|note) ([\w-]+):", capsys.readouterr().out) == [
+        ("warning", "timeconst")
+    ]
+    assert (
+        main([scene('solref="0.001 0.1" priority="1"'), "--dt", "0.0001"]) == 0
+    )  # which bounces, and may be meant to
     target = scene(SOFT)
     fail_on = {"note": 1, "warning": 0, "error": 0, "never": 0}
     assert {least: main([target, "--fail-on", least]) for least in fail_on} == fail_on
     assert capsys.readouterr().out.count(": 1 note\n") == 4
     target = scene('solref="0.004 1" priority="1"', '<option timestep="0.007"/>')
-    assert (main([target]), main([target, "--dt", "0.002"]), main([target, "--fail-on", "never"])) == (1, 0, 0)
+    assert (
+        main([target]),
+        main([target, "--dt", "0.002"]),
+        main([target, "--fail-on", "never"]),
+    ) == (1, 0, 0)
     assert main([target, "--ignore", "timeconst,slip"]) == 0
 
 
@@ -114,8 +151,13 @@ def test_places_are_those_of_the_files(scene, tmp_path, capsys):
     )
     target = scene('friction="0.05"', '<include file="pads.xml"/>')
     assert main([target, "--json"]) == 1
-    found = {each["rule"]: each for each in json.loads(capsys.readouterr().out)["findings"]}
-    assert (found["timeconst"]["file"], found["timeconst"]["line"]) == (str(tmp_path / "pads.xml"), 3)
+    found = {
+        each["rule"]: each for each in json.loads(capsys.readouterr().out)["findings"]
+    }
+    assert (found["timeconst"]["file"], found["timeconst"]["line"]) == (
+        str(tmp_path / "pads.xml"),
+        3,
+    )
     assert (found["friction"]["file"], found["friction"]["line"]) == (target, 6)
     [change] = found["friction"]["changes"]
     assert change["attributes"] == {"priority": "2"} and change["line"] == 3
@@ -132,20 +174,35 @@ def test_places_are_those_of_the_files(scene, tmp_path, capsys):
     ],
 )
 def test_comments_ignore_rules(comment, line, left, scene, tmp_path, capsys):
-    lines = (tmp_path / "scene.xml" if scene(SOFT) else None).read_text().strip().splitlines()
-    (tmp_path / "scene.xml").write_text("\n".join([*lines[:line], comment, *lines[line:]]))
+    lines = (
+        (tmp_path / "scene.xml" if scene(SOFT) else None)
+        .read_text()
+        .strip()
+        .splitlines()
+    )
+    (tmp_path / "scene.xml").write_text(
+        "\n".join([*lines[:line], comment, *lines[line:]])
+    )
     main([str(tmp_path / "scene.xml"), "--json"])
     assert len(json.loads(capsys.readouterr().out)["findings"]) == left
 
 
-def test_a_table_of_the_project_counts_below_options(scene, tmp_path, monkeypatch, capsys):
+def test_a_table_of_the_project_counts_below_options(
+    scene, tmp_path, monkeypatch, capsys
+):
     monkeypatch.chdir(tmp_path)
     target = scene(SOFT)
-    (tmp_path / "pyproject.toml").write_text('[tool.newton-lint]\nfail-on = "note"\nformat = "github"\n')
+    (tmp_path / "pyproject.toml").write_text(
+        '[tool.newton-lint]\nfail-on = "note"\nformat = "github"\n'
+    )
     assert main([target]) == 1
-    assert capsys.readouterr().out.startswith(f"::notice file={target},line=6,title=newton-lint one-sided::")
+    assert capsys.readouterr().out.startswith(
+        f"::notice file={target},line=6,title=newton-lint one-sided::"
+    )
     assert main([target, "--fail-on", "error"]) == 0
-    (tmp_path / "pyproject.toml").write_text('[tool.newton-lint]\nignore = ["one-sided"]\n')
+    (tmp_path / "pyproject.toml").write_text(
+        '[tool.newton-lint]\nignore = ["one-sided"]\n'
+    )
     assert main([target, "--fail-on", "note"]) == 0
 
 
@@ -154,13 +211,23 @@ def test_folders_and_several_files(scene, tmp_path, capsys):
     (tmp_path / "notes.xml").write_text("<other/>")
     (tmp_path / "robot.urdf").write_text(URDF)
     assert main([str(tmp_path), target, "--format", "github"]) == 0
-    assert capsys.readouterr().out.count(f"::notice file={target},line=6,title=newton-lint one-sided") == 2
+    assert (
+        capsys.readouterr().out.count(
+            f"::notice file={target},line=6,title=newton-lint one-sided"
+        )
+        == 2
+    )
     assert main([str(tmp_path), target, "--format", "sarif"]) == 0
     results = json.loads(capsys.readouterr().out)["runs"][0]["results"]
-    assert [(result["ruleId"], result["level"]) for result in results] == [("one-sided", "note")] * 2
+    assert [(result["ruleId"], result["level"]) for result in results] == [
+        ("one-sided", "note")
+    ] * 2
     place = results[0]["locations"][0]["physicalLocation"]
     assert place == {"artifactLocation": {"uri": target}, "region": {"startLine": 6}}
-    assert main([str(tmp_path), "--json"]) == 0 and len(json.loads(capsys.readouterr().out)) == 2
+    assert (
+        main([str(tmp_path), "--json"]) == 0
+        and len(json.loads(capsys.readouterr().out)) == 2
+    )
     assert main([target, "nowhere.xml"]) == 2
 
 
@@ -172,22 +239,48 @@ def test_installed_by_itself_it_needs_no_checkout(scene, tmp_path):
         shutil.copytree(package / name, tmp_path / "site" / name)
     module, _, function = project["project"]["scripts"]["newton-lint"].partition(":")
     program = tmp_path / "newton-lint"
-    program.write_text(f"import sys\nfrom {module} import {function}\nsys.exit({function}())\n")
+    program.write_text(
+        f"import sys\nfrom {module} import {function}\nsys.exit({function}())\n"
+    )
     environment = os.environ | {"PYTHONPATH": str(tmp_path / "site")}
     call = [sys.executable, program, scene(), "--dt", "soon"]
-    refused = subprocess.run(call, cwd=tmp_path, env=environment, capture_output=True, text=True, check=False)
-    assert (refused.returncode, refused.stderr.count("\n")) == (2, 1) and "newton-lint --help" in refused.stderr
-    found = subprocess.run(call[:3], cwd=tmp_path, env=environment, capture_output=True, text=True, check=False)
-    assert (found.returncode, found.stderr) == (0, "") and "nothing found" in found.stdout
+    refused = subprocess.run(
+        call, cwd=tmp_path, env=environment, capture_output=True, text=True, check=False
+    )
+    assert (refused.returncode, refused.stderr.count("\n")) == (
+        2,
+        1,
+    ) and "newton-lint --help" in refused.stderr
+    found = subprocess.run(
+        call[:3],
+        cwd=tmp_path,
+        env=environment,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert (found.returncode, found.stderr) == (
+        0,
+        "",
+    ) and "nothing found" in found.stdout
 
 
 def test_a_function_and_a_robot_are_targets(tmp_path, capsys):
     (tmp_path / "robot.urdf").write_text(URDF)
     (tmp_path / "beside.py").write_text(f"from {__name__} import built\n")
-    (tmp_path / "model.py").write_text("from beside import built\n\ndef mine():\n    return built()\n")
-    assert [main([f"{__name__}:{name}"]) for name in ("built", "spec", "env")] == [0, 0, 0]
+    (tmp_path / "model.py").write_text(
+        "from beside import built\n\ndef mine():\n    return built()\n"
+    )
+    assert [main([f"{__name__}:{name}"]) for name in ("built", "spec", "env")] == [
+        0,
+        0,
+        0,
+    ]
     assert main([f"{tmp_path / 'model.py'}:mine"]) == 0
-    assert main(["pair", f"{__name__}:built", "ball", "ground_plane"]) == 0 and "condim" in capsys.readouterr().out
+    assert (
+        main(["pair", f"{__name__}:built", "ball", "ground_plane"]) == 0
+        and "condim" in capsys.readouterr().out
+    )
     assert main([str(tmp_path / "robot.urdf")]) == 0  # one shape alone touches nothing
     assert "creep" not in capsys.readouterr().out.split("robot.urdf")[1]
 
@@ -201,7 +294,9 @@ def test_what_cannot_be_linted_is_said_in_one_line(arguments, scene, tmp_path, c
     (tmp_path / "broken.xml").write_text("<mujoco><worldbody>")
     places = {"good": scene(), "broken": str(tmp_path / "broken.xml")}
     try:
-        status = main([places.get(argument, argument) for argument in arguments.split()])
+        status = main(
+            [places.get(argument, argument) for argument in arguments.split()]
+        )
     except SystemExit as end:
         status = end.code
     out, err = capsys.readouterr()
@@ -212,9 +307,23 @@ def test_json_and_rules_are_as_documented(scene, capsys):
     target = scene('solref="0.001 1" friction="1 0.2 0.0001"')
     assert main([target, "--json", "--load", "3", "--acceleration", "0.5"]) == 1
     said = json.loads(capsys.readouterr().out)
-    assert (said["schema"], said["target"], said["newton"], said["dt_s"]) == (2, target, None, 0.002)
+    assert (said["schema"], said["target"], said["newton"], said["dt_s"]) == (
+        2,
+        target,
+        None,
+        0.002,
+    )
     assert (said["shape_count"], said["pair_count"]) == (2, 1)
-    of_old = ["schema", "target", "newton", "dt_s", "shape_count", "pair_count", "findings", "creep"]
+    of_old = [
+        "schema",
+        "target",
+        "newton",
+        "dt_s",
+        "shape_count",
+        "pair_count",
+        "findings",
+        "creep",
+    ]
     assert list(said) == [*of_old, "hold"]
     for name, kinds in KINDS.items():
         assert said[name]
@@ -230,10 +339,21 @@ def test_json_and_rules_are_as_documented(scene, capsys):
     response_s = 0.5 * 0.95 * 0.0105
     assert creep["response_s"] == pytest.approx(response_s)
     assert creep["acceleration_mm_s"] == pytest.approx(1e3 * (response_s - 0.001) * 0.5)
-    assert creep["load_deep_mm_s"] == pytest.approx(1e3 * response_s * (0.05 / 0.95) * 0.5 * 2.0 * 3.0, rel=1e-4)
-    assert creep["load_shallow_mm_s"] == pytest.approx(1e3 * response_s * (0.1 / 0.9) * 0.5 * 2.0 * 3.0, rel=1e-4)
-    sources = [path.read_text(encoding="utf-8") for path in (ROOT / "packages/newton-lint/newton_lint").rglob("*.py")]
-    named = re.compile(r'(?:Wording|Finding|_scene_finding)\(\s*(?:scene, )?"([a-z-]+)"')
+    assert creep["load_deep_mm_s"] == pytest.approx(
+        1e3 * response_s * (0.05 / 0.95) * 0.5 * 2.0 * 3.0, rel=1e-4
+    )
+    assert creep["load_shallow_mm_s"] == pytest.approx(
+        1e3 * response_s * (0.1 / 0.9) * 0.5 * 2.0 * 3.0, rel=1e-4
+    )
+    sources = [
+        path.read_text(encoding="utf-8")
+        for path in (ROOT / "packages/newton-lint/newton_lint").rglob("*.py")
+    ]
+    named = re.compile(
+        r'(?:Wording|Finding|_scene_finding)\(\s*(?:scene, )?"([a-z-]+)"'
+    )
     rules = {rule for source in sources for rule in named.findall(source)}
-    table = (ROOT / "packages/newton-lint/newton_lint/rules.md").read_text(encoding="utf-8")
+    table = (ROOT / "packages/newton-lint/newton_lint/rules.md").read_text(
+        encoding="utf-8"
+    )
     assert len(rules) > 20 and all(f"| `{rule}` |" in table for rule in rules), rules

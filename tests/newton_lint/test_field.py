@@ -11,7 +11,11 @@ from newton_lint.command import main
 BOX = '<geom name="floor" type="plane" size="2 2 .1"/>'
 LINK = '<body pos="0 0 {z}"><joint name="j" {joint}/><geom name="link" type="capsule" {geom}/></body>'
 SERVO = "</worldbody><actuator><position joint='j' {}/></actuator><keyframe><key {}/></keyframe><worldbody>"
-KNEE = LINK.format(z=0.6, joint='axis="0 1 0" damping=".05"', geom='size=".02" fromto="0 0 0 .2 0 0" mass=".4"')
+KNEE = LINK.format(
+    z=0.6,
+    joint='axis="0 1 0" damping=".05"',
+    geom='size=".02" fromto="0 0 0 .2 0 0" mass=".4"',
+)
 SCENES = {  # bodies, options, what is said, what is not
     "a servo too stiff for the step": (
         KNEE + SERVO.format('kp="4000"', 'qpos="0"'),
@@ -20,17 +24,28 @@ SCENES = {  # bodies, options, what is said, what is not
         "timestep=",
     ),
     "an arm that sags": (
-        LINK.format(z=1, joint='axis="0 1 0" damping="5"', geom='size=".02" fromto="0 0 0 .4 0 0" mass="3"')
+        LINK.format(
+            z=1,
+            joint='axis="0 1 0" damping="5"',
+            geom='size=".02" fromto="0 0 0 .4 0 0" mass="3"',
+        )
         + SERVO.format('kp="40"', 'qpos="0"'),
         "",
         ("warning servo: j: error 8.", "gravcomp=", 'kp="360" on it: 8.'),
         "unstable",
     ),
     "a joint driven past its limit": (
-        LINK.format(z=1, joint='axis="0 1 0" range="0 90" damping=".1" armature=".001"', geom='size=".008 .02"')
+        LINK.format(
+            z=1,
+            joint='axis="0 1 0" range="0 90" damping=".1" armature=".001"',
+            geom='size=".008 .02"',
+        )
         + SERVO.format('kp="100" ctrlrange="-1 12.2"', 'qpos="1.5" ctrl="12"'),
         "",
-        ("warning limit: j: position", 'ctrlrange="0 1.571" on its actuator, which asks for 12'),
+        (
+            "warning limit: j: position",
+            'ctrlrange="0 1.571" on its actuator, which asks for 12',
+        ),
         "servo",
     ),
     "a rope that gives": (
@@ -43,13 +58,18 @@ SCENES = {  # bodies, options, what is said, what is not
         "error",
     ),
     "a mimic joint that stays open": (
-        LINK.format(z=1, joint='type="slide" axis="1 0 0"', geom='size=".01 .02" mass=".02"')
+        LINK.format(
+            z=1, joint='type="slide" axis="1 0 0"', geom='size=".01 .02" mass=".02"'
+        )
         + '<body><joint name="k" type="slide" axis="-1 0 0" damping="50"/><geom size=".01" mass=".02"/></body>'
         '</worldbody><equality><joint name="mirror" joint1="k" joint2="j"'
         ' solref=".05 1" solimp=".5 .6 .001"/></equality><worldbody>'
         + SERVO.format('kp="1000" kv="10"', 'qpos="0 0" ctrl=".03"'),
         'gravity="-3 0 0"',
-        ("warning equality: mirror: gap", 'solref="0.004 1" solimp="0.999 0.999 0.001" on it'),
+        (
+            "warning equality: mirror: gap",
+            'solref="0.004 1" solimp="0.999 0.999 0.001" on it',
+        ),
         "error",
     ),
     "a keyframe without ctrl": (
@@ -60,7 +80,11 @@ SCENES = {  # bodies, options, what is said, what is not
     ),
     "a tool through a plate": (
         '<geom name="plate" type="box" size=".2 .2 .002" pos="0 0 .2"/>'
-        + LINK.format(z=0.5, joint='type="slide" axis="0 0 1" damping="30"', geom='size=".01 .03" mass="1"')
+        + LINK.format(
+            z=0.5,
+            joint='type="slide" axis="0 0 1" damping="30"',
+            geom='size=".01 .03" mass="1"',
+        )
         + SERVO.format('kp="6000" kv="100"', 'qpos="-.2" ctrl="-.4"'),
         'timestep=".004"',
         ("error tunnel: body_1/link against plate: wall 4 mm", "stops it, measured"),
@@ -82,7 +106,8 @@ SCENES = {  # bodies, options, what is said, what is not
         "unstable",
     ),
     "a wheel that is soft on its own side": (
-        BOX + '<body pos="0 0 .2"><freejoint/><geom name="wheel" size=".1" solref=".1 1"/></body>',
+        BOX
+        + '<body pos="0 0 .2"><freejoint/><geom name="wheel" size=".1" solref=".1 1"/></body>',
         "",
         (
             "note one-sided: body_1/wheel: solref 0.1 s is soft on this side only",
@@ -103,11 +128,15 @@ SCENES = {  # bodies, options, what is said, what is not
         .replace("geom s", 'geom contype="0" conaffinity="0" s')
         .replace('"plane"', '"plane" conaffinity="0"'),
         "",
-        ("warning lost: ball: contype 0 meets no geom", 'contype="1" conaffinity="1" on floor'),
+        (
+            "warning lost: ball: contype 0 meets no geom",
+            'contype="1" conaffinity="1" on floor',
+        ),
         "error",
     ),
     "a geom that is seen and weighs": (
-        BOX + '<body name="cup" pos="0 0 .1"><freejoint/><geom size=".1"/><geom size=".1" contype="0" conaffinity="0"/>'
+        BOX
+        + '<body name="cup" pos="0 0 .1"><freejoint/><geom size=".1"/><geom size=".1" contype="0" conaffinity="0"/>'
         "</body>",
         "",
         ("warning visual: cup: mass 8.378 kg", 'mass="0" on them', "8.38 → 4.19 kg"),
@@ -126,7 +155,10 @@ SCENES = {  # bodies, options, what is said, what is not
         '<geom name="sole" type="box" size=".12 .06 .03" mass="20"/></body></worldbody>'
         '<asset><hfield name="g" nrow="400" ncol="400" size="1 1 .02 .1"/></asset><worldbody>',
         "",
-        ("warning hfield: body_1/sole against terrain: 50 contacts", 'nrow="21" ncol="21"'),
+        (
+            "warning hfield: body_1/sole against terrain: 50 contacts",
+            'nrow="21" ncol="21"',
+        ),
         "unstable",
     ),
 }
@@ -136,7 +168,9 @@ SCENES = {  # bodies, options, what is said, what is not
 def test_what_people_ask_is_named_with_what_mends_it(scene, tmp_path, capsys):
     bodies, option, texts, absent = SCENES[scene]
     path = tmp_path / "scene.xml"
-    path.write_text(f"<mujoco><option {option}/><worldbody>{bodies}</worldbody></mujoco>")
+    path.write_text(
+        f"<mujoco><option {option}/><worldbody>{bodies}</worldbody></mujoco>"
+    )
     main([str(path)])
     out = capsys.readouterr().out
     assert all(text in out for text in texts) and absent not in out, out
@@ -158,12 +192,20 @@ def test_what_swings_is_read_where_it_comes_to_rest(tmp_path, capsys):
     main([str(tmp_path / "weld.xml")])
     out = capsys.readouterr().out
     gap = float(out.partition("top: gap ")[2].split()[0])
-    assert gap == pytest.approx(1e3 * float(np.linalg.norm(data.efc_pos[:3])), rel=0.01) and "still moving" in out
+    assert (
+        gap == pytest.approx(1e3 * float(np.linalg.norm(data.efc_pos[:3])), rel=0.01)
+        and "still moving" in out
+    )
     body = '<body name="hand"><freejoint/><geom size=".03"/></body>'
     mocap = f'<worldbody><body name="m" mocap="true" pos="0 0 .5"/>{body}</worldbody>'
     weld = '<equality><weld body1="m" body2="hand" relpose="0 0 0 1 0 0 0" solref=".2 1"/></equality>'
-    (tmp_path / "mocap.xml").write_text(f'<mujoco><option gravity="0 0 0"/>{mocap}{weld}</mujoco>')
-    assert main([str(tmp_path / "mocap.xml")]) == 0 and "equality" not in capsys.readouterr().out
+    (tmp_path / "mocap.xml").write_text(
+        f'<mujoco><option gravity="0 0 0"/>{mocap}{weld}</mujoco>'
+    )
+    assert (
+        main([str(tmp_path / "mocap.xml")]) == 0
+        and "equality" not in capsys.readouterr().out
+    )
 
 
 BLOCK = """<mujoco><worldbody><geom name="board" type="box" size=".08 .05 .005"/><body pos="0 0 .026"><freejoint/>
@@ -178,15 +220,24 @@ def test_what_no_longer_falls_through_is_mended(tmp_path, capsys):
     assert 'cone="elliptic"' in path.read_text(), capsys.readouterr().err
 
 
-def test_a_change_without_effect_is_told_as_such_and_what_touches_nothing_is_a_note(tmp_path, capsys):
-    path, ball = tmp_path / "scene.xml", '<body pos="0 0 {}"><freejoint/><geom size=".1" solref="1e-4 1"/></body>'
+def test_a_change_without_effect_is_told_as_such_and_what_touches_nothing_is_a_note(
+    tmp_path, capsys
+):
+    path, ball = (
+        tmp_path / "scene.xml",
+        '<body pos="0 0 {}"><freejoint/><geom size=".1" solref="1e-4 1"/></body>',
+    )
     for z, severity in ((0.1, "warning"), (5, "note")):
         path.write_text(
-            f"<mujoco><worldbody>{BOX}{ball.format(z)}</worldbody></mujoco>".replace('floor"', 'f" solref="1e-4 1"')
+            f"<mujoco><worldbody>{BOX}{ball.format(z)}</worldbody></mujoco>".replace(
+                'floor"', 'f" solref="1e-4 1"'
+            )
         )
         main([str(path), "--dry-run"])
         out, err = capsys.readouterr()
-        assert f"{severity} timeconst" in out and ("which changes no motion: can be written" in err) == (z < 1)
+        assert f"{severity} timeconst" in out and (
+            "which changes no motion: can be written" in err
+        ) == (z < 1)
 
 
 OPTIONS = [
@@ -198,10 +249,14 @@ OPTIONS = [
 
 
 @pytest.mark.parametrize(("arguments", "status", "text"), OPTIONS)
-def test_rules_are_explained_and_unknown_ones_refused(arguments, status, text, tmp_path, capsys):
+def test_rules_are_explained_and_unknown_ones_refused(
+    arguments, status, text, tmp_path, capsys
+):
     (tmp_path / "scene.xml").write_text("<mujoco/>")
     try:
-        result = main([argument.format(tmp_path / "scene.xml") for argument in arguments])
+        result = main(
+            [argument.format(tmp_path / "scene.xml") for argument in arguments]
+        )
     except SystemExit as end:
         result = end.code
     assert result == status and text in "".join(capsys.readouterr())
@@ -217,7 +272,9 @@ def test_rules_are_explained_and_unknown_ones_refused(arguments, status, text, t
         '<body><freejoint/><geom size=".1" friction="1e180"/></body>' + BOX,
     ],
 )
-def test_what_mujoco_stops_at_and_numbers_without_squares_are_one_line(geoms, tmp_path, capsys):
+def test_what_mujoco_stops_at_and_numbers_without_squares_are_one_line(
+    geoms, tmp_path, capsys
+):
     path = tmp_path / "scene.xml"
     path.write_text(f"<mujoco><worldbody>{geoms}</worldbody></mujoco>")
     assert main([str(path)]) == 2
@@ -229,8 +286,18 @@ def test_what_mujoco_stops_at_and_numbers_without_squares_are_one_line(geoms, tm
     ("flag", "contact", "least", "most"),
     [
         ('<flag diagexact="enable"/>', "", 0.5, 1.2),
-        ("", '<contact><pair geom1="floor" geom2="box" friction=".8 .3"/></contact>', 0.05, 1.2),
-        ("", '<contact><pair geom1="floor" geom2="box" friction=".3 .8"/></contact>', 0.4, 8.0),
+        (
+            "",
+            '<contact><pair geom1="floor" geom2="box" friction=".8 .3"/></contact>',
+            0.05,
+            1.2,
+        ),
+        (
+            "",
+            '<contact><pair geom1="floor" geom2="box" friction=".3 .8"/></contact>',
+            0.4,
+            8.0,
+        ),
     ],
 )
 def test_a_load_creeps_as_a_grip_does(flag, contact, least, most, tmp_path, capsys):
@@ -244,12 +311,19 @@ def test_a_load_creeps_as_a_grip_does(flag, contact, least, most, tmp_path, caps
     main([str(path), "--hold", "held", "--load", str(0.5 * 1.924 / 4.0), "--json"])
     report = json.loads(capsys.readouterr().out)
     [creep], hold = report["creep"], report["hold"]["mm_s"]
-    assert least * hold < creep["load_deep_mm_s"] < most * hold < most * most * creep["load_shallow_mm_s"]
+    assert (
+        least * hold
+        < creep["load_deep_mm_s"]
+        < most * hold
+        < most * most * creep["load_shallow_mm_s"]
+    )
 
 
 def test_a_timeconst_without_refsafe_is_as_stiff_as_it_says(tmp_path, capsys):
     path = tmp_path / "scene.xml"
-    box = f'{BOX}<body pos="0 0 .1"><freejoint/><geom type="box" size=".1 .1 .1"/></body>'
+    box = (
+        f'{BOX}<body pos="0 0 .1"><freejoint/><geom type="box" size=".1 .1 .1"/></body>'
+    )
     text = '<mujoco><option><flag refsafe="disable"/></option><default><geom solref="{} 1"/></default><worldbody>'
     for timeconst, status in (("0.0005", 1), ("0.003", 0)):
         path.write_text(f"{text.format(timeconst)}{box}</worldbody></mujoco>")

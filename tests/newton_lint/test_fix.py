@@ -39,7 +39,10 @@ STIFF = """
 def scenes(tmp_path):
     """Two scenes that share an include."""
     (tmp_path / "common.xml").write_bytes(COMMON.encode())
-    for name, body in (("one.xml", BODY), ("two.xml", BODY.replace("0.001 1", "0.002 1"))):
+    for name, body in (
+        ("one.xml", BODY),
+        ("two.xml", BODY.replace("0.001 1", "0.002 1")),
+    ):
         (tmp_path / name).write_text(SCENE.format(body))
     return tmp_path
 
@@ -48,17 +51,26 @@ def test_scenes_that_share_a_file_or_are_named_twice_are_written_whole(scenes, c
     targets = [str(scenes / name) for name in ("one.xml", "two.xml", "one.xml")]
     (scenes / "common.xml.orig").symlink_to("nowhere")
     assert main([*targets, "--fix"]) == 1
-    assert (scenes / "common.xml").read_bytes() == COMMON.replace("1e-7 1", "0.004 1").encode()
-    assert (scenes / "common.xml.orig2").read_bytes() == COMMON.encode() and not (scenes / "nowhere").exists()
+    assert (scenes / "common.xml").read_bytes() == COMMON.replace(
+        "1e-7 1", "0.004 1"
+    ).encode()
+    assert (scenes / "common.xml.orig2").read_bytes() == COMMON.encode() and not (
+        scenes / "nowhere"
+    ).exists()
     held = {path: path.read_bytes() for path in scenes.iterdir() if path.exists()}
     assert main([*targets, "--fix"]) == 0
-    assert {path: path.read_bytes() for path in scenes.iterdir() if path.exists()} == held
+    assert {
+        path: path.read_bytes() for path in scenes.iterdir() if path.exists()
+    } == held
 
 
 def test_a_dry_run_prints_the_patch_and_writes_nothing(scenes, capsys):
     assert main([str(scenes / "one.xml"), "--dry-run"]) == 1
     err = capsys.readouterr().err
-    assert '+<!-- <geom solref="9 9"/> --><default><geom solref="0.004 1"/></default></mujoco>' in err
+    assert (
+        '+<!-- <geom solref="9 9"/> --><default><geom solref="0.004 1"/></default></mujoco>'
+        in err
+    )
     assert "measured before" in err and not list(scenes.glob("*.orig"))
 
 
@@ -66,9 +78,14 @@ def test_links_and_modes_are_kept_and_what_is_read_only_is_said(scenes, capsys):
     (scenes / "link.xml").symlink_to("one.xml")
     (scenes / "one.xml").chmod(0o640)
     assert main([str(scenes / "link.xml"), "--fix"]) == 1
-    assert (scenes / "link.xml").is_symlink() and (scenes / "one.xml").stat().st_mode & 0o777 == 0o640
+    assert (scenes / "link.xml").is_symlink() and (
+        scenes / "one.xml"
+    ).stat().st_mode & 0o777 == 0o640
     (scenes / "two.xml").chmod(0o444)
-    assert main([str(scenes / "two.xml"), "--fix"]) == 2 and "is read-only" in capsys.readouterr().err
+    assert (
+        main([str(scenes / "two.xml"), "--fix"]) == 2
+        and "is read-only" in capsys.readouterr().err
+    )
 
 
 def test_what_throws_a_robot_off_is_not_written(tmp_path, capsys):
@@ -79,12 +96,16 @@ def test_what_throws_a_robot_off_is_not_written(tmp_path, capsys):
 
 
 @pytest.mark.parametrize(("solref", "status"), [("-2500 -100", 0), ("-40000 -400", 1)])
-def test_a_direct_solref_that_is_too_stiff_for_the_step_is_an_error(solref, status, tmp_path, capsys):
+def test_a_direct_solref_that_is_too_stiff_for_the_step_is_an_error(
+    solref, status, tmp_path, capsys
+):
     path = tmp_path / "stiff.xml"
     path.write_text(STIFF.format(solref=solref))
     assert main([str(path), "--fix"]) == status
     out = capsys.readouterr().out
-    assert ("error stiff" in out) == bool(status) and "-" not in out.partition("predicted creep")[2].split("mm/s")[0]
+    assert ("error stiff" in out) == bool(status) and "-" not in out.partition(
+        "predicted creep"
+    )[2].split("mm/s")[0]
     assert main([str(path)]) == 0
 
 
@@ -101,7 +122,10 @@ def test_a_default_of_many_is_changed_once_and_by_no_tiny_time_step(tmp_path, ca
 def test_what_moves_in_too_many_ways_is_said(tmp_path, monkeypatch, capsys):
     monkeypatch.setattr("newton_lint.stepped.MOST_DOFS", 5)
     (tmp_path / "many.xml").write_text(STIFF.format(solref="0.02 1"))
-    assert main([str(tmp_path / "many.xml")]) == 0 and "note unstepped" in capsys.readouterr().out
+    assert (
+        main([str(tmp_path / "many.xml")]) == 0
+        and "note unstepped" in capsys.readouterr().out
+    )
 
 
 def test_bad_input_is_one_line(scenes, tmp_path, monkeypatch, capsys):
@@ -109,9 +133,19 @@ def test_bad_input_is_one_line(scenes, tmp_path, monkeypatch, capsys):
     os.mkfifo(tmp_path / "pipe.xml")
     (tmp_path / "dangling.xml").symlink_to("nowhere.xml")
     (tmp_path / "ends.py").write_text("def model():\n    raise SystemExit(0)\n")
-    (tmp_path / "huge.xml").write_text(SCENE.format("").replace("<mujoco>", '<mujoco><option timestep="1e308"/>'))
+    (tmp_path / "huge.xml").write_text(
+        SCENE.format("").replace("<mujoco>", '<mujoco><option timestep="1e308"/>')
+    )
     (tmp_path / "\udcff.xml").write_text("<mujoco/>")
-    for name in ("huge.xml", "\udcff.xml", "folder.xml", "pipe.xml", "dangling.xml", "ends.py:model", "a\nb.xml"):
+    for name in (
+        "huge.xml",
+        "\udcff.xml",
+        "folder.xml",
+        "pipe.xml",
+        "dangling.xml",
+        "ends.py:model",
+        "a\nb.xml",
+    ):
         assert main([str(tmp_path / name), "--json"]) == 2
         out, err = capsys.readouterr()
         assert out == "[]\n" and len(err.splitlines()) == 1
@@ -120,16 +154,20 @@ def test_bad_input_is_one_line(scenes, tmp_path, monkeypatch, capsys):
     (tmp_path / "pyproject.toml").write_text("[tool")
     monkeypatch.chdir(tmp_path)
     capsys.readouterr()
-    assert main([str(scenes / "one.xml")]) == 2 and len(capsys.readouterr().err.splitlines()) == 1
+    assert (
+        main([str(scenes / "one.xml")]) == 2
+        and len(capsys.readouterr().err.splitlines()) == 1
+    )
 
 
 def test_of_many_geoms_that_are_alike_the_first_are_read(tmp_path, capsys):
     geoms = "".join(f'<geom size="0.01" pos="{index} 0 1"/>' for index in range(3000))
-    text = (
-        f'<mujoco><worldbody><geom type="plane" size="1 1 1"/>{{}}<body><freejoint/>{geoms}</body></worldbody></mujoco>'
-    )
+    text = f'<mujoco><worldbody><geom type="plane" size="1 1 1"/>{{}}<body><freejoint/>{geoms}</body></worldbody></mujoco>'
     for scene, count in ((text.format(""), 3000), ("<mujoco/>", 0)):
         assert len(pairs_of(mujoco.MjModel.from_xml_string(scene))[0]) == count
     (tmp_path / "many.xml").write_text(text.format(geoms))
     assert main([str(tmp_path / "many.xml"), "--no-step"]) == 0
-    assert "360600 pairs" in (out := capsys.readouterr().out) and "geoms 4800 are not read" in out
+    assert (
+        "360600 pairs" in (out := capsys.readouterr().out)
+        and "geoms 4800 are not read" in out
+    )

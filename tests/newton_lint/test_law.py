@@ -30,12 +30,18 @@ def test_points_share_a_load_up_to_their_cones(cone):
     assert math.isinf(shared_slide_m_s(points, 8.8001))
 
 
-SOLIMPS = [(0.8, 0.95, 0.001, 0.4, 3.0), (0.0, 1.0, 0.001, 1.0, 0.5), (0.0, 0.0, 0.001, 0.5, 2.0)]
+SOLIMPS = [
+    (0.8, 0.95, 0.001, 0.4, 3.0),
+    (0.0, 1.0, 0.001, 1.0, 0.5),
+    (0.0, 0.0, 0.001, 0.5, 2.0),
+]
 
 
 @pytest.mark.parametrize("depth_m", [0.0, 2e-4, 4e-4, 8e-4, 2e-3])
 @pytest.mark.parametrize("solimp", [*SOLIMPS, (1.0, 1.0, 0.001, 0.5, 2.0)])
-def test_impedance_and_rows_are_the_engines_also_where_it_does_not_take_a_solimp(solimp, depth_m):
+def test_impedance_and_rows_are_the_engines_also_where_it_does_not_take_a_solimp(
+    solimp, depth_m
+):
     changes = {"solimp": " ".join(map(str, solimp)), "shape": "sphere", "slope": 0.0}
     model = Case("incline", tuple(changes.items())).target.model
     data = mujoco.MjData(model)
@@ -44,5 +50,9 @@ def test_impedance_and_rows_are_the_engines_also_where_it_does_not_take_a_solimp
     d = impedance_at(solimp, depth_m)
     assert data.efc_KBIP[0, 2] == pytest.approx(d, abs=1e-5)
     weight = model.body_invweight0[:, 0].sum()
-    response = response_of(Contact((0.02, 1.0), solimp, 1.0, weight), Option(0.002, cone="elliptic"), d)
-    assert response.load_m_s_n == pytest.approx(1.0 / data.efc_D[1] / data.efc_KBIP[0, 1], rel=0.02)
+    response = response_of(
+        Contact((0.02, 1.0), solimp, 1.0, weight), Option(0.002, cone="elliptic"), d
+    )
+    assert response.load_m_s_n == pytest.approx(
+        1.0 / data.efc_D[1] / data.efc_KBIP[0, 1], rel=0.02
+    )

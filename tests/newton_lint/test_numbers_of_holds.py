@@ -13,7 +13,16 @@ import pytest
 from newton_lint.command import main
 from newton_lint.grip import _grip_findings, _is_between, gripped
 from newton_lint.law import DISCRETE
-from newton_lint.prescribe import Setting, _rank, along, candidates, measured, prescribed, with_setting, within
+from newton_lint.prescribe import (
+    Setting,
+    _rank,
+    along,
+    candidates,
+    measured,
+    prescribed,
+    with_setting,
+    within,
+)
 from newton_lint.report import scene_of
 from newton_lint.scene import changed
 from newton_lint.settle import Hold, Work, _reading, predicted_hold, settled_hold
@@ -50,47 +59,76 @@ def test_a_slope_is_borne_by_four_points(changes, lift, creep):
     _, _, hold = hold_of(work=Work("held", lift_m_s2=lift), **changes)
     mass = changes.get("mass", 0.5)
     assert hold.load_n == pytest.approx(mass * (9.81 + lift) * SIN, rel=1e-3)
-    assert hold.mm_s == pytest.approx(creep, rel=2e-3, abs=1e-9) and hold.rests and not hold.slides
-    assert (hold.point_count, hold.data.time, hold.acceleration_mm_s) == pytest.approx((4, 0.5, 0.0))
-    assert sum(touch.normal_n for touch in hold.touches) == pytest.approx(mass * 9.81 * COS, rel=1e-3)
+    assert (
+        hold.mm_s == pytest.approx(creep, rel=2e-3, abs=1e-9)
+        and hold.rests
+        and not hold.slides
+    )
+    assert (hold.point_count, hold.data.time, hold.acceleration_mm_s) == pytest.approx(
+        (4, 0.5, 0.0)
+    )
+    assert sum(touch.normal_n for touch in hold.touches) == pytest.approx(
+        mass * 9.81 * COS, rel=1e-3
+    )
     for touch in hold.touches:
         assert touch.weight_1_kg == pytest.approx(1.0 / mass, rel=1e-4)
-        assert touch.normal[2] == pytest.approx(1.0) and touch.softer == pytest.approx(1.0, rel=1e-3)
+        assert touch.normal[2] == pytest.approx(1.0) and touch.softer == pytest.approx(
+            1.0, rel=1e-3
+        )
 
 
-@pytest.mark.parametrize(("cone", "used"), [("elliptic", 0.2 * math.sqrt(2.0)), ("pyramidal", 0.4)])
-def test_a_cone_is_used_by_the_length_of_friction_and_a_pyramid_by_the_sum_of_its_axes(cone, used):
+@pytest.mark.parametrize(
+    ("cone", "used"), [("elliptic", 0.2 * math.sqrt(2.0)), ("pyramidal", 0.4)]
+)
+def test_a_cone_is_used_by_the_length_of_friction_and_a_pyramid_by_the_sum_of_its_axes(
+    cone, used
+):
     target = Case("incline", (("cone", cone), ("solimp", FLAT))).target
     target.model.opt.gravity[:] = 2.0, 2.0, -10.0
     touches = settled_hold(scene_of(target), target, Work("held")).touches
     normals = sum(touch.normal_n for touch in touches)
-    assert sum(touch.used * touch.normal_n for touch in touches) / normals == pytest.approx(used, rel=1e-3)
+    assert sum(
+        touch.used * touch.normal_n for touch in touches
+    ) / normals == pytest.approx(used, rel=1e-3)
 
 
 def test_of_two_frictions_the_lower_gives_way_by_the_square():
     """R along it is (0.8 / 0.4)² times the first axis's: the diagonal of both has (1 + 4) / 2."""
-    rest = '<contact><pair geom1="floor" geom2="box" friction="0.8 0.4" {}/></contact>'.format(f'solimp="{FLAT}"')
+    rest = '<contact><pair geom1="floor" geom2="box" friction="0.8 0.4" {}/></contact>'.format(
+        f'solimp="{FLAT}"'
+    )
     target = Case("incline", (("rest", rest),)).target
     target.model.opt.gravity[:] = 1.0, 1.0, -10.0
     scene = scene_of(target)
     hold = settled_hold(scene, target, Work("held"))
-    assert [touch.softer for touch in hold.touches] == pytest.approx([2.5] * 4, rel=1e-2)
+    assert [touch.softer for touch in hold.touches] == pytest.approx(
+        [2.5] * 4, rel=1e-2
+    )
     # The ellipse's radius there is 0.8 / √2.5, which √2 N a kilogram need 2.8 N to press with.
     for share, slides in ((0.27, True), (0.29, False)):
-        touches = [replace(touch, normal_n=share * touch.normal_n) for touch in hold.touches]
-        assert predicted_hold(scene, hold.body, touches, Work("held"), hold.data).slides == slides
+        touches = [
+            replace(touch, normal_n=share * touch.normal_n) for touch in hold.touches
+        ]
+        assert (
+            predicted_hold(scene, hold.body, touches, Work("held"), hold.data).slides
+            == slides
+        )
 
 
 def test_what_turns_leaves_its_centripetal_acceleration_out():
     _, _, hold = hold_of("turn", Work("held", turn_rad_s=0.5))
-    assert hold.acceleration_mm_s == pytest.approx((0.9 * 10.0 - 1.0) * 0.25, rel=1e-3)  # (1/b - h/2) ω² r
+    assert hold.acceleration_mm_s == pytest.approx(
+        (0.9 * 10.0 - 1.0) * 0.25, rel=1e-3
+    )  # (1/b - h/2) ω² r
     # Of the load m ω² r on one point R/b is (1 - d) timeconst / 2 / m; the table, of 1e6 kg m², adds none.
     assert hold.mm_s == pytest.approx(8.0 * 0.25 + 0.1 * 10.0 * 0.25, rel=2e-3)
 
 
 def test_what_turns_is_as_far_out_as_from_the_root_of_what_holds_it():
     """An axis at 0.4 m leaves 0.6 m of it."""
-    text = Case("turn", (("solimp", FLAT),)).text.replace('<body name="table">', '<body name="table" pos="0.4 0 0">')
+    text = Case("turn", (("solimp", FLAT),)).text.replace(
+        '<body name="table">', '<body name="table" pos="0.4 0 0">'
+    )
     target = Target("scene", mujoco.MjModel.from_xml_string(text))
     hold = settled_hold(scene_of(target), target, Work("held", turn_rad_s=0.5))
     assert hold.acceleration_mm_s == pytest.approx(8.0 * 0.25 * 0.6, rel=1e-3)
@@ -101,11 +139,15 @@ def test_friction_is_what_acts_on_what_is_held_whichever_of_both_geoms_comes_fir
     """A box that comes before the box on which it lies, in a lift of twice the gravity: 3 m g sin θ."""
     text = Case("incline", (("solimp", FLAT),)).text
     floor = next(line for line in text.splitlines() if 'name="floor"' in line)
-    below = f"<body>{floor.replace('plane', 'box')}</body>".replace("<geom", '<geom pos="0 0 -1"')
+    below = f"<body>{floor.replace('plane', 'box')}</body>".replace(
+        "<geom", '<geom pos="0 0 -1"'
+    )
     text = text.replace(floor, "").replace("</worldbody>", f"{below}</worldbody>")
     target = Target("scene", mujoco.MjModel.from_xml_string(text))
     hold = settled_hold(scene_of(target), target, Work("held", lift_m_s2=2.0 * 9.81))
-    assert hold.touches[0].geoms == (0, 1) and hold.load_n == pytest.approx(3.0 * 0.5 * 9.81 * SIN, rel=1e-3)
+    assert hold.touches[0].geoms == (0, 1) and hold.load_n == pytest.approx(
+        3.0 * 0.5 * 9.81 * SIN, rel=1e-3
+    )
 
 
 def test_a_touch_counts_by_its_share_of_the_last_fifth():
@@ -117,13 +159,22 @@ def test_a_touch_counts_by_its_share_of_the_last_fifth():
     hold = settled_hold(scene_of(target), target, Work("held"))
     assert hold.point_count == pytest.approx(0.5, abs=0.03)
     [touch] = hold.touches
-    assert touch.normal_n * 0.1 == pytest.approx(0.5 * 9.81 * 0.45, rel=0.2)  # a mean over all steps: it is stopped
+    assert touch.normal_n * 0.1 == pytest.approx(
+        0.5 * 9.81 * 0.45, rel=0.2
+    )  # a mean over all steps: it is stopped
 
 
-@pytest.mark.parametrize(("above", "speed", "is_held"), [(0.035, -1.0, True), (-0.0055, 0.0, True), (0.1, 0.0, False)])
-def test_what_was_touched_within_a_tenth_or_a_hundredth_of_the_time_is_lost(above, speed, is_held):
+@pytest.mark.parametrize(
+    ("above", "speed", "is_held"),
+    [(0.035, -1.0, True), (-0.0055, 0.0, True), (0.1, 0.0, False)],
+)
+def test_what_was_touched_within_a_tenth_or_a_hundredth_of_the_time_is_lost(
+    above, speed, is_held
+):
     """After 40 to 50 ms of 0.5 s, after 4 to 5 ms, and never."""
-    target = Case("incline", (("slope", 0.0), ("shape", "sphere"), ("solref", "0.02 0.25"))).target
+    target = Case(
+        "incline", (("slope", 0.0), ("shape", "sphere"), ("solref", "0.02 0.25"))
+    ).target
     target.model.opt.gravity[:] = 0.0
     data = mujoco.MjData(target.model)
     data.qpos[2], data.qvel[2] = 0.05 + above, speed
@@ -135,14 +186,24 @@ def test_what_is_at_the_edge_of_its_cone_or_moves_much_faster_slides():
     scene, _, hold = hold_of()
     for used, slides in ((0.9985, False), (0.9995, True)):
         touches = [replace(touch, used=used) for touch in hold.touches]
-        assert predicted_hold(scene, hold.body, touches, Work("held"), hold.data).slides == slides
-    softer = [replace(touch, weight_1_kg=1e6 * touch.weight_1_kg) for touch in hold.touches]
-    assert predicted_hold(scene, hold.body, softer, Work("held"), hold.data).slides  # faster than 1 m/s
+        assert (
+            predicted_hold(scene, hold.body, touches, Work("held"), hold.data).slides
+            == slides
+        )
+    softer = [
+        replace(touch, weight_1_kg=1e6 * touch.weight_1_kg) for touch in hold.touches
+    ]
+    assert predicted_hold(
+        scene, hold.body, softer, Work("held"), hold.data
+    ).slides  # faster than 1 m/s
     for speed, slides in ((0.14, False), (0.16, True)):  # 3 · (0.5 mm/s + 50 mm/s)
         hold.data.qvel[:] = speed, 0.0, 0.0, 0.0, 0.0, 0.0
         mujoco.mj_forward(scene.model, hold.data)
         found = predicted_hold(scene, hold.body, hold.touches, Work("held"), hold.data)
-        assert (found.slides, found.moves_mm_s) == (slides, pytest.approx(1e3 * speed, rel=1e-3))
+        assert (found.slides, found.moves_mm_s) == (
+            slides,
+            pytest.approx(1e3 * speed, rel=1e-3),
+        )
 
 
 @pytest.mark.parametrize(
@@ -154,31 +215,58 @@ def test_what_is_at_the_edge_of_its_cone_or_moves_much_faster_slides():
         (math.inf, 1.0, 0.9, "slides", 3.0),
     ],
 )
-def test_a_hold_that_moves_more_than_it_creeps_has_not_settled(mm_s, moves, below, rule, value):
+def test_a_hold_that_moves_more_than_it_creeps_has_not_settled(
+    mm_s, moves, below, rule, value
+):
     scene, _, hold = hold_of()
-    found = list(Hold(hold.body, "held", hold.touches, 3.0, mm_s, 0.0, moves, hold.data).findings(scene, below))
-    assert [(each.rule, each.value) for each in found] == ([(rule, value)] if rule else [])
+    found = list(
+        Hold(
+            hold.body, "held", hold.touches, 3.0, mm_s, 0.0, moves, hold.data
+        ).findings(scene, below)
+    )
+    assert [(each.rule, each.value) for each in found] == (
+        [(rule, value)] if rule else []
+    )
 
 
 def grips(rule: str, target: Target) -> list:
     scene = scene_of(target)
-    return [each for each in gripped(scene, runs_of(scene.model, target)) if each.rule == rule]
+    return [
+        each
+        for each in gripped(scene, runs_of(scene.model, target))
+        if each.rule == rule
+    ]
 
 
 @pytest.mark.parametrize(
     ("changes", "creep"),
     [
         ({"solref": "0.044 1"}, 2.2 * CREEP),  # 1.06 mm/s
-        ({"solref": "0.044 1", "mass": 0.005}, 2.2 * CREEP),  # friction bears a fifth of a weight of 0.05 N
+        (
+            {"solref": "0.044 1", "mass": 0.005},
+            2.2 * CREEP,
+        ),  # friction bears a fifth of a weight of 0.05 N
         ({"solref": "0.04 1"}, None),  # 0.96 mm/s
         ({"solref": "0.09 1", "impratio": 2}, 2.25 * CREEP),
-        ({"solref": "0.07 0.6", "solimp": SOFT, "slope": 0.0155}, 1e3 * 9.81 * 0.0155 / 4.0 * 0.9 * 0.035),
-        ({"solref": "0.07 0.6", "solimp": SOFT, "slope": 0.0145}, None),  # below 0.015 of its weight
+        (
+            {"solref": "0.07 0.6", "solimp": SOFT, "slope": 0.0155},
+            1e3 * 9.81 * 0.0155 / 4.0 * 0.9 * 0.035,
+        ),
+        (
+            {"solref": "0.07 0.6", "solimp": SOFT, "slope": 0.0145},
+            None,
+        ),  # below 0.015 of its weight
     ],
 )
-def test_from_a_millimetre_a_second_on_it_slips_and_ten_times_impratio_makes_it_a_tenth(changes, creep):
-    found = grips("slip", Case("incline", tuple({"solimp": FLAT, **changes}.items())).target)
-    assert [each.value for each in found] == ([] if creep is None else [pytest.approx(creep, rel=0.02)])
+def test_from_a_millimetre_a_second_on_it_slips_and_ten_times_impratio_makes_it_a_tenth(
+    changes, creep
+):
+    found = grips(
+        "slip", Case("incline", tuple({"solimp": FLAT, **changes}.items())).target
+    )
+    assert [each.value for each in found] == (
+        [] if creep is None else [pytest.approx(creep, rel=0.02)]
+    )
     assert all(each.used == pytest.approx(0.1 * each.value, rel=1e-3) for each in found)
     assert all((each.shape, each.against) == ("held", ("floor",)) for each in found)
 
@@ -188,14 +276,26 @@ def test_what_moves_by_less_than_three_tenths_of_its_creep_does_not_slip(share, 
     scene, _, hold = hold_of(solref="0.09 1")
     hold.data.qvel[:] = 1e-3 * share * 4.5 * CREEP, 0.0, 0.0, 0.0, 0.0, 0.0
     mujoco.mj_forward(scene.model, hold.data)
-    assert bool(list(_grip_findings(scene, hold.body, list(hold.touches), hold.data, "the start"))) == said
+    assert (
+        bool(
+            list(
+                _grip_findings(
+                    scene, hold.body, list(hold.touches), hold.data, "the start"
+                )
+            )
+        )
+        == said
+    )
 
 
 def test_discrete_weighs_what_a_row_says_of_itself():
     """By 1 + b h + h² k d, with b = 2 / 18 ms and k = 1 / 18² ms²."""
     scene, _, hold = hold_of()
     discrete = replace(scene, model=changed(scene.model, integrator=DISCRETE))
-    one, other = (_reading(variant, hold.data, 0, 1.0)["weight_1_kg"] for variant in (scene, discrete))
+    one, other = (
+        _reading(variant, hold.data, 0, 1.0)["weight_1_kg"]
+        for variant in (scene, discrete)
+    )
     assert other / one == pytest.approx(1.0 + 2.0 / 9.0 + 0.9 / 81.0)
 
 
@@ -203,22 +303,44 @@ def test_fingers_oppose_each_other_from_120_degrees_on():
     [one, other, *_] = hold_of()[2].touches
     for degrees, between in ((119.0, False), (121.0, True)):
         angle = math.radians(degrees)
-        turned = replace(other, normal=np.array([math.sin(angle), 0.0, math.cos(angle)]), geoms=(0, 7))
+        turned = replace(
+            other,
+            normal=np.array([math.sin(angle), 0.0, math.cos(angle)]),
+            geoms=(0, 7),
+        )
         assert _is_between([one, turned]) == between
-    assert not _is_between([one, replace(other, normal=-one.normal)])  # of the same pair of geoms
+    assert not _is_between(
+        [one, replace(other, normal=-one.normal)]
+    )  # of the same pair of geoms
 
 
 def test_candidates_creep_as_the_law_says():
     scene, _, hold = hold_of()
-    creeps = {str(setting): creep for setting, creep in candidates(scene, hold, Work("held"))}
-    assert len(creeps) == 3 * 4 * 2 - 1  # 2 ms takes half the step, and as it is is none
-    shares = {'impratio="10"': 0.1, 'impratio="1000"': 1e-3, 'solref="0.01 1"': 0.5, 'solref="0.005 1"': 0.25}
+    creeps = {
+        str(setting): creep for setting, creep in candidates(scene, hold, Work("held"))
+    }
+    assert (
+        len(creeps) == 3 * 4 * 2 - 1
+    )  # 2 ms takes half the step, and as it is is none
+    shares = {
+        'impratio="10"': 0.1,
+        'impratio="1000"': 1e-3,
+        'solref="0.01 1"': 0.5,
+        'solref="0.005 1"': 0.25,
+    }
     shares |= {'noslip_iterations="10"': 0.0}
     model = with_setting(scene, Setting(0.005, (("impratio", 10.0),)), hold)
-    assert model.geom_solref.tolist() == [[0.005, 1.0]] * 2 and model.opt.impratio == 10.0
+    assert (
+        model.geom_solref.tolist() == [[0.005, 1.0]] * 2 and model.opt.impratio == 10.0
+    )
     for setting, share in shares.items():
         assert creeps[setting] == pytest.approx(share * CREEP, rel=2e-3, abs=1e-9)
-    more = {"cone": "pyramidal", "impratio": 100, "solref": "0.01 1", "option": 'noslip_iterations="20"'}
+    more = {
+        "cone": "pyramidal",
+        "impratio": 100,
+        "solref": "0.01 1",
+        "option": 'noslip_iterations="20"',
+    }
     pyramid, _, hold = hold_of(**more)
     others = {str(setting) for setting, _ in candidates(pyramid, hold, Work("held"))}
     assert len(others) == 2 * 2 - 1 and 'cone="elliptic" impratio="1000"' in others
@@ -236,7 +358,12 @@ def test_the_cheap_that_are_good_by_a_fifth_are_tried_first_and_five_of_them():
     lifted = measured(scene, target, Work("held", lift_m_s2=9.81), Setting(), hold, 0.0)
     assert lifted.measured_mm_s == pytest.approx(2.0 * CREEP, rel=0.01)
     trials = prescribed(scene, target, Work("held"), 1e-12)[1]
-    assert len(trials) == 6 and trials[0].measured_mm_s == pytest.approx(CREEP, rel=0.01) == trials[0].predicted_mm_s
+    assert (
+        len(trials) == 6
+        and trials[0].measured_mm_s
+        == pytest.approx(CREEP, rel=0.01)
+        == trials[0].predicted_mm_s
+    )
 
 
 def test_a_motion_is_told_in_the_frame_of_what_holds_and_without_sinking_in():
@@ -244,8 +371,12 @@ def test_a_motion_is_told_in_the_frame_of_what_holds_and_without_sinking_in():
     model, data = scene.model, mujoco.MjData(scene.model)
     data.qpos[0], data.qpos[1] = math.radians(90.0), 0.5
     mujoco.mj_kinematics(model, data)
-    assert within(data, hold.body, hold.touches[0].support) == pytest.approx([0.0, -1.5, 0.099])
-    model.opt.disableflags |= int(mujoco.mjtDisableBit.mjDSBL_CONSTRAINT) | int(mujoco.mjtDisableBit.mjDSBL_GRAVITY)
+    assert within(data, hold.body, hold.touches[0].support) == pytest.approx(
+        [0.0, -1.5, 0.099]
+    )
+    model.opt.disableflags |= int(mujoco.mjtDisableBit.mjDSBL_CONSTRAINT) | int(
+        mujoco.mjtDisableBit.mjDSBL_GRAVITY
+    )
     data.qpos[:], data.qvel[:] = 0.0, (0.0, 0.3, 0.4, -0.9)
     mujoco.mj_step(model, data)
     assert along(model, data, hold, 0.1) == pytest.approx(0.05)  # 0.5 m/s for 0.1 s
@@ -254,14 +385,18 @@ def test_a_motion_is_told_in_the_frame_of_what_holds_and_without_sinking_in():
 @pytest.mark.parametrize("integrator", ["Euler", "RK4"])
 @pytest.mark.parametrize(
     ("solref", "friction", "kes"),
-    [("0.02 1", "", "2500 and 100,"), ("-900 -40", "", "900 and 40,"), ("0.02 1", "0.005 1", "2500 and 100,")],
+    [
+        ("0.02 1", "", "2500 and 100,"),
+        ("-900 -40", "", "900 and 40,"),
+        ("0.02 1", "0.005 1", "2500 and 100,"),
+    ],
 )
-def test_ke_and_kd_are_those_of_the_normal(integrator, solref, friction, kes, tmp_path, capsys):
+def test_ke_and_kd_are_those_of_the_normal(
+    integrator, solref, friction, kes, tmp_path, capsys
+):
     """1 / timeconst² and 2 / timeconst, whatever the integrator and the friction; w is 1 / 0.5 kg."""
     path = tmp_path / "scene.xml"
-    own = (
-        f'<contact><pair geom1="floor" geom2="box" solref="{solref}" solimp="{FLAT}" solreffriction="{{}}"/></contact>'
-    )
+    own = f'<contact><pair geom1="floor" geom2="box" solref="{solref}" solimp="{FLAT}" solreffriction="{{}}"/></contact>'
     changes = {
         "integrator": integrator,
         "solref": solref,
@@ -272,17 +407,35 @@ def test_ke_and_kd_are_those_of_the_normal(integrator, solref, friction, kes, tm
     assert main(["pair", str(path), "floor", "box"]) == 0
     out = capsys.readouterr().out
     depth = 0.1 * 2.0 * (0.0004 if solref[0] == "0" else 1.0 / 900.0)
-    creep = 0.1 * 2.0 * (0.0025 if friction else 0.01 if solref[0] == "0" else 1.0 / 40.0)
-    assert kes in out and f" {1e3 * depth:.3g} mm deep" in out and f"at {1e3 * creep:.3g} mm/s" in out
+    creep = (
+        0.1 * 2.0 * (0.0025 if friction else 0.01 if solref[0] == "0" else 1.0 / 40.0)
+    )
+    assert (
+        kes in out
+        and f" {1e3 * depth:.3g} mm deep" in out
+        and f"at {1e3 * creep:.3g} mm/s" in out
+    )
 
 
 @pytest.mark.parametrize(
     ("changes", "geoms", "why"),
     [
-        ({"rest": '<worldbody><geom name="wall" size="1"/></worldbody>'}, ["floor", "wall"], "do not move against"),
+        (
+            {"rest": '<worldbody><geom name="wall" size="1"/></worldbody>'},
+            ["floor", "wall"],
+            "do not move against",
+        ),
         ({"box": 'contype="4"', "floor": 'conaffinity="2"'}, ["floor", "box"], None),
-        ({"box": 'contype="4" conaffinity="4"'}, ["floor", "box"], "[1, 4] and conaffinity [1, 4] have no bit"),
-        ({"rest": '<contact><exclude body1="world" body2="held"/></contact>'}, ["box", "floor"], "an <exclude> names"),
+        (
+            {"box": 'contype="4" conaffinity="4"'},
+            ["floor", "box"],
+            "[1, 4] and conaffinity [1, 4] have no bit",
+        ),
+        (
+            {"rest": '<contact><exclude body1="world" body2="held"/></contact>'},
+            ["box", "floor"],
+            "an <exclude> names",
+        ),
     ],
 )
 def test_it_is_said_why_two_geoms_never_touch(changes, geoms, why, tmp_path, capsys):

@@ -23,11 +23,22 @@ BALL = """
   {rest}
 </mujoco>
 """
-USUAL = {"g": 0, "option": "", "flag": "", "floor": "", "z": 1, "type": "sphere", "more": "", "rest": ""}
+USUAL = {
+    "g": 0,
+    "option": "",
+    "flag": "",
+    "floor": "",
+    "z": 1,
+    "type": "sphere",
+    "more": "",
+    "rest": "",
+}
 
 
 def of(**changes) -> Target:
-    return Target("scene", mujoco.MjModel.from_xml_string(BALL.format(**USUAL | changes)))
+    return Target(
+        "scene", mujoco.MjModel.from_xml_string(BALL.format(**USUAL | changes))
+    )
 
 
 @dataclass(frozen=True)
@@ -45,8 +56,12 @@ class Pushed(Start):
         return data
 
 
-def ran(target: Target, time_s: float = 0.2, force: float = 0.0, speed: tuple = (0, 0, 0)) -> Run:
-    return run_of(target.model, Pushed("the start", force=(force, 0.0, 0.0), speed=speed), time_s)
+def ran(
+    target: Target, time_s: float = 0.2, force: float = 0.0, speed: tuple = (0, 0, 0)
+) -> Run:
+    return run_of(
+        target.model, Pushed("the start", force=(force, 0.0, 0.0), speed=speed), time_s
+    )
 
 
 def rules(target: Target, seen: Run) -> dict[str, object]:
@@ -57,20 +72,32 @@ def rules(target: Target, seen: Run) -> dict[str, object]:
 def test_what_a_force_gives_a_body_is_energy_that_it_gained(speed):
     """6 N on 2 kg for 0.2 s: 0.6 m/s more, and (v + 0.6)²/2 - v²/2 of energy; a body that falls gains none."""
     seen = ran(of(), force=6.0, speed=(speed, 0, 0))
-    assert seen.rise_m2_s2[0] == pytest.approx(0.5 * (speed + 0.6) ** 2 - 0.5 * speed**2)
+    assert seen.rise_m2_s2[0] == pytest.approx(
+        0.5 * (speed + 0.6) ** 2 - 0.5 * speed**2
+    )
     assert seen.thrown_m_s[0] == pytest.approx(math.sqrt(0.36 + 1.2 * speed))
-    assert (seen.speeds_m_s[0], seen.time_s, seen.effort, seen.bad) == (pytest.approx(speed + 0.6), 0.2, 500.0, False)
+    assert (seen.speeds_m_s[0], seen.time_s, seen.effort, seen.bad) == (
+        pytest.approx(speed + 0.6),
+        0.2,
+        500.0,
+        False,
+    )
     turned = run_of(of().model, Pushed("the start", torque=(1.0, 1.0, 1.0)), 0.2)
     assert turned.rise_m2_s2[0] == 0.0  # what turns is not thrown
     falls = ran(of(g=-9.81))
     assert (falls.thrown_m_s[0], falls.speeds_m_s[0]) == (0.0, pytest.approx(1.962))
-    assert ran(of(g=-9.81, flag='<flag gravity="disable"/>'), speed=(0, 0, 2.0)).thrown_m_s[0] == pytest.approx(0.0)
+    assert ran(
+        of(g=-9.81, flag='<flag gravity="disable"/>'), speed=(0, 0, 2.0)
+    ).thrown_m_s[0] == pytest.approx(0.0)
 
 
 def test_overlaps_count_from_the_margin_on_and_depths_do_not():
     """0.095 m over a plane with a margin of 0.01 a ball of 0.1 m is 5 mm deep, and pressed from 15 mm on."""
     seen = ran(of(z=0.095, floor='margin="0.01"'), 0.002)
-    assert (seen.first, seen.deepest_m) == ({(0, 1): pytest.approx(0.015)}, pytest.approx(0.005))
+    assert (seen.first, seen.deepest_m) == (
+        {(0, 1): pytest.approx(0.015)},
+        pytest.approx(0.005),
+    )
     assert ran(of(z=0.105, floor='margin="0.01"'), 0.002).deepest_m == 0.0
 
 
@@ -88,7 +115,10 @@ def test_effort_is_steps_and_half_the_iterations(iterations, share):
     for _ in range(100):
         mujoco.mj_step(target.model, data)
         count += int(data.solver_niter.sum())
-    assert (seen.effort, seen.at_limit) == (pytest.approx(500.0 + 0.5 * count / 0.2), pytest.approx(share, abs=0.05))
+    assert (seen.effort, seen.at_limit) == (
+        pytest.approx(500.0 + 0.5 * count / 0.2),
+        pytest.approx(share, abs=0.05),
+    )
     assert 0.0 < seen.cost_s < 10.0
 
 
@@ -101,7 +131,11 @@ def test_it_is_thrown_where_a_change_leaves_less_than_half(thrown, said):
     target = of(rest=PUSHED)
     still, seen = runs_of(target.model, target)
     seen = replace(seen, rise_m2_s2=np.array([0.5 * thrown**2]))
-    found = [each for each in stepped(scene_of(target), [still, seen]) if each.rule == "thrown"]
+    found = [
+        each
+        for each in stepped(scene_of(target), [still, seen])
+        if each.rule == "thrown"
+    ]
     assert [each.value for each in found] == ([pytest.approx(thrown)] if said else [])
 
 
@@ -122,16 +156,25 @@ def test_from_half_a_metre_a_second_on_contacts_throw(thrown, said):
         (0.51, 0.0, 0.09, False),
     ],
 )
-def test_iterations_are_too_few_where_more_make_a_millimetre(share, deeper_m, faster, said):
+def test_iterations_are_too_few_where_more_make_a_millimetre(
+    share, deeper_m, faster, said
+):
     """In half of the steps, a millimetre of depth, or 0.1 m/s; ten times as many are tried."""
     target = of(g=-9.81, z=0.1)
     seen = ran(target)
-    seen = replace(seen, at_limit=share, deepest_m=seen.deepest_m + deeper_m, speeds_m_s=seen.speeds_m_s + faster)
+    seen = replace(
+        seen,
+        at_limit=share,
+        deepest_m=seen.deepest_m + deeper_m,
+        speeds_m_s=seen.speeds_m_s + faster,
+    )
     found = rules(target, seen)
     assert ("solver" in found) == said
     assert not said or 'iterations="1000"' in str(found["solver"].advice)
-    assert not said or f"{1e3 * seen.deepest_m:.3g} → {1e3 * (seen.deepest_m - deeper_m):.3g} mm" in str(
-        found["solver"].advice
+    assert (
+        not said
+        or f"{1e3 * seen.deepest_m:.3g} → {1e3 * (seen.deepest_m - deeper_m):.3g} mm"
+        in str(found["solver"].advice)
     )
 
 
@@ -146,15 +189,22 @@ def test_iterations_are_too_few_where_more_make_a_millimetre(share, deeper_m, fa
         (0.0051, 1.0, 0.49, "note"),
     ],
 )
-def test_an_overlap_is_a_warning_where_it_presses_or_throws(depth, scale, thrown, severity):
+def test_an_overlap_is_a_warning_where_it_presses_or_throws(
+    depth, scale, thrown, severity
+):
     """The floor bears the ball's weight; it is a share of it where gravity is scaled after that."""
     target = of(g=-9.81, z=0.1)
-    seen = replace(ran(target, 1.0), first={(0, 1): depth}, rise_m2_s2=np.array([0.5 * thrown**2]))
+    seen = replace(
+        ran(target, 1.0), first={(0, 1): depth}, rise_m2_s2=np.array([0.5 * thrown**2])
+    )
     target.model.opt.gravity *= scale
     found = rules(target, seen).get("overlap")
     assert (found.severity if found else None) == severity
     assert not found or (found.shape, found.against) == ("floor", ("ball",))
-    assert scale > 1.0 / 100.0 or "19.6 N press them apart, 101 times the weight" in found.message
+    assert (
+        scale > 1.0 / 100.0
+        or "19.6 N press them apart, 101 times the weight" in found.message
+    )
     assert not found or found.value == pytest.approx(1e3 * depth)
     assert not found or str(found.advice) == f"move one by {1e3 * depth:.3g} mm"
 
@@ -164,7 +214,9 @@ def test_what_lies_is_pressed_in_from_a_millimetre_on(depth_mm, said):
     """A box of 0.1 m by g (1 - d) timeconst² / 4; to a millimetre, or two fifths, with the timeconst that is named."""
     timeconst = math.sqrt(1e-3 * depth_mm / (9.81 * 0.1 / 4.0))
     floor = f'priority="1" solref="{timeconst} 1" solimp="0.9 0.9 0.001" friction="1"'
-    found = rules(target := of(g=-9.81, z=0.1, floor=floor, type="box"), ran(target)).get("depth")
+    found = rules(
+        target := of(g=-9.81, z=0.1, floor=floor, type="box"), ran(target)
+    ).get("depth")
     assert bool(found) == said
     assert not found or found.value == pytest.approx(depth_mm, rel=0.04)
     after = float(str(found.advice).partition(" → ")[2].split()[0]) if found else 0.0
@@ -172,9 +224,12 @@ def test_what_lies_is_pressed_in_from_a_millimetre_on(depth_mm, said):
 
 
 @pytest.mark.parametrize(
-    ("y", "joint", "said"), [(0, "", True), (1.5, "", False), (0, '<joint damping="1e9"/>', False)]
+    ("y", "joint", "said"),
+    [(0, "", True), (1.5, "", False), (0, '<joint damping="1e9"/>', False)],
 )
-def test_what_flies_through_a_wall_is_followed_and_what_flies_past_is_not(y, joint, said):
+def test_what_flies_through_a_wall_is_followed_and_what_flies_past_is_not(
+    y, joint, said
+):
     """20 m/s take it through 20 mm in half a step; 80 mm are more than 20 · 19 / e ms, as a damped spring yields."""
     wall = f'<body pos="-1 0 1">{joint}<geom name="wall" type="box" size="0.01 1 1"/></body>'
     more = " 0" if joint else ""
@@ -193,7 +248,9 @@ def test_a_weld_is_open_from_a_millimetre_on(timeconst, said):
     target = of(g=-9.81, rest=weld)
     found = rules(target, ran(target, 1.0)).get("equality")
     assert bool(found) == said
-    assert not found or found.value == pytest.approx(50.0 * 9.81 * timeconst**2, rel=0.02)
+    assert not found or found.value == pytest.approx(
+        50.0 * 9.81 * timeconst**2, rel=0.02
+    )
 
 
 ARM = """
@@ -216,13 +273,23 @@ def test_a_joint_sags_by_its_row_as_a_contact_creeps(timeconst, share, kind, sai
     """R f / b = (1 - d)/d g dmax timeconst / 2, d 0.9 and dmax 0.95; a hinge by as much over its arm of 0.3 m."""
     arm, axis = (0.3, "0 1 0") if kind == "hinge" else (0, "0 0 1")
     joint = f'type="{kind}" axis="{axis}"'
-    target = of(g=-9.81, more=ARM.format(joint, 9.81 * (arm or 1.0) / share, timeconst, arm), z=0.1)
+    target = of(
+        g=-9.81,
+        more=ARM.format(joint, 9.81 * (arm or 1.0) / share, timeconst, arm),
+        z=0.1,
+    )
     found = rules(target, ran(target)).get("sag")
     assert bool(found) == said
     speed = 0.1 / 0.9 * 9.81 * 0.95 * 0.5 * timeconst
-    turned = math.degrees(speed / 0.3) * 0.09 / (0.09 + 0.4 * 0.05**2)  # and the ball's own inertia
-    assert not found or found.value == pytest.approx(1e3 * speed if kind == "slide" else turned, rel=0.01)
-    assert not found or f"{found.value:.3g} → 0 {found.unit}, in MuJoCo C" in str(found.advice)  # noslip leaves R out
+    turned = (
+        math.degrees(speed / 0.3) * 0.09 / (0.09 + 0.4 * 0.05**2)
+    )  # and the ball's own inertia
+    assert not found or found.value == pytest.approx(
+        1e3 * speed if kind == "slide" else turned, rel=0.01
+    )
+    assert not found or f"{found.value:.3g} → 0 {found.unit}, in MuJoCo C" in str(
+        found.advice
+    )  # noslip leaves R out
 
 
 HARM = [
@@ -241,7 +308,11 @@ HARM = [
     ({"thrown": 0.51}, {"thrown": 0.24, "late_m": 0.009}, ""),  # it lies now
     ({"thrown": 0.51}, {"thrown": 0.26, "late_m": 0.009}, "at the end"),
     ({"thrown": 0.49}, {"thrown": 0.24, "late_m": 0.009}, "at the end"),
-    ({"thrown": 0.51}, {"thrown": 0.24, "late_m": 0.009, "deepest_m": 0.0101}, "at the end"),
+    (
+        {"thrown": 0.51},
+        {"thrown": 0.24, "late_m": 0.009, "deepest_m": 0.0101},
+        "at the end",
+    ),
     ({"rule": "lost"}, {"late_m": 0.009, "deepest_m": 0.0019, "effort": 9e9}, ""),
     ({"rule": "lost"}, {"late_m": 0.009, "deepest_m": 0.0021}, "at the end"),
 ]
@@ -272,5 +343,8 @@ def test_a_change_does_harm_from_its_thresholds_on(old, new, said):
 
 def test_what_was_measured_is_told_in_millimetres_and_as_a_mean():
     seen = ran(of())
-    runs = [replace(seen, deepest_m=0.01, cost_s=2.0), replace(seen, deepest_m=0.002, cost_s=1.0)]
+    runs = [
+        replace(seen, deepest_m=0.01, cost_s=2.0),
+        replace(seen, deepest_m=0.002, cost_s=1.0),
+    ]
     assert _measures(runs) == "deepest contact 10 mm, 1.5 s a simulated second"

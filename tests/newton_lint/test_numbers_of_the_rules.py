@@ -26,7 +26,16 @@ SCENE = """
 </mujoco>
 """
 PAIR = '<contact><pair geom1="floor" geom2="part" {}/></contact>'
-USUAL = {"dt": 0.002, "option": "", "flag": "", "floor": "", "part": "", "type": "box", "rest": "", "integrator": None}
+USUAL = {
+    "dt": 0.002,
+    "option": "",
+    "flag": "",
+    "floor": "",
+    "part": "",
+    "type": "box",
+    "rest": "",
+    "integrator": None,
+}
 
 
 def found(rule: str, **changes) -> list[Finding]:
@@ -34,7 +43,11 @@ def found(rule: str, **changes) -> list[Finding]:
     model = mujoco.MjModel.from_xml_string(SCENE.format(**given))
     if given["integrator"] is not None:
         model.opt.integrator = given["integrator"]
-    return [each for each in lint(scene_of(Target("scene", model), Engine())) if each.rule == rule]
+    return [
+        each
+        for each in lint(scene_of(Target("scene", model), Engine()))
+        if each.rule == rule
+    ]
 
 
 def alone(solref: str, **more) -> dict:
@@ -44,42 +57,186 @@ def alone(solref: str, **more) -> dict:
 
 FOUND = [
     ("solref-format", alone("0.03 -1"), -1.0, 1.0, "error", 'solref="0.03 1"'),
-    ("solref-format", alone("-100 1"), 1.0, 1.0, "error", 'solref="-100 -20"'),  # critical: 2 √100
+    (
+        "solref-format",
+        alone("-100 1"),
+        1.0,
+        1.0,
+        "error",
+        'solref="-100 -20"',
+    ),  # critical: 2 √100
     ("solref-format", alone("0 1"), 1.0, 1.0, "error", 'solref="0.02 1"'),
     ("timeconst", alone("0.0039 1"), 0.0039, 0.004, "warning", 'solref="0.004 1"'),
     ("timeconst", alone("0.003 1"), 0.003, 0.004, "warning", "1.3 times the steps"),
-    ("timeconst", alone("0.001 1"), 0.001, 0.004, "warning", 'or timestep="0.0005": '),  # 4 times
-    ("timeconst", alone("0.0009 2", integrator=DISCRETE), 0.0009, 0.001, "warning", "0.001 2"),  # one step over 2
-    ("stiff", alone("0 -191", dt=0.01), -191.0, None, "error", 'solref="0 -95"'),  # dmax b h = 1.91; b h = 1
-    ("stiff", alone("-38200 0", dt=0.01), 0.0, None, "error", 'solref="-2256 0"'),  # 3.82 / 2 = 1.91; 95² / 4
-    ("stiff", alone("-19100 -95", dt=0.01), -95.0, None, "error", 'solref="-2256 -95"'),  # 0.955 + 0.95
+    (
+        "timeconst",
+        alone("0.001 1"),
+        0.001,
+        0.004,
+        "warning",
+        'or timestep="0.0005": ',
+    ),  # 4 times
+    (
+        "timeconst",
+        alone("0.0009 2", integrator=DISCRETE),
+        0.0009,
+        0.001,
+        "warning",
+        "0.001 2",
+    ),  # one step over 2
+    (
+        "stiff",
+        alone("0 -191", dt=0.01),
+        -191.0,
+        None,
+        "error",
+        'solref="0 -95"',
+    ),  # dmax b h = 1.91; b h = 1
+    (
+        "stiff",
+        alone("-38200 0", dt=0.01),
+        0.0,
+        None,
+        "error",
+        'solref="-2256 0"',
+    ),  # 3.82 / 2 = 1.91; 95² / 4
+    (
+        "stiff",
+        alone("-19100 -95", dt=0.01),
+        -95.0,
+        None,
+        "error",
+        'solref="-2256 -95"',
+    ),  # 0.955 + 0.95
     ("dampratio", alone("0.02 4.1"), 4.1, 1.0, "warning", 'solref="0.02 1"'),
-    ("dampratio", alone("-100 -81"), 4.05, 1.0, "warning", 'solref="-100 -20"'),  # damping / (2 √stiffness)
-    ("one-sided", {"part": 'solref="0.004 1"'}, 0.004, 0.012, "warning", 'priority="1" on part'),
-    ("one-sided", {"part": 'solref="0.004 1"'}, 0.004, 0.012, "warning", "down by up to 3;"),
+    (
+        "dampratio",
+        alone("-100 -81"),
+        4.05,
+        1.0,
+        "warning",
+        'solref="-100 -20"',
+    ),  # damping / (2 √stiffness)
+    (
+        "one-sided",
+        {"part": 'solref="0.004 1"'},
+        0.004,
+        0.012,
+        "warning",
+        'priority="1" on part',
+    ),
+    (
+        "one-sided",
+        {"part": 'solref="0.004 1"'},
+        0.004,
+        0.012,
+        "warning",
+        "down by up to 3;",
+    ),
     ("one-sided", {"part": 'solref="0.005 2"'}, 0.005, 0.0125, "warning", "up to 2.5"),
-    ("one-sided", {"part": 'solref="0.001 1"'}, 0.001, 0.0105, "warning", 'solref="0.004 1"'),  # two steps
-    ("one-sided", {"part": 'solref="0.001 1"'}, 0.001, 0.0105, "warning", "up to 2.6"),  # 10.5 / 4
+    (
+        "one-sided",
+        {"part": 'solref="0.001 1"'},
+        0.001,
+        0.0105,
+        "warning",
+        'solref="0.004 1"',
+    ),  # two steps
+    (
+        "one-sided",
+        {"part": 'solref="0.001 1"'},
+        0.001,
+        0.0105,
+        "warning",
+        "up to 2.6",
+    ),  # 10.5 / 4
     (
         "one-sided",
         {"part": 'solref="0.001 1"', "flag": '<flag refsafe="disable"/>'},
         *(0.001, 0.0105, "warning", "up to 10"),
     ),
-    ("one-sided", {"part": 'solref="0.004 1"', "floor": 'solref="0.0125 1"'}, 0.004, 0.00825, "warning", "2.1"),
+    (
+        "one-sided",
+        {"part": 'solref="0.004 1"', "floor": 'solref="0.0125 1"'},
+        0.004,
+        0.00825,
+        "warning",
+        "2.1",
+    ),
     ("friction", {"part": 'friction="0.25"'}, 0.25, 1.0, "warning", 'priority="1"'),
-    ("friction", {"part": 'friction="0.99"', "floor": 'friction="4"'}, 0.99, 4.0, "warning", 'priority="1"'),
-    ("pyramid", {"option": 'impratio="2"'}, 2.0, None, "warning", "goes down by 2 where μ is 1"),
-    ("pyramid", {"floor": 'friction="4"'}, 4.0, None, "warning", "goes down by 17 where"),  # 1 + μ²
-    ("pyramid", {"floor": 'friction="4"'}, 4.0, None, "warning", "goes down by 170 where"),
-    ("pyramid", {"floor": 'friction="4"', "option": 'impratio="0.5"'}, 4.0, None, "warning", "goes down by 340 where"),
-    ("pyramid", {"floor": 'friction="4"', "option": 'impratio="0"'}, 4.0, None, "warning", "where μ is 4"),
-    ("pyramid", {"floor": 'friction="3.1"', "option": 'iterations="9"'}, 3.1, None, "warning", 'iterations="10"'),
-    ("lost", {"floor": 'conaffinity="4" contype="4"'}, 1.0, None, "warning", 'contype="4" conaffinity="4" on part'),
+    (
+        "friction",
+        {"part": 'friction="0.99"', "floor": 'friction="4"'},
+        0.99,
+        4.0,
+        "warning",
+        'priority="1"',
+    ),
+    (
+        "pyramid",
+        {"option": 'impratio="2"'},
+        2.0,
+        None,
+        "warning",
+        "goes down by 2 where μ is 1",
+    ),
+    (
+        "pyramid",
+        {"floor": 'friction="4"'},
+        4.0,
+        None,
+        "warning",
+        "goes down by 17 where",
+    ),  # 1 + μ²
+    (
+        "pyramid",
+        {"floor": 'friction="4"'},
+        4.0,
+        None,
+        "warning",
+        "goes down by 170 where",
+    ),
+    (
+        "pyramid",
+        {"floor": 'friction="4"', "option": 'impratio="0.5"'},
+        4.0,
+        None,
+        "warning",
+        "goes down by 340 where",
+    ),
+    (
+        "pyramid",
+        {"floor": 'friction="4"', "option": 'impratio="0"'},
+        4.0,
+        None,
+        "warning",
+        "where μ is 4",
+    ),
+    (
+        "pyramid",
+        {"floor": 'friction="3.1"', "option": 'iterations="9"'},
+        3.1,
+        None,
+        "warning",
+        'iterations="10"',
+    ),
+    (
+        "lost",
+        {"floor": 'conaffinity="4" contype="4"'},
+        1.0,
+        None,
+        "warning",
+        'contype="4" conaffinity="4" on part',
+    ),
 ]
 
 
-@pytest.mark.parametrize(("rule", "changes", "value", "used", "severity", "advice"), FOUND)
-def test_beyond_a_threshold_the_numbers_are_said(rule, changes, value, used, severity, advice):
+@pytest.mark.parametrize(
+    ("rule", "changes", "value", "used", "severity", "advice"), FOUND
+)
+def test_beyond_a_threshold_the_numbers_are_said(
+    rule, changes, value, used, severity, advice
+):
     [finding] = found(rule, **changes)
     assert (finding.value, finding.severity) == (pytest.approx(value), severity)
     assert finding.used == (None if used is None else pytest.approx(used))
@@ -88,19 +245,34 @@ def test_beyond_a_threshold_the_numbers_are_said(rule, changes, value, used, sev
 
 QUIET = [
     ("solref-format", alone("-100 -1")),
-    ("solref-format", {"floor": 'solref="0.02 -1"', "rest": PAIR.format("")}),  # of which nothing counts
+    (
+        "solref-format",
+        {"floor": 'solref="0.02 -1"', "rest": PAIR.format("")},
+    ),  # of which nothing counts
     ("timeconst", alone("0.00399999 1")),
     ("timeconst", alone("0.003 1", flag='<flag refsafe="disable"/>')),
     ("timeconst", alone("0.0011 2", integrator=DISCRETE)),
     ("stiff", alone("0 -189", dt=0.01)),
     ("stiff", alone("-37800 0", dt=0.01)),
     ("stiff", alone("-18900 -95", dt=0.01)),
-    ("stiff", alone('-37800 0" solimp="0 0.01 0.001', dt=0.01)),  # as in MuJoCo's Newton's cradle
+    (
+        "stiff",
+        alone('-37800 0" solimp="0 0.01 0.001', dt=0.01),
+    ),  # as in MuJoCo's Newton's cradle
     ("stiff", alone("-19100 -95", dt=0.01, integrator=DISCRETE)),
-    *(("dampratio", alone(each)) for each in ("0.02 3.9", "0.02 0.1", "-100 -79", "-100 1")),
+    *(
+        ("dampratio", alone(each))
+        for each in ("0.02 3.9", "0.02 0.1", "-100 -79", "-100 1")
+    ),
     ("one-sided", {"part": 'solref="0.0051 1"'}),
-    ("one-sided", {"part": 'solref="0.001 1"', "floor": 'solref="0.006 1"'}),  # 3.5 ms, below four steps
-    ("one-sided", {"part": 'solref="0.004 1"', "floor": 'solref="0.0119 1"'}),  # 7.95 ms, not twice
+    (
+        "one-sided",
+        {"part": 'solref="0.001 1"', "floor": 'solref="0.006 1"'},
+    ),  # 3.5 ms, below four steps
+    (
+        "one-sided",
+        {"part": 'solref="0.004 1"', "floor": 'solref="0.0119 1"'},
+    ),  # 7.95 ms, not twice
     ("one-sided", {"part": 'solref="0.004 1"', "floor": 'priority="1"'}),
     ("friction", {"part": 'friction="0.26"'}),
     ("friction", {"floor": 'friction="4"'}),
@@ -109,7 +281,10 @@ QUIET = [
     ("pyramid", {"floor": 'friction="3"', "option": 'cone="elliptic" impratio="10"'}),
     ("timeconst", {"dt": 0.015}),  # of the default
     ("lost", {"floor": 'conaffinity="4"'}),
-    ("lost", {"floor": 'conaffinity="4" contype="4"', "flag": '<flag gravity="disable"/>'}),
+    (
+        "lost",
+        {"floor": 'conaffinity="4" contype="4"', "flag": '<flag gravity="disable"/>'},
+    ),
 ]
 
 
@@ -122,8 +297,12 @@ def test_dmin_is_no_more_than_dmax_as_the_engine_clips_both():
     """(1 - 0.5) / (1 - 0.95) of the creep is left; 2 and 1 are both clipped to 0.9999."""
     [finding] = found("solimp", floor='solimp="0.95 0.5 0.001 0.5 2"')
     assert (finding.value, finding.used) == (0.95, 0.5)
-    assert 'solimp="0.95 0.95 0.001 0.5 2"' in str(finding.advice) and "goes down by 10" in str(finding.advice)
-    assert not found("solimp", floor='solimp="2 1 0.001 0.5 2"') + found("solimp", floor='solimp="0.9 0.9 0.001 0 1"')
+    assert 'solimp="0.95 0.95 0.001 0.5 2"' in str(
+        finding.advice
+    ) and "goes down by 10" in str(finding.advice)
+    assert not found("solimp", floor='solimp="2 1 0.001 0.5 2"') + found(
+        "solimp", floor='solimp="0.9 0.9 0.001 0 1"'
+    )
 
 
 def test_a_pyramid_is_said_to_be_as_soft_as_it_is():
@@ -151,8 +330,13 @@ def test_of_a_pair_whose_parameters_mix_the_stiffer_side_is_named():
 def test_only_the_side_that_is_far_from_critical_is_changed(floor, part, ratio, advice):
     [finding] = found("dampratio", floor=f'solref="{floor}"', part=f'solref="{part}"')
     assert finding.value == pytest.approx(ratio)
-    changed = [(each.subject, dict(each.attributes)["solref"]) for each in finding.advice.changes]
-    assert changed == ([("floor", advice)] if advice else [("floor", "0.02 1"), ("part", "0.02 1")])
+    changed = [
+        (each.subject, dict(each.attributes)["solref"])
+        for each in finding.advice.changes
+    ]
+    assert changed == (
+        [("floor", advice)] if advice else [("floor", "0.02 1"), ("part", "0.02 1")]
+    )
 
 
 def test_a_pair_has_two_frictions_that_slide_then_one_that_spins_and_two_that_roll():
@@ -164,5 +348,9 @@ def test_a_pair_has_two_frictions_that_slide_then_one_that_spins_and_two_that_ro
     scene = scene_of(Target("scene", model), Engine())
     contacts = scene.contacts
     assert scene.colliding == 2
-    assert contacts.friction.tolist() == [[0.8, 0.02, 0.003]] and contacts.condim.tolist() == [6]
-    assert contacts.solref.tolist() == [[0.007, 1.0]] and contacts.solreffriction.tolist() == [[0.004, 1.0]]
+    assert contacts.friction.tolist() == [
+        [0.8, 0.02, 0.003]
+    ] and contacts.condim.tolist() == [6]
+    assert contacts.solref.tolist() == [
+        [0.007, 1.0]
+    ] and contacts.solreffriction.tolist() == [[0.004, 1.0]]

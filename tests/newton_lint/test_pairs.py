@@ -51,12 +51,19 @@ def asked_for(model: mujoco.MjModel) -> set[tuple[int, int]]:
         mujoco.mj_collision(near, data)
     finally:
         mujoco.set_mjcb_contactfilter(None)
-    planes = set(np.flatnonzero(model.geom_type == int(mujoco.mjtGeom.mjGEOM_PLANE)).tolist())
-    named = {(int(min(pair)), int(max(pair))) for pair in zip(model.pair_geom1, model.pair_geom2, strict=True)}
+    planes = set(
+        np.flatnonzero(model.geom_type == int(mujoco.mjtGeom.mjGEOM_PLANE)).tolist()
+    )
+    named = {
+        (int(min(pair)), int(max(pair)))
+        for pair in zip(model.pair_geom1, model.pair_geom2, strict=True)
+    }
     return named | {pair for pair in found if not set(pair) <= planes}
 
 
-@pytest.mark.parametrize("flag", ["", '<flag filterparent="disable"/>', '<flag contact="disable"/>'])
+@pytest.mark.parametrize(
+    "flag", ["", '<flag filterparent="disable"/>', '<flag contact="disable"/>']
+)
 def test_pairs_are_those_that_the_engine_asks_for(flag):
     model = mujoco.MjModel.from_xml_string(BODIES.format(flag=flag))
     pairs, named = pairs_of(model)
@@ -79,7 +86,11 @@ GEOMS = """
 @pytest.mark.parametrize(
     ("floor", "ball", "flag"),
     [
-        ('solref="0.05 0.5" friction="0.3 0.1 0.2"', 'solimp="0.5 0.6 0.01 0.3 3" condim="6"', ""),
+        (
+            'solref="0.05 0.5" friction="0.3 0.1 0.2"',
+            'solimp="0.5 0.6 0.01 0.3 3" condim="6"',
+            "",
+        ),
         ('solref="0.05 1" solmix="3"', 'solmix="0" condim="1"', ""),
         ('solref="-100 -10"', 'solref="0.01 1"', ""),
         ('solref="-100 -10" priority="1"', 'solref="-50 -20" friction="2"', ""),
@@ -88,12 +99,18 @@ GEOMS = """
     ],
 )
 def test_parameters_are_those_of_the_engines_contacts(floor, ball, flag):
-    model = mujoco.MjModel.from_xml_string(GEOMS.format(floor=floor, ball=ball, flag=flag))
+    model = mujoco.MjModel.from_xml_string(
+        GEOMS.format(floor=floor, ball=ball, flag=flag)
+    )
     data = mujoco.MjData(model)
     mujoco.mj_forward(model, data)
     ours, contact = contacts_of(model), data.contact[0]
     for mine, theirs in (
-        *((ours.solref, contact.solref), (ours.solimp, contact.solimp), (ours.condim, contact.dim)),
+        *(
+            (ours.solref, contact.solref),
+            (ours.solimp, contact.solimp),
+            (ours.condim, contact.dim),
+        ),
         (ours.friction, contact.friction[[0, 2, 3]]),
     ):
         np.testing.assert_allclose(mine[0], theirs)

@@ -27,22 +27,39 @@ def test_a_hold_is_said_and_is_a_finding_above_its_bound(written, capsys):
     pinch = written("pinch")
     assert main([pinch, "--hold", "held", "--json"]) == 1  # from 1 mm/s on
     hold = json.loads(capsys.readouterr().out)["hold"]
-    assert hold["load_n"] == pytest.approx(0.5 * 9.81, rel=1e-3) and hold["point_count"] == 8
+    assert (
+        hold["load_n"] == pytest.approx(0.5 * 9.81, rel=1e-3)
+        and hold["point_count"] == 8
+    )
     assert hold["mm_s"] == pytest.approx(3.68, rel=0.01) and not hold["slides"]
     assert main([pinch, "--hold", "held", "--below", "5"]) == 0
     assert main([pinch, "--hold", "held", "--below", "1"]) == 1
-    assert "held creeps at 3.68 mm/s, by 4.9 N on 8 contact points" in capsys.readouterr().out
+    assert (
+        "held creeps at 3.68 mm/s, by 4.9 N on 8 contact points"
+        in capsys.readouterr().out
+    )
     assert main([pinch, "--hold", "held", "--lift", "9.81", "--json"]) == 1
-    assert json.loads(capsys.readouterr().out)["hold"]["mm_s"] == pytest.approx(2.0 * hold["mm_s"], rel=1e-3)
+    assert json.loads(capsys.readouterr().out)["hold"]["mm_s"] == pytest.approx(
+        2.0 * hold["mm_s"], rel=1e-3
+    )
     assert main([written("incline", slope=1.3), "--hold", "held"]) == 1
     assert "error slides" in capsys.readouterr().out
-    assert main([written("pinch", grip=0.5), "--hold", "held", "--settle", "3"]) == 1  # and is far away by then
+    assert (
+        main([written("pinch", grip=0.5), "--hold", "held", "--settle", "3"]) == 1
+    )  # and is far away by then
     assert "slides: what it has to bear" in capsys.readouterr().out
-    assert main([pinch, "--hold", "cube"]) == 2 and "has no body cube" in capsys.readouterr().err
+    assert (
+        main([pinch, "--hold", "cube"]) == 2
+        and "has no body cube" in capsys.readouterr().err
+    )
 
 
-@pytest.mark.parametrize(("kind", "changes"), [("pinch", {}), ("incline", {"cone": "pyramidal", "mu": 1.5})])
-def test_a_prescription_reaches_its_bound_and_is_written(kind, changes, written, capsys):
+@pytest.mark.parametrize(
+    ("kind", "changes"), [("pinch", {}), ("incline", {"cone": "pyramidal", "mu": 1.5})]
+)
+def test_a_prescription_reaches_its_bound_and_is_written(
+    kind, changes, written, capsys
+):
     scene = written(kind, **changes)
     assert main(["prescribe", scene, "--hold", "held", "--below", "0.05", "--fix"]) == 0
     out = capsys.readouterr().out
@@ -55,20 +72,38 @@ def test_a_prescription_reaches_its_bound_and_is_written(kind, changes, written,
 
 def test_what_is_asked_for_is_simulated_too(written, capsys):
     """An impratio in place of the scene's."""
-    assert main(["prescribe", written("pinch"), "--hold", "held", "--impratio", "10"]) == 0
-    predicted, measured = re.search(r"([\d.]+) mm/s +([\d.]+) mm/s.* as it is", capsys.readouterr().out).groups()
+    assert (
+        main(["prescribe", written("pinch"), "--hold", "held", "--impratio", "10"]) == 0
+    )
+    predicted, measured = re.search(
+        r"([\d.]+) mm/s +([\d.]+) mm/s.* as it is", capsys.readouterr().out
+    ).groups()
     assert float(predicted) == pytest.approx(0.368, rel=0.01) == float(measured)
 
 
 def test_what_slips_by_its_own_weight_is_a_finding(written, capsys):
     """As fast as it is simulated to, where all points bear alike, between fingers and on a slope."""
-    for kind, changes in (("pinch", {"grip": 60}), ("incline", {"cone": "pyramidal", "solref": "0.05 1"})):
+    for kind, changes in (
+        ("pinch", {"grip": 60}),
+        ("incline", {"cone": "pyramidal", "solref": "0.05 1"}),
+    ):
         assert main([written(kind, **changes), "--json"]) == 1
-        [slip] = [each for each in json.loads(capsys.readouterr().out)["findings"] if each["rule"] == "slip"]
+        [slip] = [
+            each
+            for each in json.loads(capsys.readouterr().out)["findings"]
+            if each["rule"] == "slip"
+        ]
         measured = Case(kind, tuple(changes.items())).measured_mm_s()
         assert slip["value"] == pytest.approx(measured, rel=0.1)
-        assert slip["changes"][0]["attributes"] == {"cone": "elliptic", "impratio": "10"}
-    assert main([written("incline", mu=0.1)]) == main([written("pinch", impratio=100)]) == 0
+        assert slip["changes"][0]["attributes"] == {
+            "cone": "elliptic",
+            "impratio": "10",
+        }
+    assert (
+        main([written("incline", mu=0.1)])
+        == main([written("pinch", impratio=100)])
+        == 0
+    )
 
 
 def test_what_nothing_holds_is_said(written, capsys):
@@ -102,4 +137,8 @@ def test_a_page_has_every_scene_of_a_folder(written, tmp_path, capsys):
     (tmp_path / "bad.xml").write_text("<mujoco><nothing/></mujoco>")
     assert main(["page", str(tmp_path), "-o", str(tmp_path / "page")]) == 0
     text = (tmp_path / "page" / "index.html").read_text(encoding="utf-8")
-    assert text.count("<details") == 3 and "2 scenes, " in text and "MuJoCo refuses it" in text
+    assert (
+        text.count("<details") == 3
+        and "2 scenes, " in text
+        and "MuJoCo refuses it" in text
+    )

@@ -54,23 +54,58 @@ ARM = """
     <geom type="capsule" size="0.03" fromto="0 0 0 0.5 0 0" mass="3"/></body></worldbody>
 </mujoco>
 """
-BESIDE = {"option": "", "pads": 'friction="0.7"', "mass": 0.045, "dt": 0.002, "default": "", "geom": "", "slope": 0}
+BESIDE = {
+    "option": "",
+    "pads": 'friction="0.7"',
+    "mass": 0.045,
+    "dt": 0.002,
+    "default": "",
+    "geom": "",
+    "slope": 0,
+}
 SETTLE_S, MEASURED_S = 1.0, 0.4
 QUESTIONS = {
     "creeps-out-of-the-grip": (PINCH, {}, "slip", "creep", 0.1),
-    "impratio-does-not-help": (PINCH, {"option": 'impratio="10"', "mass": 0.45}, "pyramid", "creep", 0.6),
+    "impratio-does-not-help": (
+        PINCH,
+        {"option": 'impratio="10"', "mass": 0.45},
+        "pyramid",
+        "creep",
+        0.6,
+    ),
     "stiff-pads-stay-soft": (
         PINCH,
-        {"option": 'cone="elliptic" impratio="2"', "pads": 'friction="0.7" solref="0.004 1"'},
+        {
+            "option": 'cone="elliptic" impratio="2"',
+            "pads": 'friction="0.7" solref="0.004 1"',
+        },
         "one-sided",
         "creep",
         0.6,
     ),
     "turns-in-the-fingertips": (TIPS, {}, "condim", "turn", 0.1),
-    "falls-through-the-floor": (FLOOR, {"default": 'conaffinity="0"'}, "lost", "sink", 0.1),
-    "solimp-in-the-wrong-order": (FLOOR, {"default": 'solimp="0.95 0.5 0.0001"', "slope": 8}, "solimp", "creep", 0.2),
+    "falls-through-the-floor": (
+        FLOOR,
+        {"default": 'conaffinity="0"'},
+        "lost",
+        "sink",
+        0.1,
+    ),
+    "solimp-in-the-wrong-order": (
+        FLOOR,
+        {"default": 'solimp="0.95 0.5 0.0001"', "slope": 8},
+        "solimp",
+        "creep",
+        0.2,
+    ),
     "sags-by-its-frictionloss": (ARM, {}, "sag", "turn", 0.01),
-    "solref-below-the-time-step": (FLOOR, {"dt": 0.01, "default": 'solref="0.004 1"'}, "timeconst", "sink", 1.001),
+    "solref-below-the-time-step": (
+        FLOOR,
+        {"dt": 0.01, "default": 'solref="0.004 1"'},
+        "timeconst",
+        "sink",
+        1.001,
+    ),
 }
 """Scene, what is in it, the rule that names it, what is measured, and which share of it the change leaves at most."""
 
@@ -90,7 +125,9 @@ def measured(path: str, what: str) -> float:
     if what == "creep":
         return 1e3 * float(np.linalg.norm(end - start)) / MEASURED_S
     if what == "turn":
-        return float(np.arccos(np.clip(0.5 * (np.trace(before.T @ after) - 1.0), -1.0, 1.0)))
+        return float(
+            np.arccos(np.clip(0.5 * (np.trace(before.T @ after) - 1.0), -1.0, 1.0))
+        )
     return 1e3 * (0.1 - float(end[2]))
 
 
@@ -109,7 +146,12 @@ def test_the_change_that_is_named_cures_it(question, tmp_path, capsys):
 
 
 SIDES = {
-    "depth": ('solref="0.2 1" solimp="0.5 0.5 0.001" priority="1"', "", "depth 48.", "→ 1 mm at rest"),
+    "depth": (
+        'solref="0.2 1" solimp="0.5 0.5 0.001" priority="1"',
+        "",
+        "depth 48.",
+        "→ 1 mm at rest",
+    ),
     "friction": ("", 'friction="0.05"', "friction 0.05 counts nowhere", 'priority="1"'),
     "pyramid": ("", 'friction="5"', "friction 5 makes", 'cone="elliptic"'),
 }
@@ -128,13 +170,24 @@ def test_what_only_one_side_says_is_answered(rule, tmp_path, capsys):
     out = capsys.readouterr().out
     assert f" {rule}: " in out and said in out and advice in out
     assert ("counts nowhere" in out) == (rule == "friction")
-    assert main(["pair", str(path), "mat", "part"]) == 0 and main(["pair", str(path), "mat", "mat"]) == 1
+    assert (
+        main(["pair", str(path), "mat", "part"]) == 0
+        and main(["pair", str(path), "mat", "mat"]) == 1
+    )
     model = mujoco.MjModel.from_xml_path(str(path))
     data = mujoco.MjData(model)
     mujoco.mj_forward(model, data)
-    contact, rows = data.contact[0], dict(line.split(maxsplit=1) for line in capsys.readouterr().out.splitlines()[1:8])
+    contact, rows = (
+        data.contact[0],
+        dict(
+            line.split(maxsplit=1) for line in capsys.readouterr().out.splitlines()[1:8]
+        ),
+    )
     assert f"  {' '.join(f'{each:.4g}' for each in contact.solref)}  " in rows["solref"]
-    assert f"  {' '.join(f'{each:.4g}' for each in contact.friction[[0, 2, 3]])}  " in rows["friction"]
+    assert (
+        f"  {' '.join(f'{each:.4g}' for each in contact.friction[[0, 2, 3]])}  "
+        in rows["friction"]
+    )
     assert f"  {contact.includemargin:.4g}  " in rows["margin"]
 
 
@@ -149,9 +202,16 @@ SERVO = """
 </body></worldbody><actuator><position joint="a" kp="5000" kv="100"/></actuator><keyframe><key qpos="0.3"/></keyframe>
 <worldbody>
 """
-WELDED = PART.format(z=1, geom="") + '</worldbody><equality><weld body1="part" solref="1 1"/></equality><worldbody>'
+WELDED = (
+    PART.format(z=1, geom="")
+    + '</worldbody><equality><weld body1="part" solref="1 1"/></equality><worldbody>'
+)
 STARTS = {
-    "an exclude is of the bodies that overlap": (TORSO, "overlap: thigh/", 'body1="torso" body2="thigh"'),
+    "an exclude is of the bodies that overlap": (
+        TORSO,
+        "overlap: thigh/",
+        'body1="torso" body2="thigh"',
+    ),
     "a margin presses": (
         PART.format(z=0.12, geom='margin="0.1"'),
         "overlap 80 mm is how deep they overlap with",
@@ -163,7 +223,8 @@ STARTS = {
         "→ 0.961 mm at rest",
     ),
     "of the heavy on the light": (
-        PART.format(z=0.1, geom='mass="0.01"') + PART.replace("part", "load").format(z=0.3, geom='mass="100"'),
+        PART.format(z=0.1, geom='mass="0.01"')
+        + PART.replace("part", "load").format(z=0.3, geom='mass="100"'),
         "as stiff as its lighter body",
         'solimp="0.999 0.999 0.001"',
     ),
@@ -172,14 +233,24 @@ STARTS = {
         "(the fastest of 3 pairs): it throws them apart",
         "move one by 200 mm",
     ),
-    "a servo stiffer than the step": (SERVO, "error unstable", 'integrator="implicitfast"'),
-    "a weld that is soft": (WELDED, "warning equality: equality_0: gap", 'solref="0.01 1"'),
+    "a servo stiffer than the step": (
+        SERVO,
+        "error unstable",
+        'integrator="implicitfast"',
+    ),
+    "a weld that is soft": (
+        WELDED,
+        "warning equality: equality_0: gap",
+        'solref="0.01 1"',
+    ),
 }
 """Bodies over a floor, what is said of them, and the advice."""
 
 
 @pytest.mark.parametrize("question", STARTS)
-def test_what_stands_and_starts_wrong_is_said_with_what_mends_it(question, tmp_path, capsys, monkeypatch):
+def test_what_stands_and_starts_wrong_is_said_with_what_mends_it(
+    question, tmp_path, capsys, monkeypatch
+):
     bodies, said, advice = STARTS[question]
     monkeypatch.chdir(tmp_path)
     floor = '<option timestep="0.005"/><worldbody><geom name="floor" type="plane" size="1 1 1"/>'
@@ -187,7 +258,9 @@ def test_what_stands_and_starts_wrong_is_said_with_what_mends_it(question, tmp_p
     main(["scene.xml"])
     out = capsys.readouterr().out
     assert said in out and advice in out, out
-    assert [path.name for path in tmp_path.iterdir()] == ["scene.xml"]  # MuJoCo writes a log of what blows up
+    assert [path.name for path in tmp_path.iterdir()] == [
+        "scene.xml"
+    ]  # MuJoCo writes a log of what blows up
 
 
 def test_the_thickness_that_is_named_stops_a_fall(tmp_path, capsys):
@@ -203,9 +276,15 @@ LINK = '<body><joint name="j" axis="0 1 0" {}/><geom type="capsule" size="0.1" f
 FOOT = '<geom type="plane" size="1 1 1"/><body pos="0 0 0.02"><freejoint/><geom type="box" size="0.1 0.1 0.1"/></body>'
 KEY = '</worldbody><keyframe><key qpos="0 0 0.1 1 0 0 0"/></keyframe><worldbody>'
 MOTOR = '</worldbody><actuator><motor joint="j"/></actuator><worldbody>'
-HOME = MOTOR.replace("motor", "position kp='999'").replace("<w", "<keyframe><key qpos='-1' ctrl='0'/></keyframe><w")
+HOME = MOTOR.replace("motor", "position kp='999'").replace(
+    "<w", "<keyframe><key qpos='-1' ctrl='0'/></keyframe><w"
+)
 NOTES = {
-    "a piece by itself": (TORSO, "note overlap", "on a base that moves MuJoCo leaves this contact out"),
+    "a piece by itself": (
+        TORSO,
+        "note overlap",
+        "on a base that moves MuJoCo leaves this contact out",
+    ),
     "a start beside a keyframe": (FOOT + KEY, "note overlap", "1 note"),
     "a start that is out of range": (
         LINK.format('range="60 90" damping="1e5"'),
@@ -213,14 +292,20 @@ NOTES = {
         "60 ° is how far it is beyond its range at the start,",
     ),
     "a keyframe that says its ctrl": (LINK.format("") + HOME, "nothing found", ""),
-    "a joint that a motor moves": (LINK.format('frictionloss="20"') + MOTOR, "nothing found", ""),
+    "a joint that a motor moves": (
+        LINK.format('frictionloss="20"') + MOTOR,
+        "nothing found",
+        "",
+    ),
 }
 
 
 @pytest.mark.parametrize("question", NOTES)
 def test_what_only_a_file_by_itself_shows_is_no_warning(question, tmp_path, capsys):
     bodies, *said = NOTES[question]
-    (tmp_path / "scene.xml").write_text(f"<mujoco><worldbody>{bodies}</worldbody></mujoco>")
+    (tmp_path / "scene.xml").write_text(
+        f"<mujoco><worldbody>{bodies}</worldbody></mujoco>"
+    )
     assert main([str(tmp_path / "scene.xml")]) == 0
     out = capsys.readouterr().out
     assert all(text in out for text in said), out
@@ -250,4 +335,8 @@ def test_what_mujoco_warp_refuses_is_said_in_its_words(tmp_path, capsys):
     path.write_text(FLOOR.format(**BESIDE).replace("<option", '<option solver="PGS"'))
     assert main([str(path), "--engine", "warp"]) == 1
     out = capsys.readouterr().out
-    assert "error engine" in out and "mjSOL_PGS is unsupported" in out and "predicted creep" not in out
+    assert (
+        "error engine" in out
+        and "mjSOL_PGS is unsupported" in out
+        and "predicted creep" not in out
+    )

@@ -125,7 +125,9 @@ def test_each_release_has_its_title_and_a_description_that_is_a_sentence_of_its_
         ("/home/me/report", ""),
     ],
 )
-def test_sources_are_where_git_has_them_and_no_secret_goes_along(monkeypatch, origin, address):
+def test_sources_are_where_git_has_them_and_no_secret_goes_along(
+    monkeypatch, origin, address
+):
     monkeypatch.setattr(git, "git", lambda *_: origin)
     assert git.web_address(ROOT) == address
 

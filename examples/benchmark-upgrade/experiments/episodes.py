@@ -51,12 +51,16 @@ class Episode:
     """Four digits of the digest of the last positions and velocities: other digits, other motion."""
 
 
-def episodes(task: str, seeds: Sequence[int], change: Change = lambda model: None) -> Iterator[Episode]:
+def episodes(
+    task: str, seeds: Sequence[int], change: Change = lambda model: None
+) -> Iterator[Episode]:
     """Run a task from each seed, in an environment of its own, on a model that ``change`` has altered."""
     made: list[mujoco.MjModel] = []
 
     class Environment(ALL_V3_ENVIRONMENTS[task]):
-        def _initialize_simulation(self):  # compiling takes longer than most episodes, and is the same for each
+        def _initialize_simulation(
+            self,
+        ):  # compiling takes longer than most episodes, and is the same for each
             if not made:
                 made.append(super()._initialize_simulation()[0])
             model = copy.copy(made[0])
@@ -65,7 +69,11 @@ def episodes(task: str, seeds: Sequence[int], change: Change = lambda model: Non
 
     for seed in seeds:
         env = Environment()
-        env._partially_observable, env._freeze_rand_vec, env.seeded_rand_vec = False, False, True
+        env._partially_observable, env._freeze_rand_vec, env.seeded_rand_vec = (
+            False,
+            False,
+            True,
+        )
         env._set_task_called = True
         del env.sawyer_observation_space  # which was made without the goal
         env.seed(seed)
@@ -83,7 +91,9 @@ def _run(env, policy) -> Episode:
             break
     last = np.concatenate([env.data.qpos, env.data.qvel]).tobytes()
     digest = hashlib.sha256(last).hexdigest()[:4]
-    return Episode(bool(told["success"]), count, touch.grasped, 1e3 * touch.untouched_m, digest)
+    return Episode(
+        bool(told["success"]), count, touch.grasped, 1e3 * touch.untouched_m, digest
+    )
 
 
 class Touch:
@@ -98,20 +108,33 @@ class Touch:
     def look(self, data: mujoco.MjData, moved_m: np.ndarray) -> None:
         """Look at the contacts that carry force now; ``moved_m``: how far the two things have come, six numbers."""
         there = data.contact.efc_address >= 0
-        loaded = there & (data.efc_force[np.where(there, data.contact.efc_address, 0)] > 0.0) if there.any() else there
+        loaded = (
+            there & (data.efc_force[np.where(there, data.contact.efc_address, 0)] > 0.0)
+            if there.any()
+            else there
+        )
         bodies = self.model.geom_bodyid[data.contact.geom[loaded]]
         roots = self.model.body_rootid[bodies]
         self.is_untouched &= not ((roots == self.robot).sum(axis=1) == 1).any()
         if self.is_untouched:
-            self.untouched_m = max(self.untouched_m, *np.linalg.norm(moved_m.reshape(2, 3), axis=1))
-        touched = [set(roots[(bodies == pad).any(axis=1)].flat) - {self.robot, 0} for pad in self.pads]
-        self.runs = Counter({body: self.runs[body] + 1 for body in touched[0] & touched[1]})
+            self.untouched_m = max(
+                self.untouched_m, *np.linalg.norm(moved_m.reshape(2, 3), axis=1)
+            )
+        touched = [
+            set(roots[(bodies == pad).any(axis=1)].flat) - {self.robot, 0}
+            for pad in self.pads
+        ]
+        self.runs = Counter(
+            {body: self.runs[body] + 1 for body in touched[0] & touched[1]}
+        )
         self.longest |= self.runs
 
     @property
     def grasped(self) -> str:
         """The body that was held longest, if long enough."""
-        body, count = max(self.longest.items(), key=lambda item: item[1], default=(0, 0))
+        body, count = max(
+            self.longest.items(), key=lambda item: item[1], default=(0, 0)
+        )
         return self.model.body(body).name if count >= HELD_STEPS else ""
 
 
@@ -133,7 +156,11 @@ def columns(found: Sequence[Episode]) -> dict[str, object]:
     """Sum up episodes; texts have one word or digit for each, by its seed."""
     counts = [episode.step_count for episode in found if episode.is_success]
     bodies = Counter(episode.grasped for episode in found if episode.grasped)
-    steps = {"step_median": median(counts)} if counts else absent(["step_median"], "no episode succeeds")
+    steps = (
+        {"step_median": median(counts)}
+        if counts
+        else absent(["step_median"], "no episode succeeds")
+    )
     return {
         "seed_count": len(found),
         "success_count": len(counts),
@@ -141,7 +168,9 @@ def columns(found: Sequence[Episode]) -> dict[str, object]:
         "grasp_count": bodies.total(),
         "grasped": ", ".join(sorted(bodies)),
         "untouched_mm": float(median(episode.untouched_mm for episode in found)),
-        "steps": " ".join(str(episode.step_count) if episode.is_success else "-" for episode in found),
+        "steps": " ".join(
+            str(episode.step_count) if episode.is_success else "-" for episode in found
+        ),
         "grasps": "".join(str(int(bool(episode.grasped))) for episode in found),
         "states": "".join(episode.state for episode in found),
     }

@@ -7,7 +7,13 @@ from experiments.episodes import FINGERS, FRESH_SEEDS, Change, columns, episodes
 from measured_report.measuring.batch import Batch, Plan
 from measured_report.measuring.measurement import Conditions, Measurement
 
-TASKS = ("dial-turn-v3", "door-lock-v3", "peg-insert-side-v3", "push-back-v3", "stick-push-v3")
+TASKS = (
+    "dial-turn-v3",
+    "door-lock-v3",
+    "peg-insert-side-v3",
+    "push-back-v3",
+    "stick-push-v3",
+)
 
 
 def with_option(name: str, value: float) -> Change:
@@ -17,11 +23,18 @@ def with_option(name: str, value: float) -> Change:
 def own_invweight(model: mujoco.MjModel) -> None:
     """Let each body's inverse weight be 0 along what it cannot do: one that turns about its centre of mass moves by
     nothing, one that slides does not turn."""
-    data, moves, turns = mujoco.MjData(model), np.zeros((3, model.nv)), np.zeros((3, model.nv))
+    data, moves, turns = (
+        mujoco.MjData(model),
+        np.zeros((3, model.nv)),
+        np.zeros((3, model.nv)),
+    )
     mujoco.mj_forward(model, data)
     for body in range(1, model.nbody):
         mujoco.mj_jacBodyCom(model, data, moves, turns, body)
-        model.body_invweight0[body] *= [np.abs(moves).max() > 1e-9, np.abs(turns).max() > 1e-9]
+        model.body_invweight0[body] *= [
+            np.abs(moves).max() > 1e-9,
+            np.abs(turns).max() > 1e-9,
+        ]
 
 
 def like_pads(*names: str) -> Change:
@@ -29,7 +42,9 @@ def like_pads(*names: str) -> Change:
 
     def change(model: mujoco.MjModel) -> None:
         pad, bodies = model.body(FINGERS[0]), model.geom_bodyid
-        things = (model.body_rootid[bodies] != model.body_rootid[pad.id]) & (model.body_jntnum[bodies] > 0)
+        things = (model.body_rootid[bodies] != model.body_rootid[pad.id]) & (
+            model.body_jntnum[bodies] > 0
+        )
         for name in names:
             values = getattr(model, f"geom_{name}")
             values[things] = values[pad.geomadr[0]]
@@ -38,7 +53,9 @@ def like_pads(*names: str) -> Change:
 
 
 SETTINGS: dict[str, Change] = {
-    "no-nativeccd": with_option("disableflags", int(mujoco.mjtDisableBit.mjDSBL_NATIVECCD)),
+    "no-nativeccd": with_option(
+        "disableflags", int(mujoco.mjtDisableBit.mjDSBL_NATIVECCD)
+    ),
     "noslip-10": with_option("noslip_iterations", 10),
     "impratio-10": with_option("impratio", 10.0),
     "own-invweight": own_invweight,
@@ -46,17 +63,28 @@ SETTINGS: dict[str, Change] = {
     "solref-solimp": like_pads("solref", "solimp"),
     "friction": like_pads("friction"),
     "condim": like_pads("condim"),
-    "all-of-pads": like_pads("margin", "solref", "solimp", "friction", "condim"),  # as Meta-World's pull request 578
+    "all-of-pads": like_pads(
+        "margin", "solref", "solimp", "friction", "condim"
+    ),  # as Meta-World's pull request 578
 }
 
 
 def run(task: str, setting: str, seeds: range) -> dict[str, object]:
     """Run one task with one setting."""
     found = list(episodes(task, seeds, SETTINGS[setting]))
-    return {"case": f"{task}.{setting}", "task": task, "setting": setting, **columns(found)}
+    return {
+        "case": f"{task}.{setting}",
+        "task": task,
+        "setting": setting,
+        **columns(found),
+    }
 
 
 def measure(conditions: Conditions) -> Plan:
     seeds = FRESH_SEEDS[:2] if conditions.quick else FRESH_SEEDS
-    rows = yield [Batch(f"{task}-{each}", run, (task, each, seeds)) for task in TASKS for each in SETTINGS]
+    rows = yield [
+        Batch(f"{task}-{each}", run, (task, each, seeds))
+        for task in TASKS
+        for each in SETTINGS
+    ]
     return Measurement(rows)

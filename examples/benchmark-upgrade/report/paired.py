@@ -23,15 +23,28 @@ STATE = re.compile(".{1,4}")  # how an episode moved, in so many digits
 
 def rows_of(releases: Releases, section: str, task: str) -> dict[str, Row]:
     """The row of a task in each release that ran it, oldest first."""
-    there = {release: chapters[section].results for release, chapters in releases.items() if section in chapters}
+    there = {
+        release: chapters[section].results
+        for release, chapters in releases.items()
+        if section in chapters
+    }
     rows = {release: results.row[task] for release, results in there.items()}
-    return {release: row for release, row in rows.items() if row and row.success_count.value is not None}
+    return {
+        release: row
+        for release, row in rows.items()
+        if row and row.success_count.value is not None
+    }
 
 
 def sign_test(less: int, more: int) -> float:
     """Chance of so uneven a split or a more uneven one, if either side is as likely: the exact McNemar test."""
     count = less + more
-    return min(1.0, 2.0 * sum(comb(count, each) for each in range(min(less, more) + 1)) / 2.0**count)
+    return min(
+        1.0,
+        2.0
+        * sum(comb(count, each) for each in range(min(less, more) + 1))
+        / 2.0**count,
+    )
 
 
 @dataclass(frozen=True)
@@ -59,33 +72,51 @@ class Step:
     def beyond_chance(self, tests: int) -> set[str]:
         """What is more frequent than its opposite beyond what chance does in one of 20 releases, over all ``tests``."""
         counts = self.counts
-        pairs = [pair for pair in OPPOSITES if sign_test(counts[pair[0]], counts[pair[1]]) < LEVEL / tests]
+        pairs = [
+            pair
+            for pair in OPPOSITES
+            if sign_test(counts[pair[0]], counts[pair[1]]) < LEVEL / tests
+        ]
         return {max(pair, key=counts.__getitem__) for pair in pairs}
 
 
 def steps_of(releases: Releases, section: str, tasks: Sequence[str]) -> Iterator[Step]:
     """Each task in each two neighbouring releases that ran it."""
     for task in tasks:
-        for (old, before), (new, after) in pairwise(rows_of(releases, section, task).items()):
+        for (old, before), (new, after) in pairwise(
+            rows_of(releases, section, task).items()
+        ):
             yield Step(task, (old, new), (before, after))
 
 
 def counted(results: Results, name: str, what: str, steps: Sequence[Step]) -> Value:
     """The episodes of some steps that differ in this, as a value of ``results``."""
-    count, cells = sum(step.counts[what] for step in steps), [row.success_count for step in steps for row in step.rows]
+    count, cells = (
+        sum(step.counts[what] for step in steps),
+        [row.success_count for step in steps for row in step.rows],
+    )
     formula = f"episodes of the same seeds: {what.replace('_', ' ')}"
-    return results.value(f"{what}_{name}", formula, lambda *_: count, *cells, across=True)
+    return results.value(
+        f"{what}_{name}", formula, lambda *_: count, *cells, across=True
+    )
 
 
 def changes(results: Results, steps: Sequence[Step], tests: int) -> Table:
     """Every step that differs beyond chance, in whether or in when an episode succeeds."""
     found = [step for step in steps if step.beyond_chance(tests)]
-    found.sort(key=lambda step: (list(map(int, step.releases[1].split("."))), step.task))
+    found.sort(
+        key=lambda step: (list(map(int, step.releases[1].split("."))), step.task)
+    )
     names = [what for pair in OPPOSITES for what in pair]
     lines = [
         {"MuJoCo": " → ".join(step.releases)}
-        | {what: counted(results, f"{step.task}_{step.releases[1]}", what, [step]) for what in names}
+        | {
+            what: counted(results, f"{step.task}_{step.releases[1]}", what, [step])
+            for what in names
+        }
         for step in found
     ]
     index = pd.Index([step.task for step in found], name="task")
-    return Table(pd.DataFrame(lines, index=index, columns=["MuJoCo", *names], dtype=object))
+    return Table(
+        pd.DataFrame(lines, index=index, columns=["MuJoCo", *names], dtype=object)
+    )

@@ -61,7 +61,10 @@ def states(model: mujoco.MjModel):
 def differenced(model: mujoco.MjModel, data: mujoco.MjData, contact) -> np.ndarray:
     """d(J q̇)/dt of the second body's point at the contact against the first's: linear and angular, shape [2, 3]."""
     bodies = model.geom_bodyid[np.asarray(contact.geom)]
-    points = [data.xmat[body].reshape(3, 3).T @ (contact.pos - data.xpos[body]) for body in bodies]
+    points = [
+        data.xmat[body].reshape(3, 3).T @ (contact.pos - data.xpos[body])
+        for body in bodies
+    ]
     rates = []
     for sign in (1.0, -1.0):
         moved = mujoco.MjData(model)
@@ -77,7 +80,9 @@ def differenced(model: mujoco.MjModel, data: mujoco.MjData, contact) -> np.ndarr
     return (rates[0] - rates[1]) / (2.0 * DIFFERENCE_S)
 
 
-def expected_rows(model: mujoco.MjModel, data: mujoco.MjData, contact, normal: bool) -> np.ndarray:
+def expected_rows(
+    model: mujoco.MjModel, data: mujoco.MjData, contact, normal: bool
+) -> np.ndarray:
     """What each of a contact's rows is to be given, in the engine's order (documentation, "Computation")."""
     axes = np.asarray(contact.frame).reshape(3, 3)
     linear, angular = differenced(model, data, contact)
@@ -114,10 +119,14 @@ def test_the_kernel_is_the_rate_of_the_contact_velocity(tumble):
             host = {name: getattr(d.contact, name).numpy() for name in columns}
             for normal in (False, True):
                 d.efc.aref.zero_()
-                contact_bias.apply(m, d, wp.array([True], dtype=bool), centred=False, normal=normal)
+                contact_bias.apply(
+                    m, d, wp.array([True], dtype=bool), centred=False, normal=normal
+                )
                 reference = d.efc.aref.numpy()[0]
                 for index in range(int(d.nacon.numpy()[0])):
-                    contact = SimpleNamespace(**{name: values[index] for name, values in host.items()})
+                    contact = SimpleNamespace(
+                        **{name: values[index] for name, values in host.items()}
+                    )
                     rows = expected_rows(tumble, data, contact, normal)
                     found = reference[contact.efc_address[: len(rows)]]
                     assert np.linalg.norm(found - rows) <= 1e-4 * np.linalg.norm(rows)
@@ -130,13 +139,23 @@ def test_the_kernel_is_the_rate_of_the_contact_velocity(tumble):
     [
         (SimpleNamespace(), {}, "needs a solver with a mjw_model"),
         (SimpleNamespace(mjw_model=None), {}, "needs a solver with a mjw_model"),
-        ({"disableflags": contact_bias.NO_ACTUATION, "integrator": 0}, {}, "while actuation is disabled"),
-        ({"disableflags": 0, "integrator": contact_bias.RUNGE_KUTTA}, {"centred": True}, "leave centred off"),
+        (
+            {"disableflags": contact_bias.NO_ACTUATION, "integrator": 0},
+            {},
+            "while actuation is disabled",
+        ),
+        (
+            {"disableflags": 0, "integrator": contact_bias.RUNGE_KUTTA},
+            {"centred": True},
+            "leave centred off",
+        ),
     ],
 )
 def test_a_solver_that_cannot_have_it_is_refused_in_a_line(solver, options, words):
     if isinstance(solver, dict):
-        solver = SimpleNamespace(mjw_model=SimpleNamespace(opt=SimpleNamespace(**solver)))
+        solver = SimpleNamespace(
+            mjw_model=SimpleNamespace(opt=SimpleNamespace(**solver))
+        )
     with pytest.raises(ValueError, match=words) as error:
         contact_bias.install(solver, **options)
     assert "\n" not in str(error.value)
@@ -159,7 +178,9 @@ def test_damping_is_as_the_engine_documents_it(solref, dmax, refsafe, expected):
     """b = 2 / (dmax timeconst), or damping / dmax; timeconst ≥ 2 · 2 ms under refsafe, 1e-4 ≤ dmax ≤ 0.9999."""
     solimp = (0.1, dmax, 0.001, 0.5, 2.0)
     engine = SimpleNamespace(
-        opt=SimpleNamespace(timestep=0.002, disableflags=0 if refsafe else contact_bias.NO_REFSAFE)
+        opt=SimpleNamespace(
+            timestep=0.002, disableflags=0 if refsafe else contact_bias.NO_REFSAFE
+        )
     )
     assert contact_bias_c.damping(engine, solref, solimp) == pytest.approx(expected)
 
@@ -167,20 +188,34 @@ def test_damping_is_as_the_engine_documents_it(solref, dmax, refsafe, expected):
 @pytest.mark.parametrize("own", [(0.0, 0.0), (0.01, 1.0)])
 def test_centred_the_term_is_less_by_what_a_step_damps(own):
     """1 − h b / 2 of it, with b of each row: 2 / (0.95 · 20 ms), and of friction rows that have their own 10 ms."""
-    engine = SimpleNamespace(opt=SimpleNamespace(timestep=0.002, disableflags=0, cone=contact_bias.ELLIPTIC))
-    contact = SimpleNamespace(efc_address=1, dim=4, solref=np.array([0.02, 1.0]), solreffriction=np.array(own))
+    engine = SimpleNamespace(
+        opt=SimpleNamespace(timestep=0.002, disableflags=0, cone=contact_bias.ELLIPTIC)
+    )
+    contact = SimpleNamespace(
+        efc_address=1, dim=4, solref=np.array([0.02, 1.0]), solreffriction=np.array(own)
+    )
     contact.solimp = np.array([0.9, 0.95, 0.001, 0.5, 2.0])
     data = SimpleNamespace(efc_aref=np.zeros(6))
-    contact_bias_c.subtract(engine, data, contact, np.arange(1.0, 7.0), centred=True, normal=True)
-    normal, friction = 1.0 - 0.002 / 0.019, 1.0 - 0.002 / (0.0095 if any(own) else 0.019)
-    assert data.efc_aref == pytest.approx([0.0, -normal, -2.0 * friction, -3.0 * friction, -4.0 * friction, 0.0])
+    contact_bias_c.subtract(
+        engine, data, contact, np.arange(1.0, 7.0), centred=True, normal=True
+    )
+    normal, friction = (
+        1.0 - 0.002 / 0.019,
+        1.0 - 0.002 / (0.0095 if any(own) else 0.019),
+    )
+    assert data.efc_aref == pytest.approx(
+        [0.0, -normal, -2.0 * friction, -3.0 * friction, -4.0 * friction, 0.0]
+    )
 
 
 @pytest.mark.parametrize("refsafe", [True, False])
 def test_centred_the_kernel_is_its_twin_in_c(tumble, refsafe):
     """With timeconsts about two steps of 1 ms, a solref of stiffness and damping, and impedances up to 1."""
     tumble = copy(tumble)
-    tumble.geom_solref[:, 0], tumble.geom_solimp[:, 1] = np.geomspace(0.001, 0.01, tumble.ngeom), 1.0
+    tumble.geom_solref[:, 0], tumble.geom_solimp[:, 1] = (
+        np.geomspace(0.001, 0.01, tumble.ngeom),
+        1.0,
+    )
     tumble.geom_solref[-1], tumble.geom_solimp[::2, 1] = (-500.0, -20.0), 0.8
     tumble.opt.disableflags |= 0 if refsafe else contact_bias.NO_REFSAFE
     with wp.ScopedDevice("cpu"):
@@ -194,7 +229,11 @@ def test_centred_the_kernel_is_its_twin_in_c(tumble, refsafe):
             mjw.rne(m, d)
             d.efc.aref.zero_()
             data.efc_aref[:] = 0.0
-            contact_bias.apply(m, d, wp.array([True], dtype=bool), centred=True, normal=True)
+            contact_bias.apply(
+                m, d, wp.array([True], dtype=bool), centred=True, normal=True
+            )
             contact_bias_c.subtract_bias(tumble, data, centred=True, normal=True)
             found = d.efc.aref.numpy()[0, : data.nefc]
-            assert np.linalg.norm(found - data.efc_aref) <= 1e-4 * np.linalg.norm(data.efc_aref)
+            assert np.linalg.norm(found - data.efc_aref) <= 1e-4 * np.linalg.norm(
+                data.efc_aref
+            )

@@ -29,8 +29,13 @@ GEOMS = {
     "box": 'type="box" size="0.1 0.13 0.16"',
     "mesh": 'type="mesh" mesh="block"',
 }
-CORNERS = " ".join(f"{x} {y} {z}" for x in (-0.1, 0.1) for y in (-0.1, 0.1) for z in (-0.1, 0.1))
-BY_FORMULA = [("plane", other) for other in ("sphere", "capsule", "ellipsoid", "cylinder", "box", "mesh")]
+CORNERS = " ".join(
+    f"{x} {y} {z}" for x in (-0.1, 0.1) for y in (-0.1, 0.1) for z in (-0.1, 0.1)
+)
+BY_FORMULA = [
+    ("plane", other)
+    for other in ("sphere", "capsule", "ellipsoid", "cylinder", "box", "mesh")
+]
 BY_FORMULA += [("sphere", other) for other in ("sphere", "capsule", "cylinder", "box")]
 BY_FORMULA += [("capsule", "capsule"), ("capsule", "box")]
 BY_FORMULA += [("box", "box")]
@@ -64,7 +69,9 @@ def states(model: mujoco.MjModel, seed: int) -> Iterator[mujoco.MjData]:
     for _ in range(200):
         for joint in range(model.njnt):
             quaternion = random.normal(size=4)
-            data.qpos[7 * joint + 3 : 7 * joint + 7] = quaternion / np.linalg.norm(quaternion)
+            data.qpos[7 * joint + 3 : 7 * joint + 7] = quaternion / np.linalg.norm(
+                quaternion
+            )
         way = random.normal(size=3)
         if model.njnt == 1:
             mujoco.mj_kinematics(model, data)
@@ -74,8 +81,12 @@ def states(model: mujoco.MjModel, seed: int) -> Iterator[mujoco.MjData]:
         for _ in range(40):
             data.qpos[-7:-4] = 0.5 * (near + far) * way
             mujoco.mj_fwdPosition(model, data)
-            inside = min((contact.dist for contact in data.contact), default=1.0) < -DEPTH_M
-            near, far = (0.5 * (near + far), far) if inside else (near, 0.5 * (near + far))
+            inside = (
+                min((contact.dist for contact in data.contact), default=1.0) < -DEPTH_M
+            )
+            near, far = (
+                (0.5 * (near + far), far) if inside else (near, 0.5 * (near + far))
+            )
         data.qvel[:] = random.normal(0.0, 2.0, model.nv)
         mujoco.mj_fwdPosition(model, data)
         mujoco.mj_fwdVelocity(model, data)
@@ -83,7 +94,9 @@ def states(model: mujoco.MjModel, seed: int) -> Iterator[mujoco.MjData]:
             yield data
 
 
-def velocities(model: mujoco.MjModel, data: mujoco.MjData, time_s: float) -> np.ndarray | None:
+def velocities(
+    model: mujoco.MjModel, data: mujoco.MjData, time_s: float
+) -> np.ndarray | None:
     """J q̇ of the first contact's rows a time later, at the same velocity; None where contacts come or go."""
     moved = mujoco.MjData(model)
     moved.qpos[:], moved.qvel[:] = data.qpos, data.qvel
@@ -98,10 +111,15 @@ def velocities(model: mujoco.MjModel, data: mujoco.MjData, time_s: float) -> np.
 
 def rows_of(model: mujoco.MjModel, contact) -> slice:
     is_pyramid = model.opt.cone != contact_bias_c.ELLIPTIC and contact.dim > 1
-    return slice(contact.efc_address, contact.efc_address + (2 * contact.dim - 2 if is_pyramid else contact.dim))
+    return slice(
+        contact.efc_address,
+        contact.efc_address + (2 * contact.dim - 2 if is_pyramid else contact.dim),
+    )
 
 
-def rates(model: mujoco.MjModel, data: mujoco.MjData, step_s: float) -> np.ndarray | None:
+def rates(
+    model: mujoco.MjModel, data: mujoco.MjData, step_s: float
+) -> np.ndarray | None:
     """d(J q̇)/dt of the first contact's rows by central differences of fourth order."""
     found = [velocities(model, data, factor * step_s) for factor in (1, -1, 2, -2)]
     if any(each is None for each in found):
@@ -113,21 +131,31 @@ def is_corner(kind: int, out: np.ndarray) -> bool:
     """Tell whether a geom with this normal, in its own frame, is touched at an edge or a corner."""
     if kind == mujoco.mjtGeom.mjGEOM_CYLINDER:
         return 1e-6 < abs(out[2]) < 1.0 - 1e-6
-    return kind in (mujoco.mjtGeom.mjGEOM_BOX, mujoco.mjtGeom.mjGEOM_MESH) and np.abs(out).max() < 1.0 - 1e-6
+    return (
+        kind in (mujoco.mjtGeom.mjGEOM_BOX, mujoco.mjtGeom.mjGEOM_MESH)
+        and np.abs(out).max() < 1.0 - 1e-6
+    )
 
 
 def is_smooth(model: mujoco.MjModel, data: mujoco.MjData) -> bool:
     """Tell whether the nearest contact is at most at one edge or corner, of no mesh but by a plane."""
     contact = data.contact[0]
-    normals = [data.geom_xmat[geom].reshape(3, 3).T @ contact.frame[:3] for geom in contact.geom]
+    normals = [
+        data.geom_xmat[geom].reshape(3, 3).T @ contact.frame[:3]
+        for geom in contact.geom
+    ]
     kinds = model.geom_type[contact.geom]
     corners = [is_corner(*each) for each in zip(kinds, normals, strict=True)]
     if contact.dist > data.contact.dist.min():
         return False
-    return not all(corners) and not (kinds[1] == mujoco.mjtGeom.mjGEOM_MESH and kinds[0] != 0 and corners[1])
+    return not all(corners) and not (
+        kinds[1] == mujoco.mjtGeom.mjGEOM_MESH and kinds[0] != 0 and corners[1]
+    )
 
 
-def smooth_states(model: mujoco.MjModel, seed: int) -> Iterator[tuple[mujoco.MjData, np.ndarray]]:
+def smooth_states(
+    model: mujoco.MjModel, seed: int
+) -> Iterator[tuple[mujoco.MjData, np.ndarray]]:
     """States whose rows have a rate, which differences over two steps agree on, and that rate."""
     for data in states(model, seed):
         coarse, fine = rates(model, data, STEP_S), rates(model, data, 0.5 * STEP_S)
@@ -141,7 +169,10 @@ def subtracted(model: mujoco.MjModel, data: mujoco.MjData) -> np.ndarray:
     """What the exact term subtracts from the first contact's rows in MuJoCo Warp."""
     chosen, without_margin = wp.array([True], dtype=bool), copy(model)
     without_margin.geom_margin[:] = 0.0  # which MuJoCo Warp has none of between boxes
-    m, d = mjw.put_model(without_margin), mjw.put_data(model, data, nconmax=20, njmax=100)
+    m, d = (
+        mjw.put_model(without_margin),
+        mjw.put_data(model, data, nconmax=20, njmax=100),
+    )
     mjw.rne(m, d)
     d.efc.aref.zero_()
     contact_bias.apply(m, d, chosen, centred=False, normal=True)
@@ -169,8 +200,12 @@ def place_on_second(data: mujoco.MjData) -> np.ndarray:
     return data.geom_xmat[1].reshape(3, 3).T @ at
 
 
-@pytest.mark.parametrize(("second", "length_m"), [("sphere", np.inf), ("ellipsoid", 0.2), ("cylinder", 0.1)])
-def test_of_a_rate_that_turns_while_its_contact_settles_a_row_gets_what_is_left(second, length_m):
+@pytest.mark.parametrize(
+    ("second", "length_m"), [("sphere", np.inf), ("ellipsoid", 0.2), ("cylinder", 0.1)]
+)
+def test_of_a_rate_that_turns_while_its_contact_settles_a_row_gets_what_is_left(
+    second, length_m
+):
     """By the angle of the bodies and of the place, which differences have run over the body, up to a radian."""
     model = pair("plane", second, "elliptic", 3)
     with wp.ScopedDevice("cpu"):
@@ -179,10 +214,17 @@ def test_of_a_rate_that_turns_while_its_contact_settles_a_row_gets_what_is_left(
         mujoco.mj_integratePos(model, ahead.qpos, data.qvel, 1e-5)
         mujoco.mj_fwdPosition(model, ahead)
         start, end = (place_on_second(state) for state in (data, ahead))
-        turning = np.linalg.norm(data.qvel[3:]) + np.linalg.norm(end - start) / 1e-5 / length_m
+        turning = (
+            np.linalg.norm(data.qvel[3:])
+            + np.linalg.norm(end - start) / 1e-5 / length_m
+        )
         for angle, left in ((0.3, 0.7), (0.8, 0.2), (1.1, 0.0)):
-            model.opt.timestep = angle / turning / 2.9  # 2 / b is dmax = 0.95 of the shortest timeconst, two steps
-            assert subtracted(model, data) == pytest.approx(left * rate, abs=5e-3 * np.linalg.norm(rate))
+            model.opt.timestep = (
+                angle / turning / 2.9
+            )  # 2 / b is dmax = 0.95 of the shortest timeconst, two steps
+            assert subtracted(model, data) == pytest.approx(
+                left * rate, abs=5e-3 * np.linalg.norm(rate)
+            )
 
 
 def test_a_capsule_that_nearly_stands_whose_frame_runs_round_with_its_lean_gets_nothing():
@@ -254,7 +296,9 @@ def in_warp(*installed: bool, **options) -> np.ndarray:
         m = mjw.put_model(model)
         d = mjw.put_data(model, data, nworld=2, nconmax=4, njmax=16)
         if installed:
-            contact_place.install(SimpleNamespace(mjw_model=m, mjw_data=d), worlds=installed, **options)
+            contact_place.install(
+                SimpleNamespace(mjw_model=m, mjw_data=d), worlds=installed, **options
+            )
         mjw.step(m, d)  # compiles, which must not happen inside a capture
         step = captured(partial(mjw.step, m, d))
         for _ in range(STEP_COUNT - 1):

@@ -63,12 +63,21 @@ def die_after(log: str) -> None:
 
 def is_running(process: int) -> bool:
     try:
-        return Path(f"/proc/{process}/stat").read_text().rpartition(")")[2].split()[0] != "Z"
+        return (
+            Path(f"/proc/{process}/stat").read_text().rpartition(")")[2].split()[0]
+            != "Z"
+        )
     except OSError:
         return False
 
 
-GARBAGE = (None, 3, b"x", Result(b"x", {}, "", "", 0.0), Result(pickle.dumps(1), None, "soon", "late", "long"))
+GARBAGE = (
+    None,
+    3,
+    b"x",
+    Result(b"x", {}, "", "", 0.0),
+    Result(pickle.dumps(1), None, "soon", "late", "long"),
+)
 
 
 def garbage(batch: Batch, device: str) -> object:
@@ -82,7 +91,10 @@ def double(rows: list) -> dict:
 
 def plan(log: str, names: str, seconds: float = 0.0, exclusive: str = "") -> Plan:
     """A batch for each letter, those of ``exclusive`` by themselves, and one that needs them all."""
-    rows = yield [Batch(name, work, (log, name, seconds), exclusive=name in exclusive) for name in names]
+    rows = yield [
+        Batch(name, work, (log, name, seconds), exclusive=name in exclusive)
+        for name in names
+    ]
     [last] = yield [Batch("sum", double, (rows,))]
     return Rows([*rows, last])
 
@@ -102,7 +114,11 @@ def section_of(toy, plan: Plan, name: str = "toy") -> Section:
 
 def begun(log: Path) -> list[str]:
     """Names of the batches that were begun, in order."""
-    return [line.split()[1] for line in log.read_text().splitlines() if line.startswith("begin")]
+    return [
+        line.split()[1]
+        for line in log.read_text().splitlines()
+        if line.startswith("begin")
+    ]
 
 
 def spans(log: Path) -> dict[str, tuple[float, float]]:
@@ -110,14 +126,20 @@ def spans(log: Path) -> dict[str, tuple[float, float]]:
     found: dict[str, list[float]] = {}
     for line in log.read_text().splitlines():
         found.setdefault(line.split()[1], []).append(float(line.split()[2]))
-    return {name: (times[-2], times[-1]) for name, times in found.items() if len(times) > 1}
+    return {
+        name: (times[-2], times[-1]) for name, times in found.items() if len(times) > 1
+    }
 
 
 def running(log: Path) -> list[int]:
     """Processes that have measured and are still there, a moment later."""
     numbers = {int(line.split()[-1]) for line in log.read_text().splitlines()}
-    deadline = time.monotonic() + 60.0  # none is there for longer than a busy machine takes to end it
-    while (left := [number for number in numbers if is_running(number)]) and time.monotonic() < deadline:
+    deadline = (
+        time.monotonic() + 60.0
+    )  # none is there for longer than a busy machine takes to end it
+    while (
+        left := [number for number in numbers if is_running(number)]
+    ) and time.monotonic() < deadline:
         time.sleep(0.05)
     return left
 

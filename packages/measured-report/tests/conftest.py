@@ -15,7 +15,9 @@ from measured_report.files.config import report_in
 with suppress(ImportError):  # an extra
     from hypothesis import settings
 
-    settings.register_profile("project", deadline=None, derandomize=True)  # however slow the machine
+    settings.register_profile(
+        "project", deadline=None, derandomize=True
+    )  # however slow the machine
     settings.load_profile("project")
 
 
@@ -36,7 +38,9 @@ def entered(outside) -> Iterator[None]:
 def entered_toy(folder: Path) -> Iterator[Toy]:
     lay_out(folder)
     with report_in(folder), pytest.MonkeyPatch.context() as patch:
-        patch.setattr("sys.dont_write_bytecode", True)  # a file changes here within the second that a cache tells
+        patch.setattr(
+            "sys.dont_write_bytecode", True
+        )  # a file changes here within the second that a cache tells
         toy = Toy(Project("1.4.0"))
         toy.measure()
         yield toy
@@ -54,7 +58,9 @@ def model(tmp_path_factory) -> Toy:
 def toy(tmp_path, model) -> Iterator[Toy]:
     """A report that is current; what its model derived and drew is kept for its first build."""
     with entered_toy(tmp_path / "project") as toy:
-        shutil.copytree(Cache(model.project.root).folder, Cache(toy.project.root).folder)
+        shutil.copytree(
+            Cache(model.project.root).folder, Cache(toy.project.root).folder
+        )
         yield toy
 
 
@@ -79,7 +85,9 @@ def checkout(tmp_path) -> Path:
     folder = tmp_path / "newton"
     (folder / "newton").mkdir(parents=True)
     (folder / "newton/__init__.py").write_text("x = 1\n")
-    (folder / "pyproject.toml").write_text('[project]\nname = "newton"\nversion = "1.9.0.dev0"\n')
+    (folder / "pyproject.toml").write_text(
+        '[project]\nname = "newton"\nversion = "1.9.0.dev0"\n'
+    )
     git(folder, "init", "--quiet", "--initial-branch", "main")
     git(folder, "add", ".")
     git(folder, "commit", "--quiet", "-m", "one")

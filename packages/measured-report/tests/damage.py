@@ -30,8 +30,34 @@ def _with(*path: str | int, value: Any = GONE) -> Change:
     return change
 
 
-NO_NUMBERS = ("6.36", True, [], {}, float("nan"), float("inf"), 1e308, -1e308, 10**400, -1.0, None)
-NO_TEXTS = (None, 3, 1.5, True, [], {}, "", "\x00", "a\ue000b", "x" * 5000, "\u202etext", "a\uffff", "two\nlines")
+NO_NUMBERS = (
+    "6.36",
+    True,
+    [],
+    {},
+    float("nan"),
+    float("inf"),
+    1e308,
+    -1e308,
+    10**400,
+    -1.0,
+    None,
+)
+NO_TEXTS = (
+    None,
+    3,
+    1.5,
+    True,
+    [],
+    {},
+    "",
+    "\x00",
+    "a\ue000b",
+    "x" * 5000,
+    "\u202etext",
+    "a\uffff",
+    "two\nlines",
+)
 NO_TEXTS += ("\u3164", "\u2800", "a" + "\u0301" * 390)
 NO_MAPPINGS = (None, 3, "text", [], [1])
 NO_DATES = (
@@ -109,15 +135,21 @@ TEXTS: dict[str, Callable[[str], str | bytes]] = {
     "twice": lambda text: text + text,
     "comma": lambda text: text.replace("]", ",]"),
     "1e999": lambda text: text.replace("6.3617", "1e999"),
-    "a key twice": lambda text: text.replace('"slip_mm":6.3617', '"slip_mm":6.3617,"slip_mm":0.1'),
-    "a section twice": lambda text: text.replace('"section"', '"section": "toy", "section"', 1),
+    "a key twice": lambda text: text.replace(
+        '"slip_mm":6.3617', '"slip_mm":6.3617,"slip_mm":0.1'
+    ),
+    "a section twice": lambda text: text.replace(
+        '"section"', '"section": "toy", "section"', 1
+    ),
     "units twice": lambda text: text.replace('"units"', '"units": {}, "units"', 1),
     "another script": lambda text: text.encode("utf-16"),
     "latin": lambda text: text.replace("toy", "t\xf6y").encode("latin-1"),
     "bytes": lambda text: bytes(range(256)) * 40,
     "zeros": lambda text: bytes(len(text)),
     "deep": lambda text: "[" * 100_000,
-    "conflict": lambda text: text.replace('"rows"', '<<<<<<< HEAD\n"rows"\n=======\n>>>>>>> other\n"rows"'),
+    "conflict": lambda text: text.replace(
+        '"rows"', '<<<<<<< HEAD\n"rows"\n=======\n>>>>>>> other\n"rows"'
+    ),
 }
 """Changes of a record's text, by name."""
 
@@ -140,7 +172,9 @@ TRACES: dict[str, Callable[[bytes], bytes]] = {
     "column missing": lambda content: _packed("time_s,x_mm\n0\n1\n"),
     "column more": lambda content: _packed("time_s,x_mm\n0,1,2\n"),
     "column twice": lambda content: _packed("time_s,time_s\n0,1\n"),
-    "many columns": lambda content: _packed(",".join(f"c{n}" for n in range(2000)) + "\n" + "0," * 1999 + "0\n"),
+    "many columns": lambda content: _packed(
+        ",".join(f"c{n}" for n in range(2000)) + "\n" + "0," * 1999 + "0\n"
+    ),
     "no columns": lambda content: _packed("0.0,0.0\n1.0,0.3\n"),
     "text": lambda content: _packed("time_s,x_mm\n0,a\n1,0.3\n"),
     "not a number": lambda content: _packed("time_s,x_mm\n0,nan\n1,0.3\n"),

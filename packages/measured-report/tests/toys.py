@@ -32,17 +32,31 @@ from measured_report.records.record import Record, write_record
 from measured_report.records.traces import packed
 from measured_report.site.build import build
 
-gc.set_threshold(100_000, 50, 50)  # by itself Python looks for rings of garbage a hundred times as often
+gc.set_threshold(
+    100_000, 50, 50
+)  # by itself Python looks for rings of garbage a hundred times as often
 atexit.register(gc.freeze)  # nor has it to look at the end, for three seconds
-os.fsync = lambda _: None  # thousands of times a disk would be waited for, and none of these files outlives its test
+os.fsync = (
+    lambda _: None
+)  # thousands of times a disk would be waited for, and none of these files outlives its test
 GENERATOR, HERE = Path(measured_report.__file__).parents[1], Path(__file__).parent
-os.environ["PYTHONPATH"] = f"{GENERATOR}{os.pathsep}{HERE}"  # of the programs that the tests start
+os.environ["PYTHONPATH"] = (
+    f"{GENERATOR}{os.pathsep}{HERE}"  # of the programs that the tests start
+)
 CACHE = os.environ.get("XDG_CACHE_HOME") or str(Path.home() / ".cache")
-KEPT = Path(os.environ.setdefault("CACHE_OF_TESTS", CACHE))  # from one run of the tests to the next
-os.environ.setdefault("UV_CACHE_DIR", str(KEPT / "uv"))  # a new report's packages are unpacked there already
-if "PYTEST_XDIST_WORKER" not in os.environ:  # the processes of one run share what they derive
+KEPT = Path(
+    os.environ.setdefault("CACHE_OF_TESTS", CACHE)
+)  # from one run of the tests to the next
+os.environ.setdefault(
+    "UV_CACHE_DIR", str(KEPT / "uv")
+)  # a new report's packages are unpacked there already
+if (
+    "PYTEST_XDIST_WORKER" not in os.environ
+):  # the processes of one run share what they derive
     CACHES = tempfile.TemporaryDirectory(prefix="caches-")
-    os.environ["XDG_CACHE_HOME"] = os.environ["TMPDIR"] = CACHES.name  # whoever measures here is not waited for
+    os.environ["XDG_CACHE_HOME"] = os.environ["TMPDIR"] = (
+        CACHES.name
+    )  # whoever measures here is not waited for
 
 
 class Compiled(jinja2.BytecodeCache):
@@ -52,18 +66,37 @@ class Compiled(jinja2.BytecodeCache):
         self.buckets: dict[tuple, Bucket] = {}
 
     def get_bucket(self, environment, name, filename, source) -> Bucket:
-        key = environment.finalize, tuple(environment.extensions), name, filename, source
+        key = (
+            environment.finalize,
+            tuple(environment.extensions),
+            name,
+            filename,
+            source,
+        )
         return self.buckets.setdefault(key, Bucket(environment, str(key), ""))
 
     def set_bucket(self, bucket: Bucket) -> None:
         """Nothing: it is kept already."""
 
 
-jinja2.Environment.__init__ = partialmethod(jinja2.Environment.__init__, bytecode_cache=Compiled())
+jinja2.Environment.__init__ = partialmethod(
+    jinja2.Environment.__init__, bytecode_cache=Compiled()
+)
 
 BY_HAND = {
-    "machine": {"device": "cpu", "gpu": None, "driver": None, "cpu": "A processor", "python": "3.12.1"},
-    "measured": {"date": "2026-01-02T03:04:05+00:00", "commit": "abc", "command": "make", "seconds": 1.5},
+    "machine": {
+        "device": "cpu",
+        "gpu": None,
+        "driver": None,
+        "cpu": "A processor",
+        "python": "3.12.1",
+    },
+    "measured": {
+        "date": "2026-01-02T03:04:05+00:00",
+        "commit": "abc",
+        "command": "make",
+        "seconds": 1.5,
+    },
 }
 """What a record made here says of who measured it."""
 
@@ -125,9 +158,16 @@ def slip():
     """How far it slips."""
     return 1.0 if ROBOT else 0.0
 '''
-INSTALLED = {"newton": "1.4.0", "warp-lang": "1.15.0", "mujoco-warp": "3.10.0.3", "mujoco": "3.10.0"}
+INSTALLED = {
+    "newton": "1.4.0",
+    "warp-lang": "1.15.0",
+    "mujoco-warp": "3.10.0.3",
+    "mujoco": "3.10.0",
+}
 """Packages that are told to be installed where the report is current, as its editions are of the first."""
-CARDS = 'from measured_report.measuring.accelerator import *\nKIND, NOUN = "cuda", "GPU"\n'
+CARDS = (
+    'from measured_report.measuring.accelerator import *\nKIND, NOUN = "cuda", "GPU"\n'
+)
 SETTINGS = """
 edition = "newton"
 packages = ["warp-lang", "mujoco-warp", "mujoco"]
@@ -173,7 +213,10 @@ EXPERIMENT = """from experiments.scene import slip
 def measure(conditions):
     return slip()
 """
-ROWS = ({"case": "soft", "slip_mm": 6.3617, "dropped": False}, {"case": "stiff", "slip_mm": 0.3124, "dropped": False})
+ROWS = (
+    {"case": "soft", "slip_mm": 6.3617, "dropped": False},
+    {"case": "stiff", "slip_mm": 0.3124, "dropped": False},
+)
 
 
 @dataclass(frozen=True)
@@ -211,18 +254,26 @@ class Toy:
     def record(self, rows=ROWS, **changes) -> Record:
         fields = {
             "section": "toy",
-            "identity": identity_of("toy", self.project.profile, self.project.root, self.packages),
+            "identity": identity_of(
+                "toy", self.project.profile, self.project.root, self.packages
+            ),
             "units": units_of(rows),
             "rows": list(rows),
         }
         return Record(**{**BY_HAND, **fields, **changes})
 
     def measure(self, rows=ROWS, end_mm=0.3) -> None:
-        traces = {"stiff": packed(self.record_path, "stiff", {"time_s": [0.0, 1.0], "x_mm": [0.0, end_mm]})}
+        traces = {
+            "stiff": packed(
+                self.record_path, "stiff", {"time_s": [0.0, 1.0], "x_mm": [0.0, end_mm]}
+            )
+        }
         write_record(self.record_path, self.record(rows), traces)
 
     def state(self):
-        return next(state for state in states_of(self.project) if state.section == "toy")
+        return next(
+            state for state in states_of(self.project) if state.section == "toy"
+        )
 
     def of(self, release: str) -> "Toy":
         """The same project with another Newton release."""
@@ -247,18 +298,32 @@ def put(folder: Path, name: str, text: str) -> None:
 def lay_out(folder: Path) -> None:
     """Write a report without a record."""
     put(folder, "report.toml", SETTINGS)
-    put(folder, "pyproject.toml", f'[project]\ndependencies = ["newton[sim]=={INSTALLED["newton"]}"]\n')
+    put(
+        folder,
+        "pyproject.toml",
+        f'[project]\ndependencies = ["newton[sim]=={INSTALLED["newton"]}"]\n',
+    )
     for name, version in INSTALLED.items():
-        put(folder, f"{name.replace('-', '_')}-{version}.dist-info/METADATA", f"Name: {name}\nVersion: {version}\n")
+        put(
+            folder,
+            f"{name.replace('-', '_')}-{version}.dist-info/METADATA",
+            f"Name: {name}\nVersion: {version}\n",
+        )
     put(folder, "experiments/__init__.py", "")
     put(folder, "experiments/scene.py", SCENE)
     put(folder, "experiments/toy.py", EXPERIMENT)
     put(folder, "experiments/cards.py", CARDS)
-    put(folder, "report/__init__.py", "")  # or a path of the tests that has this package would come before
+    put(
+        folder, "report/__init__.py", ""
+    )  # or a path of the tests that has this package would come before
     put(folder, "report/sections/__init__.py", "")
     put(folder, "report/sections/toy.py", MODULE)
     put(folder, "templates/sections/toy.md.j2", TEMPLATE)
-    put(folder, "templates/front.md.j2", "# A report\n\n{% for name in sections %}{{ name }}{% endfor %}\n")
+    put(
+        folder,
+        "templates/front.md.j2",
+        "# A report\n\n{% for name in sections %}{{ name }}{% endfor %}\n",
+    )
     put(folder, "templates/story.md.j2", "# The story\n")
     for page in ("cause", "limits"):
         put(folder, f"templates/pages/{page}.md.j2", f"# {page.capitalize()}\n")
@@ -268,7 +333,9 @@ def lay_out(folder: Path) -> None:
     forget_sections()
 
 
-def made_once(factory: pytest.TempPathFactory, name: str, make: Callable[[Path], None]) -> Path:
+def made_once(
+    factory: pytest.TempPathFactory, name: str, make: Callable[[Path], None]
+) -> Path:
     """The folder ``name`` that ``make`` fills, for all processes of this run of the tests together."""
     own = factory.getbasetemp()
     base = own.parent if "PYTEST_XDIST_WORKER" in os.environ else own
@@ -284,11 +351,20 @@ def made_once(factory: pytest.TempPathFactory, name: str, make: Callable[[Path],
     return base / name
 
 
-def program(*arguments: str | Path, cwd: Path | None = None, **environment: str) -> subprocess.CompletedProcess:
+def program(
+    *arguments: str | Path, cwd: Path | None = None, **environment: str
+) -> subprocess.CompletedProcess:
     """What a program in Python says, and how it ends."""
     command, environment = [sys.executable, *arguments], {**os.environ, **environment}
     folder = cwd or report().root
-    return subprocess.run(command, cwd=folder, env=environment, capture_output=True, text=True, check=False)
+    return subprocess.run(
+        command,
+        cwd=folder,
+        env=environment,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
 
 
 def link(root: Path, *names: str) -> None:
@@ -297,7 +373,9 @@ def link(root: Path, *names: str) -> None:
         (root / name).symlink_to(report().root / name)
 
 
-def killed_at(stop: int, changes: Callable[[str, tuple], bool], work: Callable[[], object]) -> int:
+def killed_at(
+    stop: int, changes: Callable[[str, tuple], bool], work: Callable[[], object]
+) -> int:
     """Do something in a process that is killed before one of its steps that change something; how it ended."""
     child = os.fork()
     if not child:
@@ -322,6 +400,18 @@ def compared(*projects: Project) -> Comparison:
 
 
 def git(folder: Path, *command: str) -> str:
-    who = ["-c", "user.name=A", "-c", "user.email=a@example.org", "-c", "commit.gpgsign=false"]
-    done = subprocess.run(["git", "-C", folder, *who, *command], capture_output=True, text=True, check=True)
+    who = [
+        "-c",
+        "user.name=A",
+        "-c",
+        "user.email=a@example.org",
+        "-c",
+        "commit.gpgsign=false",
+    ]
+    done = subprocess.run(
+        ["git", "-C", folder, *who, *command],
+        capture_output=True,
+        text=True,
+        check=True,
+    )
     return done.stdout.strip()

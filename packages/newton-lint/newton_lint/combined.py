@@ -78,7 +78,9 @@ def contacts_of(model: mujoco.MjModel, engine: str = "mujoco") -> Contacts:
     unranked = ~outranked[:, None] if engine == "mujoco" else True
     direct = (np.minimum(solrefs[0][:, :1], solrefs[1][:, :1]) <= 0.0) & unranked
     solref = np.where(direct, np.minimum(*solrefs), mixed)
-    solimp = weights * model.geom_solimp[first] + (1.0 - weights) * model.geom_solimp[second]
+    solimp = (
+        weights * model.geom_solimp[first] + (1.0 - weights) * model.geom_solimp[second]
+    )
     larger = np.maximum(model.geom_friction[first], model.geom_friction[second])
     friction = np.where(outranked[:, None], model.geom_friction[first], larger)
     condims = model.geom_condim[first], model.geom_condim[second]
@@ -87,10 +89,14 @@ def contacts_of(model: mujoco.MjModel, engine: str = "mujoco") -> Contacts:
     indices = named[~plain]
     solref[~plain] = model.pair_solref[indices]
     solimp[~plain] = model.pair_solimp[indices]
-    friction[~plain] = model.pair_friction[indices][:, (0, 2, 3)]  # two sliding, one spinning, two rolling
+    friction[~plain] = model.pair_friction[indices][
+        :, (0, 2, 3)
+    ]  # two sliding, one spinning, two rolling
     condim[~plain] = model.pair_dim[indices]
     solreffriction[~plain] = model.pair_solreffriction[indices]
-    if model.opt.enableflags & OVERRIDE:  # mj_assignRef: in a <pair> as well; condim has no override
+    if (
+        model.opt.enableflags & OVERRIDE
+    ):  # mj_assignRef: in a <pair> as well; condim has no override
         solref[:] = solreffriction[:] = model.opt.o_solref
         solimp[:] = model.opt.o_solimp
         friction[:] = model.opt.o_friction[[0, 2, 3]]
@@ -105,5 +111,7 @@ def share(mix1: np.ndarray, mix2: np.ndarray, outranked: np.ndarray) -> np.ndarr
     """Return what the first geom of each pair counts by solmix, all where it outranks the second."""
     mix1, mix2 = (np.where(mix < mujoco.mjMINVAL, 0.0, mix) for mix in (mix1, mix2))
     total = mix1 + mix2
-    share = np.where(total > 0.0, mix1 / np.where(total > 0.0, total, 1.0), 0.5)  # mj_contactParam: two of 0 are even
+    share = np.where(
+        total > 0.0, mix1 / np.where(total > 0.0, total, 1.0), 0.5
+    )  # mj_contactParam: two of 0 are even
     return np.where(outranked, 1.0, share)[:, None]

@@ -37,18 +37,26 @@ class Parser(argparse.ArgumentParser):
 def main(arguments: Sequence[str] | None = None) -> int:
     arguments = list(sys.argv[1:] if arguments is None else arguments)
     for stream in (sys.stdout, sys.stderr):
-        if hasattr(stream, "reconfigure"):  # a StringIO of a test has none; a terminal in Latin-1 has no ²
+        if hasattr(
+            stream, "reconfigure"
+        ):  # a StringIO of a test has none; a terminal in Latin-1 has no ²
             stream.reconfigure(errors="backslashreplace")
     try:
         # What a function of the user's imports may render, or count on NumPy's threads.
-        if arguments[:1] != ["page"] and not any(".py:" in argument for argument in arguments):
+        if arguments[:1] != ["page"] and not any(
+            ".py:" in argument for argument in arguments
+        ):
             _import_mujoco()
         from newton_lint.target import TargetError, mujoco
 
-        mujoco.set_mju_user_warning(lambda _: None)  # which else writes MUJOCO_LOG.TXT where the user stands
+        mujoco.set_mju_user_warning(
+            lambda _: None
+        )  # which else writes MUJOCO_LOG.TXT where the user stands
         try:
             if arguments and arguments[0] in SUBCOMMANDS:
-                return importlib.import_module(f"newton_lint.{arguments[0]}").main(arguments[1:])
+                return importlib.import_module(f"newton_lint.{arguments[0]}").main(
+                    arguments[1:]
+                )
             return _linted(lint_parser().parse_args(arguments))
         except TargetError as error:
             print(error, file=sys.stderr)
@@ -77,7 +85,10 @@ def _import_mujoco() -> None:
 def rules() -> dict[str, str]:
     """Return what each rule finds, and with which severity."""
     text = Path(__file__).with_name("rules.md").read_text(encoding="utf-8")
-    return {name: f"{name} ({severity}): {what}" for name, severity, what in RULE.findall(text)}
+    return {
+        name: f"{name} ({severity}): {what}"
+        for name, severity, what in RULE.findall(text)
+    }
 
 
 class Tell(argparse.Action):
@@ -86,7 +97,12 @@ class Tell(argparse.Action):
         if option_string == "--version":
             print(PROGRAM, version())
         else:
-            print(rules().get(rule) or parser.error(f"there is no rule {rule}: there are {', '.join(rules())}"))
+            print(
+                rules().get(rule)
+                or parser.error(
+                    f"there is no rule {rule}: there are {', '.join(rules())}"
+                )
+            )
         parser.exit(CLEAN)
 
 
@@ -103,12 +119,18 @@ def _linted(options: argparse.Namespace) -> int:
     reports = []
     unread = []
     fixes = []
-    targets = list(targets_of(options.target, [*options.exclude, *table.get("exclude", [])]))
+    targets = list(
+        targets_of(options.target, [*options.exclude, *table.get("exclude", [])])
+    )
     paths = list(dict.fromkeys(path for path in map(Path, targets) if path.is_file()))
     for target in targets:
         try:
             read = read_target(target)
-            if (options.fix or options.dry_run) and read.path and read.model is not None:
+            if (
+                (options.fix or options.dry_run)
+                and read.path
+                and read.model is not None
+            ):
                 report, lines, why = fixed(read, request, paths, options.dry_run)
                 fixes += lines
                 unread += [why] if why else []
@@ -122,14 +144,20 @@ def _linted(options: argparse.Namespace) -> int:
     try:
         if reports or form in ("json", "sarif"):
             print(written(reports, form, unread), flush=True)
-    except BrokenPipeError:  # who reads the output may stop before its end, as head does
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # Python flushes once more when it ends
+    except (
+        BrokenPipeError
+    ):  # who reads the output may stop before its end, as head does
+        os.dup2(
+            os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno()
+        )  # Python flushes once more when it ends
     for line in (*unread, *fixes):
         print(printable(line), file=sys.stderr)
     if unread:
         return UNFIT
     least = options.fail_on or table.get("fail-on", "warning")
-    if least != "never" and any(report.worst() >= SEVERITIES.index(least) for report in reports):
+    if least != "never" and any(
+        report.worst() >= SEVERITIES.index(least) for report in reports
+    ):
         return FOUND
     return CLEAN
 
@@ -140,9 +168,14 @@ def request_of(options: argparse.Namespace, table: dict[str, Any]):
     from newton_lint.report import Request
     from newton_lint.target import TargetError
 
-    ignore = [*table.get("ignore", []), *map(str.strip, options.ignore.split(",") if options.ignore else [])]
+    ignore = [
+        *table.get("ignore", []),
+        *map(str.strip, options.ignore.split(",") if options.ignore else []),
+    ]
     if unknown := [rule for rule in ignore if rule not in rules()]:
-        raise TargetError(f"there is no rule {', '.join(unknown)} to ignore: there are {', '.join(rules())}")
+        raise TargetError(
+            f"there is no rule {', '.join(unknown)} to ignore: there are {', '.join(rules())}"
+        )
     return Request(
         engine_of(options, table),
         Load(options.acceleration, options.load),
@@ -156,17 +189,28 @@ def request_of(options: argparse.Namespace, table: dict[str, Any]):
 def engine_of(options: argparse.Namespace, table: dict[str, Any]):
     from newton_lint.scene import Engine
 
-    return Engine(options.engine or table.get("engine", "mujoco"), options.dt, options.cone, options.impratio)
+    return Engine(
+        options.engine or table.get("engine", "mujoco"),
+        options.dt,
+        options.cone,
+        options.impratio,
+    )
 
 
 def work_of(options: argparse.Namespace):
     from newton_lint.settle import SETTLE_S, Work
 
-    return Work(options.hold, options.settle or SETTLE_S, options.turn, options.lift) if options.hold else None
+    return (
+        Work(options.hold, options.settle or SETTLE_S, options.turn, options.lift)
+        if options.hold
+        else None
+    )
 
 
 def version() -> str:
-    metadata = importlib.import_module("importlib.metadata")  # which takes as long as all that a rule does
+    metadata = importlib.import_module(
+        "importlib.metadata"
+    )  # which takes as long as all that a rule does
     with contextlib.suppress(metadata.PackageNotFoundError):
         return metadata.version(PROGRAM)
     return "of a checkout"
@@ -190,18 +234,56 @@ def lint_parser() -> Parser:
     )
     add("--format", choices=("text", "json", "sarif", "github"), help="default: text")
     add("--json", action="store_true", help="the same as --format json")
-    add("--fail-on", choices=(*SEVERITIES, "never"), help="least severity that ends with status 1; default: warning")
+    add(
+        "--fail-on",
+        choices=(*SEVERITIES, "never"),
+        help="least severity that ends with status 1; default: warning",
+    )
     add("--version", action=Tell, nargs=0, help="say which release it is")
     add("--explain", action=Tell, metavar="RULE", help="say what a rule finds")
-    add("--ignore", metavar="RULES", help="rules that do not count, with commas between")
-    add("--fix", action="store_true", help="write changes that were measured to do no harm into the files")
-    add("--dry-run", action="store_true", help="the same, and print the patch in place of writing it")
+    add(
+        "--ignore", metavar="RULES", help="rules that do not count, with commas between"
+    )
+    add(
+        "--fix",
+        action="store_true",
+        help="write changes that were measured to do no harm into the files",
+    )
+    add(
+        "--dry-run",
+        action="store_true",
+        help="the same, and print the patch in place of writing it",
+    )
     add("--no-step", action="store_true", help="do not simulate the scene")
-    add("--exclude", action="append", default=[], metavar="PATTERN", help="files of folders that are left out")
+    add(
+        "--exclude",
+        action="append",
+        default=[],
+        metavar="PATTERN",
+        help="files of folders that are left out",
+    )
     add_work(parser)
-    add("--load", type=positive, default=0.0, metavar="N", help="tangential force on each contact point")
-    add("--turn", type=positive, default=0.0, metavar="RAD/S", help="what holds it turns about the vertical")
-    add("--acceleration", type=positive, default=0.0, metavar="M/S²", help="ω² r of a support that turns")
+    add(
+        "--load",
+        type=positive,
+        default=0.0,
+        metavar="N",
+        help="tangential force on each contact point",
+    )
+    add(
+        "--turn",
+        type=positive,
+        default=0.0,
+        metavar="RAD/S",
+        help="what holds it turns about the vertical",
+    )
+    add(
+        "--acceleration",
+        type=positive,
+        default=0.0,
+        metavar="M/S²",
+        help="ω² r of a support that turns",
+    )
     return parser
 
 
@@ -209,14 +291,38 @@ def add_work(parser: argparse.ArgumentParser) -> None:
     """Add options of the engine, and of a body that is held."""
     add = parser.add_argument
     default = "default: what the scene says"
-    add("--engine", choices=("mujoco", "warp", "newton"), help="whose rules count; default: mujoco")
+    add(
+        "--engine",
+        choices=("mujoco", "warp", "newton"),
+        help="whose rules count; default: mujoco",
+    )
     add("--dt", type=positive, metavar="S", help=f"the solver's step; {default}")
     add("--cone", choices=("pyramidal", "elliptic"), help=default)
     add("--impratio", type=positive, metavar="X", help=default)
-    add("--hold", metavar="BODY", help="predict how this body creeps, gripped in the first keyframe or at the start")
-    add("--settle", type=positive, metavar="S", help="time that its grip gets to settle; default: 0.5")
-    add("--lift", type=positive, default=0.0, metavar="M/S²", help="what holds it accelerates upward")
-    add("--below", type=positive, metavar="MM/S", help="creep that is not too fast; prescribe's default: 0.1")
+    add(
+        "--hold",
+        metavar="BODY",
+        help="predict how this body creeps, gripped in the first keyframe or at the start",
+    )
+    add(
+        "--settle",
+        type=positive,
+        metavar="S",
+        help="time that its grip gets to settle; default: 0.5",
+    )
+    add(
+        "--lift",
+        type=positive,
+        default=0.0,
+        metavar="M/S²",
+        help="what holds it accelerates upward",
+    )
+    add(
+        "--below",
+        type=positive,
+        metavar="MM/S",
+        help="creep that is not too fast; prescribe's default: 0.1",
+    )
 
 
 def positive(text: str) -> float:

@@ -22,7 +22,9 @@ class Change:
 
     def __str__(self) -> str:
         attributes = " ".join(f'{name}="{value}"' for name, value in self.attributes)
-        place = f" ({self.element.file.name}:{self.element.line})" if self.element else ""
+        place = (
+            f" ({self.element.file.name}:{self.element.line})" if self.element else ""
+        )
         return f"{attributes} on {self.subject}{place}"
 
 
@@ -36,8 +38,14 @@ class Advice:
     """One that tells no gain is not said."""
 
     def __str__(self) -> str:
-        first = f"{', '.join(map(str, self.changes))}: {self.gain}" if self.changes else self.gain
-        return "; or ".join([first, *(str(advice) for advice in self.alternatives if advice.gain)])
+        first = (
+            f"{', '.join(map(str, self.changes))}: {self.gain}"
+            if self.changes
+            else self.gain
+        )
+        return "; or ".join(
+            [first, *(str(advice) for advice in self.alternatives if advice.gain)]
+        )
 
 
 @dataclass(frozen=True)
@@ -63,7 +71,12 @@ class Finding:
 
 def distinct(changes: Iterable[Change]) -> tuple[Change, ...]:
     """Return changes without duplicates: a default's tag is the element of all geoms of its class."""
-    return tuple({(change.element or change.subject, change.attributes): change for change in changes}.values())
+    return tuple(
+        {
+            (change.element or change.subject, change.attributes): change
+            for change in changes
+        }.values()
+    )
 
 
 def grouped(findings: Iterable[Finding]) -> list[list[Finding]]:
@@ -115,7 +128,9 @@ def findings_of(hits: Hits, names: Sequence[str]) -> Iterator[Finding]:
             **vars(hits.wording),
             shape=names[hits.shape[index]],
             value=float(hits.value[index]),
-            against=() if hits.partner is None else tuple(names[geom] for geom in hits.partner[member].tolist()),
+            against=()
+            if hits.partner is None
+            else tuple(names[geom] for geom in hits.partner[member].tolist()),
             used=None if np.isnan(used) else used,
             element=hits.element(item),
             advice=hits.advise(item),
@@ -127,10 +142,18 @@ def row_numbers(*columns: np.ndarray) -> np.ndarray:
     key = np.zeros(len(columns[0]), dtype=np.int64)
     for column in columns:
         values, number = np.unique(column, return_inverse=True)
-        _, key = np.unique(key * len(values) + number, return_inverse=True)  # anew, or the products would overflow
+        _, key = np.unique(
+            key * len(values) + number, return_inverse=True
+        )  # anew, or the products would overflow
     return key
 
 
 def groups_of(numbers: np.ndarray) -> list[np.ndarray]:
     """Return the indices of each number, by the numbers."""
-    return np.split(np.argsort(numbers, kind="stable"), np.cumsum(np.bincount(numbers))[:-1]) if len(numbers) else []
+    return (
+        np.split(
+            np.argsort(numbers, kind="stable"), np.cumsum(np.bincount(numbers))[:-1]
+        )
+        if len(numbers)
+        else []
+    )

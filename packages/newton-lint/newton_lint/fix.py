@@ -24,19 +24,30 @@ class Unwritable(Exception):
     """A change that cannot be written, said in words that follow it."""
 
 
-def edited(changes: Iterable[Change], source: Source | None, texts: Texts) -> dict[Path, bytes]:
+def edited(
+    changes: Iterable[Change], source: Source | None, texts: Texts
+) -> dict[Path, bytes]:
     """Return the texts of the files that changes alter, or raise Unwritable; ``texts`` stand for what files hold."""
     edits: dict[Path, dict[int, tuple[Element, list[Change]]]] = {}
     for change in changes:
-        element = change.element or (source.root if source and change.subject in NEW else None)
+        element = change.element or (
+            source.root if source and change.subject in NEW else None
+        )
         if element is None or not change.attributes:
             raise Unwritable("no file is known to say it")
-        edits.setdefault(element.file, {}).setdefault(element.start, (element, []))[1].append(change)
-    return {file: _edited(texts.get(file) or file.read_bytes(), tags) for file, tags in edits.items()}
+        edits.setdefault(element.file, {}).setdefault(element.start, (element, []))[
+            1
+        ].append(change)
+    return {
+        file: _edited(texts.get(file) or file.read_bytes(), tags)
+        for file, tags in edits.items()
+    }
 
 
 def _edited(text: bytes, tags: dict[int, tuple[Element, list[Change]]]) -> bytes:
-    for start, (element, changes) in sorted(tags.items(), reverse=True):  # from the end, so that no start moves
+    for start, (element, changes) in sorted(
+        tags.items(), reverse=True
+    ):  # from the end, so that no start moves
         for change in changes:
             tag = TAG.match(text, start)
             if tag is None or tag[1].decode(errors="replace") != element.tag:
@@ -44,11 +55,17 @@ def _edited(text: bytes, tags: dict[int, tuple[Element, list[Change]]]) -> bytes
             if change.element is None:
                 end = text.index(b">", tag.end()) + 1
                 line = b"\r\n" if b"\r\n" in text else b"\n"
-                attributes = " ".join(f'{name}="{_escaped(value)}"' for name, value in change.attributes)
+                attributes = " ".join(
+                    f'{name}="{_escaped(value)}"' for name, value in change.attributes
+                )
                 child = NEW[change.subject].format(attributes).encode()
                 text = text[:end] + line + b"  " + child + text[end:]
             else:
-                text = text[:start] + _with(tag[0], dict(change.attributes)) + text[tag.end() :]
+                text = (
+                    text[:start]
+                    + _with(tag[0], dict(change.attributes))
+                    + text[tag.end() :]
+                )
     return text
 
 
@@ -60,10 +77,17 @@ def _with(tag: bytes, attributes: dict[str, str]) -> bytes:
         name = match[2].decode(errors="replace")
         if name not in missing:
             return match[0]
-        return match[1] + match[2] + match[3] + f'"{_escaped(missing.pop(name))}"'.encode()
+        return (
+            match[1] + match[2] + match[3] + f'"{_escaped(missing.pop(name))}"'.encode()
+        )
 
     tag = ATTRIBUTE.sub(replaced, tag)
-    return tag + "".join(f' {name}="{_escaped(value)}"' for name, value in missing.items()).encode()
+    return (
+        tag
+        + "".join(
+            f' {name}="{_escaped(value)}"' for name, value in missing.items()
+        ).encode()
+    )
 
 
 def _escaped(value: str) -> str:
@@ -75,11 +99,20 @@ def write(texts: Texts) -> list[tuple[Path, Path]]:
     replaced: list[tuple[Path, Path]] = []
     try:
         for file, text in texts.items():
-            real = file.resolve(strict=True)  # os.replace would put a file in place of a link
+            real = file.resolve(
+                strict=True
+            )  # os.replace would put a file in place of a link
             if not stat.S_IMODE(real.stat().st_mode) & 0o222:
-                raise PermissionError(f"{file}: is read-only")  # os.replace asks for the folder's permission alone
-            names = (f"{real.name}.orig{number if number > 1 else ''}" for number in itertools.count(1))
-            backup = next(path for path in map(real.with_name, names) if not os.path.lexists(path))
+                raise PermissionError(
+                    f"{file}: is read-only"
+                )  # os.replace asks for the folder's permission alone
+            names = (
+                f"{real.name}.orig{number if number > 1 else ''}"
+                for number in itertools.count(1)
+            )
+            backup = next(
+                path for path in map(real.with_name, names) if not os.path.lexists(path)
+            )
             shutil.copy2(real, backup)
             replaced.append((real, backup))
             _replace(real, text)
@@ -97,12 +130,16 @@ def undo(replaced: Iterable[tuple[Path, Path]]) -> None:
 
 
 def _replace(file: Path, text: bytes) -> None:
-    handle, name = tempfile.mkstemp(prefix=f".{file.name[:60]}.", dir=file.parent)  # os.replace crosses no file system
+    handle, name = tempfile.mkstemp(
+        prefix=f".{file.name[:60]}.", dir=file.parent
+    )  # os.replace crosses no file system
     try:
         with os.fdopen(handle, "wb") as stream:
             stream.write(text)
             stream.flush()
-            os.fsync(stream.fileno())  # or a power cut may leave the new name with nothing in it
+            os.fsync(
+                stream.fileno()
+            )  # or a power cut may leave the new name with nothing in it
         status = file.stat()
         shutil.copymode(file, name)
         with contextlib.suppress(OSError):  # only root gives files away

@@ -12,7 +12,15 @@ import numpy as np
 from newton_lint.advice import either, for_geom, for_option
 from newton_lint.findings import Advice, Finding
 from newton_lint.scene import ELLIPTIC, Scene, changed
-from newton_lint.settle import READ_SHARE, SETTLE_S, Hold, Touch, Work, predicted_hold, touches_of
+from newton_lint.settle import (
+    READ_SHARE,
+    SETTLE_S,
+    Hold,
+    Touch,
+    Work,
+    predicted_hold,
+    touches_of,
+)
 from newton_lint.stepped import Run, Start, contact_forces, free_joints
 
 SLIP_MM_S = 1.0
@@ -34,7 +42,9 @@ def gripped(scene: Scene, runs: Sequence[Run], skip: str = "") -> Iterator[Findi
                 data = copy.copy(run.data)  # other rules read the run's own
                 steps = max(1, round(READ_SHARE * SETTLE_S / scene.model.opt.timestep))
                 if touches := touches_of(scene, data, body, steps):
-                    findings = list(_grip_findings(scene, body, touches, data, run.start))
+                    findings = list(
+                        _grip_findings(scene, body, touches, data, run.start)
+                    )
                     if findings:
                         reported.add(body)
                     yield from findings
@@ -45,10 +55,14 @@ def _burdened(scene: Scene, run: Run) -> list[int]:
     model = scene.model
     data = run.data
     friction = np.zeros((model.nbody, 3))
-    contacts = np.flatnonzero((data.contact.geom.min(axis=1, initial=0) >= 0) & (data.contact.dim >= 3))
+    contacts = np.flatnonzero(
+        (data.contact.geom.min(axis=1, initial=0) >= 0) & (data.contact.dim >= 3)
+    )
     axes = data.contact.frame[contacts].reshape(-1, 3, 3)[:, 1:]
     acts = np.einsum("ni,nij->nj", contact_forces(model, data, contacts)[:, 1:3], axes)
-    for geoms, sign in zip(data.contact.geom[contacts].T, (-1.0, 1.0), strict=True):  # it acts on the second geom
+    for geoms, sign in zip(
+        data.contact.geom[contacts].T, (-1.0, 1.0), strict=True
+    ):  # it acts on the second geom
         np.add.at(friction, model.body_weldid[model.geom_bodyid[geoms]], sign * acts)
     free = model.jnt_bodyid[free_joints(model)]
     weight = model.body_mass * np.linalg.norm(model.opt.gravity)
@@ -59,7 +73,9 @@ def _burdened(scene: Scene, run: Run) -> list[int]:
 
 
 def _is_between(touches: Sequence[Touch]) -> bool:
-    return _least_cosine(touches) < OPPOSE and len({touch.geoms for touch in touches}) > 1
+    return (
+        _least_cosine(touches) < OPPOSE and len({touch.geoms for touch in touches}) > 1
+    )
 
 
 def _least_cosine(touches: Sequence[Touch]) -> float:
@@ -75,21 +91,38 @@ def _grip_findings(
     is_sloped = _least_cosine(touches) > -OPPOSE
     if between:
         yield from _turns(scene, hold, start)
-    least_n = scene.model.body_subtreemass[body] * np.linalg.norm(scene.model.opt.gravity)
+    least_n = scene.model.body_subtreemass[body] * np.linalg.norm(
+        scene.model.opt.gravity
+    )
     least_n *= AGREES if between else LEAST
-    if not (between or is_sloped) or hold.slides or not hold.rests or hold.load_n < least_n:
+    if (
+        not (between or is_sloped)
+        or hold.slides
+        or not hold.rests
+        or hold.load_n < least_n
+    ):
         return
     if hold.mm_s >= SLIP_MM_S and hold.moves_mm_s >= AGREES * hold.mm_s:
         where = "between fingers" if between else "down a slope"
         impratio = max(scene.option.impratio, 1.0) * 10.0
-        mended = replace(scene, model=changed(scene.model, cone=ELLIPTIC, impratio=impratio))
+        mended = replace(
+            scene, model=changed(scene.model, cone=ELLIPTIC, impratio=impratio)
+        )
         after = predicted_hold(mended, body, touches, Work(hold.name), data).mm_s
         gain = f"{hold.mm_s:.2g} → {after:.2g} mm/s for the same time step"
         holds = math.isfinite(after)
-        firmer = for_option(scene, {"cone": "elliptic", "impratio": f"{impratio:g}"}, gain)
+        firmer = for_option(
+            scene, {"cone": "elliptic", "impratio": f"{impratio:g}"}, gain
+        )
         ways = [firmer if holds else Advice("more friction, along both of its axes")]
         if scene.engine.name == "mujoco":
-            ways.append(for_option(scene, {"noslip_iterations": "10"}, "MuJoCo C alone has the pass in all releases"))
+            ways.append(
+                for_option(
+                    scene,
+                    {"noslip_iterations": "10"},
+                    "MuJoCo C alone has the pass in all releases",
+                )
+            )
         yield Finding(
             "slip",
             hold.name,
@@ -120,7 +153,9 @@ def _turns(scene: Scene, hold: Hold, start: Start) -> Iterator[Finding]:
             _names(scene, hold),
             4.0,
             element=scene.source.authored(pad, "condim"),
-            advice=for_geom(scene, pad, {"condim": "4"}, "the grip resists turning, by friction[1]"),
+            advice=for_geom(
+                scene, pad, {"condim": "4"}, "the grip resists turning, by friction[1]"
+            ),
         )
 
 
@@ -130,6 +165,11 @@ def _names(scene: Scene, hold: Hold) -> tuple[str, ...]:
 
 def _supports(scene: Scene, hold: Hold) -> list[int]:
     """Return the geoms that hold a body, in the order of its touches."""
-    is_held = scene.model.body_weldid[scene.model.geom_bodyid] == scene.model.body_weldid[hold.body]
-    geoms = (geom for touch in hold.touches for geom in touch.geoms if not is_held[geom])
+    is_held = (
+        scene.model.body_weldid[scene.model.geom_bodyid]
+        == scene.model.body_weldid[hold.body]
+    )
+    geoms = (
+        geom for touch in hold.touches for geom in touch.geoms if not is_held[geom]
+    )
     return list(dict.fromkeys(geoms))

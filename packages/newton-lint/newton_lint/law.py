@@ -110,10 +110,24 @@ def response_of(contact: Contact, option: Option, d: float | None = None) -> Res
     safe_step = h if option.refsafe and not option.discrete else 0.0
     pyramid = option.cone == "pyramidal"
     stiff, damp = stiffness(contact, option, d), normal_damping(contact, option, d)
-    friction_solref = contact.solreffriction  # mj_makeImpedance reads it in an elliptic cone alone
-    is_read = not pyramid and any(friction_solref) and (friction_solref[0] > 0.0) == (friction_solref[1] > 0.0)
-    inverse_b = response(friction_solref if is_read else solref_taken(contact.solref), dmax, safe_step)
-    r = (1.0 - d) / d * contact.weight_1_kg / option.impratio * (1.0 + contact.mu**2 if pyramid else 1.0)
+    friction_solref = (
+        contact.solreffriction
+    )  # mj_makeImpedance reads it in an elliptic cone alone
+    is_read = (
+        not pyramid
+        and any(friction_solref)
+        and (friction_solref[0] > 0.0) == (friction_solref[1] > 0.0)
+    )
+    inverse_b = response(
+        friction_solref if is_read else solref_taken(contact.solref), dmax, safe_step
+    )
+    r = (
+        (1.0 - d)
+        / d
+        * contact.weight_1_kg
+        / option.impratio
+        * (1.0 + contact.mu**2 if pyramid else 1.0)
+    )
     weight = 1.0
     if option.discrete and pyramid:
         inverse_b = 1.0 / (damp + h * stiff * d) if damp + h * stiff * d else math.inf
@@ -144,7 +158,11 @@ def stiffness(contact: Contact, option: Option, d: float) -> float:
     if option.refsafe and not option.discrete:
         first = max(first, 2.0 * option.timestep_s)
     k = 1.0 / (dmax * first * second) ** 2
-    return min(k, 1.0 / (option.timestep_s**2 * d)) if option.refsafe and option.discrete else k
+    return (
+        min(k, 1.0 / (option.timestep_s**2 * d))
+        if option.refsafe and option.discrete
+        else k
+    )
 
 
 def normal_damping(contact: Contact, option: Option, d: float) -> float:
@@ -155,7 +173,11 @@ def normal_damping(contact: Contact, option: Option, d: float) -> float:
         authored = 1.0 / (dmax * solref[0] * solref[1]) ** 2
         if (k := stiffness(contact, option, d)) < authored:
             return 2.0 * solref[1] * math.sqrt(k)
-    inverse = response(solref, dmax, option.timestep_s if option.refsafe and not option.discrete else 0.0)
+    inverse = response(
+        solref,
+        dmax,
+        option.timestep_s if option.refsafe and not option.discrete else 0.0,
+    )
     return 1.0 / inverse if inverse else math.inf
 
 
@@ -169,12 +191,20 @@ def settled_depth_m(contact: Contact, option: Option, normal_n: float) -> float:
     weight = contact.weight_1_kg
     if option.cone == "pyramidal" and contact.condim > 1:
         # All edges of the pyramid bear it, each with the R that matches the friction.
-        weight *= (1.0 + contact.mu**2) * contact.mu**2 / option.impratio / (contact.condim - 1)
+        weight *= (
+            (1.0 + contact.mu**2)
+            * contact.mu**2
+            / option.impratio
+            / (contact.condim - 1)
+        )
     low, high = 0.0, 1.0
     for _ in range(60):
         depth = 0.5 * (low + high)
         d = impedance(contact.solimp, depth)
-        if stiffness(contact, option, d) * d * depth < (1.0 - d) / d * weight * normal_n:
+        if (
+            stiffness(contact, option, d) * d * depth
+            < (1.0 - d) / d * weight * normal_n
+        ):
             low = depth
         else:
             high = depth
@@ -204,7 +234,12 @@ def clamped(impedance: float) -> float:
 def impedance_at(solimp: Sequence[float], depth_m: float) -> float:
     """Return d at a depth [m], as MuJoCo interpolates it between dmin and dmax over solimp's width."""
     dmin, dmax, width, midpoint, power = solimp
-    dmin, dmax, midpoint, power = clamped(dmin), clamped(dmax), clamped(midpoint), max(power, 1.0)
+    dmin, dmax, midpoint, power = (
+        clamped(dmin),
+        clamped(dmax),
+        clamped(midpoint),
+        max(power, 1.0),
+    )
     x = min(abs(depth_m) / width, 1.0) if width > 0.0 else 1.0
     if power == 1.0 or x in (0.0, 1.0):
         y = x

@@ -50,8 +50,12 @@ def harm(before: Sequence[Run], after: Sequence[Run], rules: Collection[str]) ->
             return f"the simulation blows up after {new.time_s:.3g} s from {new.start}"
         if not old.bad and (reason := _motion_harm(old, new, rules)):
             return reason
-    for name, most in () if {*FREES} & {*rules} else (("effort", SLOWER), ("cost_s", SLOWEST)):
-        old_cost, new_cost = (sum(getattr(run, name) for run in runs) for runs in (before, after))
+    for name, most in (
+        () if {*FREES} & {*rules} else (("effort", SLOWER), ("cost_s", SLOWEST))
+    ):
+        old_cost, new_cost = (
+            sum(getattr(run, name) for run in runs) for runs in (before, after)
+        )
         if new_cost > most * old_cost:
             return f"a simulated second costs {new_cost / max(old_cost, 1e-9):.2g} times as much"
     return ""
@@ -65,12 +69,19 @@ def _motion_harm(old: Run, new: Run, rules: Collection[str]) -> str:
     lies |= "lost" in rules and new.deepest_m < SHALLOW_M
     old_fall, new_fall = (run.speeds_m_s.max(initial=0.0) for run in (old, new))
     lies |= old_fall > FALLS_M_S > 2.0 * new_fall and new.late_m < SHALLOW_M
-    for name, field in (("deepest contact", "deepest_m"), ("deepest contact at the end", "late_m")):
+    for name, field in (
+        ("deepest contact", "deepest_m"),
+        ("deepest contact at the end", "late_m"),
+    ):
         old_depth = getattr(old, field)
         new_depth = getattr(new, field)
         if new_depth > DEEPER * old_depth + DEEPER_M and not lies:
-            return f"{name} {M * old_depth:.3g} → {M * new_depth:.3g} mm from {new.start}"
-    old_speed, new_speed = (np.abs(run.data.qvel).max(initial=0.0) for run in (old, new))
+            return (
+                f"{name} {M * old_depth:.3g} → {M * new_depth:.3g} mm from {new.start}"
+            )
+    old_speed, new_speed = (
+        np.abs(run.data.qvel).max(initial=0.0) for run in (old, new)
+    )
     if new_speed > FASTER * old_speed + FASTER_M_S:
         return f"what moves fastest after {new.time_s:.3g} s: {old_speed:.3g} → {new_speed:.3g} m/s or rad/s"
     return ""
@@ -104,7 +115,10 @@ class Mending:
             self.texts = dict(target.texts)
             self.report = self.first
             self.runs = self.first_runs
-            self.outcomes = {line: why or f"with the others {reason}" for line, why in self.outcomes.items()}
+            self.outcomes = {
+                line: why or f"with the others {reason}"
+                for line, why in self.outcomes.items()
+            }
 
     def _pass(self) -> bool:
         """Try each change once, and tell whether one did good and no harm: the last pass finds nothing to write."""
@@ -112,7 +126,11 @@ class Mending:
         self.outcomes = dict(written)
         for _ in range(MOST_TRIES):
             # Asked anew after each: what is written changes the findings.
-            untried = (candidate for candidate in self._candidates() if candidate[0] not in self.outcomes)
+            untried = (
+                candidate
+                for candidate in self._candidates()
+                if candidate[0] not in self.outcomes
+            )
             if not (candidate := next(untried, None)):
                 break
             line, findings, changes = candidate
@@ -125,18 +143,35 @@ class Mending:
 
     def _candidates(self) -> Iterator[tuple[str, list[Finding], Sequence[Change]]]:
         """Yield findings with changes that may mend them: all of a rule at once, then each by each of its ways."""
-        findings = [item for item in self.report.findings if item.severity != "note" and ways_of(item.advice)]
+        findings = [
+            item
+            for item in self.report.findings
+            if item.severity != "note" and ways_of(item.advice)
+        ]
         for rule in dict.fromkeys(finding.rule for finding in findings):
             of_rule = [finding for finding in findings if finding.rule == rule]
-            changes = distinct(change for finding in of_rule for change in ways_of(finding.advice)[0].changes)
+            changes = distinct(
+                change
+                for finding in of_rule
+                for change in ways_of(finding.advice)[0].changes
+            )
             ways = [(of_rule, changes)] if len(changes) > 1 else []
-            ways += [([finding], way.changes) for finding in of_rule for way in ways_of(finding.advice)]
-            yield from ((", ".join(map(str, changes)), mended, changes) for mended, changes in ways)
+            ways += [
+                ([finding], way.changes)
+                for finding in of_rule
+                for way in ways_of(finding.advice)
+            ]
+            yield from (
+                (", ".join(map(str, changes)), mended, changes)
+                for mended, changes in ways
+            )
 
     def _outcome(self, findings: Sequence[Finding], changes: Sequence[Change]) -> str:
         """Take changes over, or say why not."""
         try:
-            return self._harm(findings, self.texts | edited(changes, self.report.source, self.texts))
+            return self._harm(
+                findings, self.texts | edited(changes, self.report.source, self.texts)
+            )
         except Unwritable as error:
             return str(error)
         except (ValueError, OSError, expat.ExpatError, mujoco.FatalError) as error:
@@ -152,7 +187,11 @@ class Mending:
         notes = {_key(finding) for finding in self.report.findings}
         if any(after[_key(finding)] >= before[_key(finding)] for finding in findings):
             return "it does not change what is found"
-        if more := [key for key, count in after.items() if key not in notes or 0 < before[key] < count]:
+        if more := [
+            key
+            for key, count in after.items()
+            if key not in notes or 0 < before[key] < count
+        ]:
             return f"another is found then: {' '.join(filter(None, more[0]))}"
         runs = measured(target)
         if reason := harm(self.runs, runs, rules) or self._harm_elsewhere(texts, rules):
@@ -167,9 +206,13 @@ class Mending:
         """Say what harm a change of an included file does to other scenes that are mended."""
         included = {file for file in texts if file != self.target.path}
         for path in self.paths if included else ():
-            if path != self.target.path and included & {element.file for element in parse(path).walk()}:
+            if path != self.target.path and included & {
+                element.file for element in parse(path).walk()
+            }:
                 scene = Target(path.name, compiled(path), path=path)
-                if reason := harm(measured(scene), measured(tried(scene, texts)), rules):
+                if reason := harm(
+                    measured(scene), measured(tried(scene, texts)), rules
+                ):
                     return f"{path.name}: {reason}"
         return ""
 
@@ -183,7 +226,8 @@ class Mending:
         """Yield the change of the files as a patch."""
         for file, text in self.texts.items():
             old, new = (
-                version.decode(errors="replace").splitlines(keepends=True) for version in (file.read_bytes(), text)
+                version.decode(errors="replace").splitlines(keepends=True)
+                for version in (file.read_bytes(), text)
             )
             for line in difflib.unified_diff(old, new, f"a/{file}", f"b/{file}"):
                 yield line.rstrip("\r\n")
@@ -194,10 +238,14 @@ def _key(finding: Finding) -> tuple[str, str, str]:
 
 
 def _counted(report: Report) -> Counter[tuple[str, str, str]]:
-    return Counter(_key(finding) for finding in report.findings if finding.severity != "note")
+    return Counter(
+        _key(finding) for finding in report.findings if finding.severity != "note"
+    )
 
 
-def fixed(target: Target, request: Request, paths: Sequence[Path], dry: bool) -> tuple[Report, list[str], str]:
+def fixed(
+    target: Target, request: Request, paths: Sequence[Path], dry: bool
+) -> tuple[Report, list[str], str]:
     """Mend a scene's files; return its report as it was, lines of what was done, and why files can't be written."""
     mending = Mending(target, request, paths)
     backups = []
@@ -207,7 +255,11 @@ def fixed(target: Target, request: Request, paths: Sequence[Path], dry: bool) ->
             backups = _written(target, mending.texts)
         except TargetError as error:
             why = str(error)
-    lines = [*(mending.patch() if dry else ()), *mending.lines(not dry and not why), *backups]
+    lines = [
+        *(mending.patch() if dry else ()),
+        *mending.lines(not dry and not why),
+        *backups,
+    ]
     if mending.texts:
         before = _measures(mending.first_runs)
         after = _measures(mending.runs)
@@ -215,12 +267,20 @@ def fixed(target: Target, request: Request, paths: Sequence[Path], dry: bool) ->
     return mending.first, lines, why
 
 
-def fixed_again(targets: Sequence[str], request: Request, paths: Sequence[Path]) -> list[str]:
+def fixed_again(
+    targets: Sequence[str], request: Request, paths: Sequence[Path]
+) -> list[str]:
     """Go over scenes that may share files until none has more to write."""
     lines: list[str] = []
     for _ in range(PASSES):
-        scenes = (scene for scene in map(read_target, targets) if scene.path and scene.model is not None)
-        written = [line for scene in scenes for line in fixed(scene, request, paths, False)[1]]
+        scenes = (
+            scene
+            for scene in map(read_target, targets)
+            if scene.path and scene.model is not None
+        )
+        written = [
+            line for scene in scenes for line in fixed(scene, request, paths, False)[1]
+        ]
         written = [line for line in written if line.endswith(": written")]
         if not written:
             break
@@ -250,8 +310,13 @@ def _written(target: Target, texts: Texts) -> list[str]:
         is_expected = False
     if not is_expected:
         undo(replaced)
-        raise TargetError(f"{target.name}: is not written: MuJoCo makes another model of the file than was tried")
-    return [f"{file}: as it was it is {backup.name}" for file, (_, backup) in zip(texts, replaced, strict=True)]
+        raise TargetError(
+            f"{target.name}: is not written: MuJoCo makes another model of the file than was tried"
+        )
+    return [
+        f"{file}: as it was it is {backup.name}"
+        for file, (_, backup) in zip(texts, replaced, strict=True)
+    ]
 
 
 def are_same(*models: mujoco.MjModel) -> bool:

@@ -12,13 +12,23 @@ SHOWN = 3
 WORST = 5
 LEAST_MM_S = 1e-3
 """Slower creep is told as being below it."""
-USED = {"dampratio": "critical", "slip": "with the change", "creep": "bound", "unsettled": "creep"}
+USED = {
+    "dampratio": "critical",
+    "slip": "with the change",
+    "creep": "bound",
+    "unsettled": "creep",
+}
 """What ``used`` is called where it is not what the engine uses."""
 
 
 def printable(text: str) -> str:
     """Return a text whose unprintable characters are escaped: a name with a newline begins no line of a log."""
-    return "".join(char if char.isprintable() else char.encode("unicode_escape", "replace").decode() for char in text)
+    return "".join(
+        char
+        if char.isprintable()
+        else char.encode("unicode_escape", "replace").decode()
+        for char in text
+    )
 
 
 def written(reports: Sequence[Report], form: str, unread: Sequence[str] = ()) -> str:
@@ -36,25 +46,40 @@ def written(reports: Sequence[Report], form: str, unread: Sequence[str] = ()) ->
 
 def summary(reports: Sequence[Report]) -> Iterator[str]:
     """Yield a table of what was found in how many scenes."""
-    hits = [(finding.severity, finding.rule, report.target) for report in reports for finding in report.findings]
+    hits = [
+        (finding.severity, finding.rule, report.target)
+        for report in reports
+        for finding in report.findings
+    ]
     with_any = len({target for severity, _, target in hits if severity != "note"})
     yield f"{_counted(len(reports), 'scene')}, {with_any} with warnings or errors"
     yield f"  {'severity':9}{'rule':16}{'findings':>9}{'scenes':>8}"
     kinds = {(severity, rule) for severity, rule, _ in hits}
-    for severity, rule in sorted(kinds, key=lambda kind: (-SEVERITIES.index(kind[0]), kind[1])):
+    for severity, rule in sorted(
+        kinds, key=lambda kind: (-SEVERITIES.index(kind[0]), kind[1])
+    ):
         targets = [target for *kind, target in hits if kind == [severity, rule]]
         yield f"  {severity:9}{rule:16}{len(targets):>9}{len(set(targets)):>8}"
 
 
 def text_of(report: Report) -> Iterator[str]:
-    groups = grouped(sorted(report.findings, key=lambda finding: -SEVERITIES.index(finding.severity)))
+    groups = grouped(
+        sorted(report.findings, key=lambda finding: -SEVERITIES.index(finding.severity))
+    )
     size = f"{_counted(report.shape_count, 'shape')}, {_counted(report.pair_count, 'pair')}, dt {report.dt_s:g} s"
-    counts = {name: sum(group[0].severity == name for group in groups) for name in reversed(SEVERITIES)}
+    counts = {
+        name: sum(group[0].severity == name for group in groups)
+        for name in reversed(SEVERITIES)
+    }
     total = ", ".join(_counted(count, name) for name, count in counts.items() if count)
     yield f"{report.target}: {size}: {total or 'nothing found'}"
     for group in groups:
         finding = group[0]
-        line = f"{finding.element.file}:{finding.element.line}: " if finding.element else ""
+        line = (
+            f"{finding.element.file}:{finding.element.line}: "
+            if finding.element
+            else ""
+        )
         yield f"  {line}{finding.severity} {finding.rule}: {sentence(group)}"
         if finding.advice:
             yield f"      {finding.advice}"
@@ -63,7 +88,10 @@ def text_of(report: Report) -> Iterator[str]:
         yield f"{hold.name} {rate}, by {hold.load_n:.3g} N on {hold.point_count:.3g} contact points"
     if report.creep and any(vars(report.load).values()):
         yield "predicted creep:"
-        yield from (f"  {creep_line(prediction, report.load)}" for prediction in report.creep[:WORST])
+        yield from (
+            f"  {creep_line(prediction, report.load)}"
+            for prediction in report.creep[:WORST]
+        )
         if len(report.creep) > WORST:
             yield f"  and {len(report.creep) - WORST} more: --json has them"
 
@@ -72,7 +100,10 @@ def sentence(group: Sequence[Finding]) -> str:
     """Return findings that say the same, as a sentence."""
     finding = group[0]
     unit = f" {finding.unit}" if finding.unit != "1" else ""
-    text = f"{finding.parameter} {finding.value:.4g}{unit} " * bool(finding.parameter) + finding.message
+    text = (
+        f"{finding.parameter} {finding.value:.4g}{unit} " * bool(finding.parameter)
+        + finding.message
+    )
     if finding.used is not None:
         text += f" ({USED.get(finding.rule, 'used')}: {finding.used:.3g}{unit})"
     if not finding.shape:
@@ -92,25 +123,39 @@ def creep_line(prediction: Prediction, load: Load) -> str:
         f"{1e3 * prediction.acceleration_response_s:.3g} mm/s for each m/s² of a support that turns",
     ]
     if load.acceleration_m_s2:
-        parts.append(f"{rated(prediction.acceleration_mm_s)} at {load.acceleration_m_s2:g} m/s²")
+        parts.append(
+            f"{rated(prediction.acceleration_mm_s)} at {load.acceleration_m_s2:g} m/s²"
+        )
     if load.load_n:
         least = prediction.load_deep_mm_s
         most = prediction.load_shallow_mm_s
-        between = rated(most) if rated(least) == rated(most) else f"{rated(least)} to {rated(most)}"
+        between = (
+            rated(most)
+            if rated(least) == rated(most)
+            else f"{rated(least)} to {rated(most)}"
+        )
         parts.append(f"{between} under {load.load_n:g} N on a contact point")
     pairs = f"{_named(shapes)} on {_named(partners)}{f' ({count} pairs)' if count > 1 else ''}"
     return f"{pairs}: {'; '.join(parts)}"
 
 
 def rated(mm_s: float) -> str:
-    return f"{mm_s:.3g} mm/s" if abs(mm_s) >= LEAST_MM_S or not mm_s else f"below {LEAST_MM_S:g} mm/s"
+    return (
+        f"{mm_s:.3g} mm/s"
+        if abs(mm_s) >= LEAST_MM_S or not mm_s
+        else f"below {LEAST_MM_S:g} mm/s"
+    )
 
 
 def _github(report: Report) -> Iterator[str]:
     for group in grouped(report.findings):
         finding = group[0]
         element = finding.element
-        location = f"file={element.file},line={element.line}," if element else f"file={report.target},"
+        location = (
+            f"file={element.file},line={element.line},"
+            if element
+            else f"file={report.target},"
+        )
         # GitHub's workflow commands take % as the begin of an escape, and end with the line.
         message = _with_advice(group).replace("%", "%25").replace("\n", "%0A")
         yield f"::{finding.severity.replace('note', 'notice')} {location}title=newton-lint {finding.rule}::{message}"
@@ -127,28 +172,44 @@ def _sarif(reports: Sequence[Report], unread: Sequence[str]) -> dict:
         for report in reports
         for group in grouped(report.findings)
     ]
-    rules = [{"id": rule} for rule in sorted({finding.rule for report in reports for finding in report.findings})]
+    rules = [
+        {"id": rule}
+        for rule in sorted(
+            {finding.rule for report in reports for finding in report.findings}
+        )
+    ]
     run = {
         "tool": {"driver": {"name": "newton-lint", "rules": rules}},
         "results": results,
         "invocations": [
             {
                 "executionSuccessful": not unread,
-                "toolExecutionNotifications": [{"level": "error", "message": {"text": line}} for line in unread],
+                "toolExecutionNotifications": [
+                    {"level": "error", "message": {"text": line}} for line in unread
+                ],
             }
         ],
     }
-    return {"$schema": "https://json.schemastore.org/sarif-2.1.0.json", "version": "2.1.0", "runs": [run]}
+    return {
+        "$schema": "https://json.schemastore.org/sarif-2.1.0.json",
+        "version": "2.1.0",
+        "runs": [run],
+    }
 
 
 def _with_advice(group: Sequence[Finding]) -> str:
-    return f"{sentence(group)}. {group[0].advice}" if group[0].advice else sentence(group)
+    return (
+        f"{sentence(group)}. {group[0].advice}" if group[0].advice else sentence(group)
+    )
 
 
 def _location(finding: Finding, report: Report) -> dict:
     if not (element := finding.element):
         return {"artifactLocation": {"uri": report.target}}
-    return {"artifactLocation": {"uri": str(element.file)}, "region": {"startLine": element.line}}
+    return {
+        "artifactLocation": {"uri": str(element.file)},
+        "region": {"startLine": element.line},
+    }
 
 
 def _named(names: Iterable[str]) -> str:

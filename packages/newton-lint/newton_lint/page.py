@@ -18,11 +18,28 @@ pre {{ white-space: pre-wrap }}</style></head>
 
 
 def main(arguments: Sequence[str]) -> int:
-    parser = Parser(prog="newton-lint page", description="Write a page of scenes: what is found, and what to change.")
-    parser.add_argument("target", metavar="TARGET", nargs="+", help="FILE.xml, a folder, or FILE.py:function")
-    parser.add_argument("-o", "--out", type=Path, default=Path("page"), metavar="FOLDER", help="default: page")
+    parser = Parser(
+        prog="newton-lint page",
+        description="Write a page of scenes: what is found, and what to change.",
+    )
+    parser.add_argument(
+        "target",
+        metavar="TARGET",
+        nargs="+",
+        help="FILE.xml, a folder, or FILE.py:function",
+    )
+    parser.add_argument(
+        "-o",
+        "--out",
+        type=Path,
+        default=Path("page"),
+        metavar="FOLDER",
+        help="default: page",
+    )
     add_work(parser)
-    parser.set_defaults(ignore=None, acceleration=0.0, load=1.0, no_step=False, turn=0.0)
+    parser.set_defaults(
+        ignore=None, acceleration=0.0, load=1.0, no_step=False, turn=0.0
+    )
     options = parser.parse_args(arguments)
     request = request_of(options, {})
     reports = []
@@ -36,12 +53,18 @@ def main(arguments: Sequence[str]) -> int:
             text = printable(str(error))
             opened = " open"
         title = escape(printable(target))
-        scenes.append(f"<details{opened}><summary>{title}</summary><pre>{escape(text)}</pre></details>")
+        scenes.append(
+            f"<details{opened}><summary>{title}</summary><pre>{escape(text)}</pre></details>"
+        )
     title = escape(printable(", ".join(options.target)))
     options.out.mkdir(parents=True, exist_ok=True)
     page = options.out / "index.html"
     page.write_text(
-        PAGE.format(title=title, summary=escape("\n".join(map(printable, summary(reports)))), scenes="\n".join(scenes)),
+        PAGE.format(
+            title=title,
+            summary=escape("\n".join(map(printable, summary(reports)))),
+            scenes="\n".join(scenes),
+        ),
         encoding="utf-8",
     )
     print(page)

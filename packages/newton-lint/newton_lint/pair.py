@@ -8,7 +8,14 @@ import numpy as np
 
 from newton_lint.combined import Contacts
 from newton_lint.command import CLEAN, FOUND, Parser, add_work, engine_of
-from newton_lint.law import M, clamped, normal_damping, response_of, settled_depth_m, stiffness
+from newton_lint.law import (
+    M,
+    clamped,
+    normal_damping,
+    response_of,
+    settled_depth_m,
+    stiffness,
+)
 from newton_lint.output import printable
 from newton_lint.report import scene_of
 from newton_lint.scene import Scene
@@ -20,9 +27,21 @@ NEW_GAP = tuple(map(int, mujoco.__version__.split(".")[:2])) >= (3, 9)
 
 
 def main(arguments: Sequence[str]) -> int:
-    parser = Parser(prog="newton-lint pair", description="Say what a contact of two geoms gets, and by which rule.")
-    parser.add_argument("target", metavar="TARGET", help="FILE.xml, or FILE.py:function that returns a model")
-    parser.add_argument("geoms", metavar="GEOM", nargs=2, help="names of geoms, or of bodies with one geom")
+    parser = Parser(
+        prog="newton-lint pair",
+        description="Say what a contact of two geoms gets, and by which rule.",
+    )
+    parser.add_argument(
+        "target",
+        metavar="TARGET",
+        help="FILE.xml, or FILE.py:function that returns a model",
+    )
+    parser.add_argument(
+        "geoms",
+        metavar="GEOM",
+        nargs=2,
+        help="names of geoms, or of bodies with one geom",
+    )
     add_work(parser)
     options = parser.parse_args(arguments)
     target = read_target(options.target)
@@ -30,23 +49,47 @@ def main(arguments: Sequence[str]) -> int:
     if target.newton_model is None:
         scene = scene_of(target, engine)
     else:
-        scene = newtons(target.name, "newton_lint.newton_models.rules", "Shapes.of", target.newton_model, engine)
+        scene = newtons(
+            target.name,
+            "newton_lint.newton_models.rules",
+            "Shapes.of",
+            target.newton_model,
+            engine,
+        )
     geoms = [_geom(scene, target.name, name) for name in options.geoms]
-    pairs = np.flatnonzero(np.isin(scene.contacts.first, geoms) & np.isin(scene.contacts.second, geoms))
+    pairs = np.flatnonzero(
+        np.isin(scene.contacts.first, geoms) & np.isin(scene.contacts.second, geoms)
+    )
     if not len(pairs):
-        print(printable(f"{' and '.join(options.geoms)} make no contact: {_separation(scene, geoms)}"))
+        print(
+            printable(
+                f"{' and '.join(options.geoms)} make no contact: {_separation(scene, geoms)}"
+            )
+        )
         return FOUND
-    print("\n".join(map(printable, _table(scene, scene.contacts, int(pairs[0]), *geoms))))
+    print(
+        "\n".join(map(printable, _table(scene, scene.contacts, int(pairs[0]), *geoms)))
+    )
     return CLEAN
 
 
 def _geom(scene: Scene, target: str, name: str) -> int:
     """Return the geom of a name, or the only one of a body of that name."""
     model = scene.model
-    geoms = [geom for geom, full_name in enumerate(scene.names) if name in (full_name, model.geom(geom).name)]
-    geoms = geoms or [geom for geom, body in enumerate(model.geom_bodyid) if scene.bodies[body] == name]
+    geoms = [
+        geom
+        for geom, full_name in enumerate(scene.names)
+        if name in (full_name, model.geom(geom).name)
+    ]
+    geoms = geoms or [
+        geom
+        for geom, body in enumerate(model.geom_bodyid)
+        if scene.bodies[body] == name
+    ]
     if len(geoms) != 1:
-        raise TargetError(f"{target}: {len(geoms) or 'no'} geoms are {name}; it has {', '.join(scene.names[:12])}")
+        raise TargetError(
+            f"{target}: {len(geoms) or 'no'} geoms are {name}; it has {', '.join(scene.names[:12])}"
+        )
     return geoms[0]
 
 
@@ -63,18 +106,32 @@ def _separation(scene: Scene, geoms: Sequence[int]) -> str:
     return "contacts are off, one hangs on the other's body, or an <exclude> names their bodies"
 
 
-def _table(scene: Scene, contacts: Contacts, pair: int, geom1: int, geom2: int) -> Iterator[str]:
+def _table(
+    scene: Scene, contacts: Contacts, pair: int, geom1: int, geom2: int
+) -> Iterator[str]:
     model = scene.model
     option = scene.option
     contact = contacts.contact(pair)
     winner = scene.names[contacts.first[pair]]
-    ranked = f"of {winner}, which has the higher priority" if contacts.outranked[pair] else ""
+    ranked = (
+        f"of {winner}, which has the higher priority"
+        if contacts.outranked[pair]
+        else ""
+    )
     ranked = "of the <pair> that names them" if contacts.named[pair] >= 0 else ranked
-    mixed = f"mixed by solmix, {model.geom_solmix[geom1]:g} to {model.geom_solmix[geom2]:g}"
+    mixed = (
+        f"mixed by solmix, {model.geom_solmix[geom1]:g} to {model.geom_solmix[geom2]:g}"
+    )
     # mj_contactParam: a mean of a timeconst and a stiffness would be neither.
     least = "the smaller of each: one is direct" if contact.solref[0] <= 0.0 else mixed
-    sums = "the sum", "the sum; forces act from margin on, and contacts are listed from margin + gap on"
-    larger = "the larger", "the larger; forces act from margin − gap on, and contacts are listed from margin on"
+    sums = (
+        "the sum",
+        "the sum; forces act from margin on, and contacts are listed from margin + gap on",
+    )
+    larger = (
+        "the larger",
+        "the larger; forces act from margin − gap on, and contacts are listed from margin on",
+    )
     together, rules = (np.sum, sums) if NEW_GAP else (np.max, larger)
 
     def row(name: str, used: object, rule: str) -> tuple[object, ...]:
@@ -90,9 +147,23 @@ def _table(scene: Scene, contacts: Contacts, pair: int, geom1: int, geom2: int) 
         row("margin", together(model.geom_margin[[geom1, geom2]]), rules[0]),
         row("gap", together(model.geom_gap[[geom1, geom2]]), rules[1]),
     ]
-    yield "  ".join([f"{'':8}", *(f"{name:{WIDTH}}" for name in (scene.names[geom1], scene.names[geom2], "contact"))])
+    yield "  ".join(
+        [
+            f"{'':8}",
+            *(
+                f"{name:{WIDTH}}"
+                for name in (scene.names[geom1], scene.names[geom2], "contact")
+            ),
+        ]
+    )
     for name, *values, rule in rows:
-        yield "  ".join([f"{name:8}", *(f"{_formatted(value):{WIDTH}}" for value in values), str(rule)]).rstrip()
+        yield "  ".join(
+            [
+                f"{name:8}",
+                *(f"{_formatted(value):{WIDTH}}" for value in values),
+                str(rule),
+            ]
+        ).rstrip()
     dmax = clamped(contact.solimp[1])
     ke = stiffness(contact, option, dmax) * dmax**2
     kd = normal_damping(contact, option, dmax) * dmax
@@ -103,4 +174,8 @@ def _table(scene: Scene, contacts: Contacts, pair: int, geom1: int, geom2: int) 
 
 
 def _formatted(value: Any) -> str:
-    return value if isinstance(value, str) else " ".join(f"{float(number):.4g}" for number in np.atleast_1d(value))
+    return (
+        value
+        if isinstance(value, str)
+        else " ".join(f"{float(number):.4g}" for number in np.atleast_1d(value))
+    )

@@ -49,12 +49,18 @@ def predictions(scene: Scene, load: Load) -> list[Prediction]:
     creeps = []
     for members in groups_of(row_numbers(_kinds(scene)[rows])):
         pairs = rows[members]
-        geoms = zip(contacts.first[pairs].tolist(), contacts.second[pairs].tolist(), strict=True)
+        geoms = zip(
+            contacts.first[pairs].tolist(), contacts.second[pairs].tolist(), strict=True
+        )
         between = tuple((names[geom1], names[geom2]) for geom1, geom2 in geoms)
         pair = int(pairs[0])
         is_free = bool(loose[contacts.first[pair]] or loose[contacts.second[pair]])
-        if prediction := predicted(contacts.contact(pair), scene.option, load, between, is_free):
-            if (named := contacts.named[pair]) >= 0:  # mj_makeImpedance: R μ² is the same along both tangents
+        if prediction := predicted(
+            contacts.contact(pair), scene.option, load, between, is_free
+        ):
+            if (
+                named := contacts.named[pair]
+            ) >= 0:  # mj_makeImpedance: R μ² is the same along both tangents
                 mu1, mu2 = scene.model.pair_friction[named, :2]
                 least, most = sorted((1.0, float(mu1 / max(mu2, mujoco.mjMINMU)) ** 2))
                 prediction = replace(
@@ -69,26 +75,45 @@ def predictions(scene: Scene, load: Load) -> list[Prediction]:
 def _kinds(scene: Scene) -> np.ndarray:
     contacts = scene.contacts
     model = scene.model
-    columns = np.concatenate((model.geom_solref.T, model.geom_solimp.T, model.geom_friction.T))
-    single = (model.geom_condim, model.geom_priority, model.geom_solmix, scene.free[model.geom_bodyid])
+    columns = np.concatenate(
+        (model.geom_solref.T, model.geom_solimp.T, model.geom_friction.T)
+    )
+    single = (
+        model.geom_condim,
+        model.geom_priority,
+        model.geom_solmix,
+        scene.free[model.geom_bodyid],
+    )
     kind = row_numbers(*columns, *single, model.body_invweight0[model.geom_bodyid, 0])
     kind1 = kind[contacts.first]
     kind2 = kind[contacts.second]
     unordered = np.minimum(kind1, kind2) * model.ngeom + np.maximum(kind1, kind2)
-    return np.where(contacts.named < 0, unordered, -1 - contacts.named)  # each <pair> has parameters of its own
+    return np.where(
+        contacts.named < 0, unordered, -1 - contacts.named
+    )  # each <pair> has parameters of its own
 
 
 def predicted(
-    contact: Contact, option: Option, load: Load, pairs: Sequence[tuple[str, str]], is_free: bool = False
+    contact: Contact,
+    option: Option,
+    load: Load,
+    pairs: Sequence[tuple[str, str]],
+    is_free: bool = False,
 ) -> Prediction | None:
     """Return the creep of one contact; None where nothing damps it."""
     dmax = clamped(contact.solimp[1])
     deep = response_of(contact, option)
     shallow = response_of(contact, option, clamped(contact.solimp[0]))
-    if not 0.0 <= deep.acceleration_s < math.inf:  # undamped, or too stiff for the step, which throws it off
+    if (
+        not 0.0 <= deep.acceleration_s < math.inf
+    ):  # undamped, or too stiff for the step, which throws it off
         return None
-    inverse_b = deep.acceleration_s - STEP_SHARE.get(option.integrator, 0.0) * option.timestep_s
-    least, most = sorted(M * (response.load_m_s_n * load.load_n) for response in (deep, shallow))
+    inverse_b = (
+        deep.acceleration_s - STEP_SHARE.get(option.integrator, 0.0) * option.timestep_s
+    )
+    least, most = sorted(
+        M * (response.load_m_s_n * load.load_n) for response in (deep, shallow)
+    )
     return Prediction(
         pairs=tuple(pairs),
         timeconst_s=2.0 * inverse_b / dmax,

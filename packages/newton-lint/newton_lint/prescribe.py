@@ -15,7 +15,14 @@ from newton_lint.mend import fix
 from newton_lint.output import rated
 from newton_lint.report import scene_of
 from newton_lint.scene import ELLIPTIC, Scene, changed
-from newton_lint.settle import Hold, Work, predicted_hold, settled, settled_hold, started
+from newton_lint.settle import (
+    Hold,
+    Work,
+    predicted_hold,
+    settled,
+    settled_hold,
+    started,
+)
 from newton_lint.target import Target, TargetError, read_target
 
 BELOW_MM_S = 0.1
@@ -38,16 +45,28 @@ class Setting:
 
     def attributes(self) -> dict[str, str]:
         """Return attributes of ``<option>``."""
-        return {name: "elliptic" if name == "cone" else f"{value:g}" for name, value in self.options}
+        return {
+            name: "elliptic" if name == "cone" else f"{value:g}"
+            for name, value in self.options
+        }
 
     @property
     def change_count(self) -> int:
         """Count what changes; a noslip pass counts as two: MuJoCo Warp has none in most releases."""
-        return len(self.options) + (self.timeconst_s is not None) + ("noslip_iterations" in self.attributes())
+        return (
+            len(self.options)
+            + (self.timeconst_s is not None)
+            + ("noslip_iterations" in self.attributes())
+        )
 
     def __str__(self) -> str:
-        attributes = self.attributes() | ({} if self.timeconst_s is None else {"solref": f"{self.timeconst_s:g} 1"})
-        return " ".join(f'{name}="{value}"' for name, value in attributes.items()) or "as it is"
+        attributes = self.attributes() | (
+            {} if self.timeconst_s is None else {"solref": f"{self.timeconst_s:g} 1"}
+        )
+        return (
+            " ".join(f'{name}="{value}"' for name, value in attributes.items())
+            or "as it is"
+        )
 
 
 @dataclass(frozen=True)
@@ -62,9 +81,15 @@ class Trial:
 def main(arguments: Sequence[str]) -> int:
     about = "Search settings that keep a held body's creep below a bound, and measure the best of them."
     parser = Parser(prog="newton-lint prescribe", description=about)
-    parser.add_argument("target", metavar="TARGET", help="FILE.xml, or FILE.py:function")
+    parser.add_argument(
+        "target", metavar="TARGET", help="FILE.xml, or FILE.py:function"
+    )
     add_work(parser)
-    parser.add_argument("--fix", action="store_true", help="write the cheapest that reaches the bound into the files")
+    parser.add_argument(
+        "--fix",
+        action="store_true",
+        help="write the cheapest that reaches the bound into the files",
+    )
     parser.set_defaults(turn=0.0)  # which --hold predicts, and nothing here simulates
     options = parser.parse_args(arguments)
     if not options.hold:
@@ -87,12 +112,19 @@ def main(arguments: Sequence[str]) -> int:
     return CLEAN
 
 
-def prescribed(scene: Scene, target: Target, work: Work, bound_mm_s: float) -> tuple[Hold, list[Trial]]:
+def prescribed(
+    scene: Scene, target: Target, work: Work, bound_mm_s: float
+) -> tuple[Hold, list[Trial]]:
     """Measure a held body as it is, and settings that the law finds good, the least first, until one is."""
     if (hold := settled_hold(scene, target, work)) is None:
-        raise TargetError(f"{target.name}: nothing touches {work.body}; --settle gives it longer, a keyframe a grip")
+        raise TargetError(
+            f"{target.name}: nothing touches {work.body}; --settle gives it longer, a keyframe a grip"
+        )
     trials = [measured(scene, target, work, Setting(), hold, hold.mm_s)]
-    ranked = sorted(candidates(scene, hold, work), key=lambda candidate: _rank(candidate, bound_mm_s))
+    ranked = sorted(
+        candidates(scene, hold, work),
+        key=lambda candidate: _rank(candidate, bound_mm_s),
+    )
     for setting, predicted in () if hold.slides else ranked:
         if len(trials) > MOST_TRIES or trials[-1].measured_mm_s <= bound_mm_s:
             break
@@ -104,22 +136,46 @@ def candidates(scene: Scene, hold: Hold, work: Work) -> Iterator[tuple[Setting, 
     """Yield settings, with the creep that the law gives for each."""
     option = scene.option
     stiffest = min(scene.model.geom_solref[geom, 0] for geom in touched(scene, hold))
-    least = 2.0 * option.timestep_s if option.refsafe else 0.0  # which getsolparam clamps others to
+    least = (
+        2.0 * option.timestep_s if option.refsafe else 0.0
+    )  # which getsolparam clamps others to
     most = stiffest if stiffest > 0.0 else np.inf
-    timeconsts = [None, *(timeconst for timeconst in TIMECONSTS_S if least <= timeconst < most)]
-    impratios = [None, *(impratio for impratio in IMPRATIOS if impratio > option.impratio)]
-    noslips = (False, True) if not option.noslip and scene.engine.name == "mujoco" else (False,)
-    for timeconst, impratio, noslip in itertools.product(timeconsts, impratios, noslips):
+    timeconsts = [
+        None,
+        *(timeconst for timeconst in TIMECONSTS_S if least <= timeconst < most),
+    ]
+    impratios = [
+        None,
+        *(impratio for impratio in IMPRATIOS if impratio > option.impratio),
+    ]
+    noslips = (
+        (False, True)
+        if not option.noslip and scene.engine.name == "mujoco"
+        else (False,)
+    )
+    for timeconst, impratio, noslip in itertools.product(
+        timeconsts, impratios, noslips
+    ):
         options = {
             # In a pyramid impratio makes the rows of the normal harder too.
-            "cone": ELLIPTIC if option.cone == "pyramidal" and impratio is not None else None,
+            "cone": ELLIPTIC
+            if option.cone == "pyramidal" and impratio is not None
+            else None,
             "impratio": impratio,
             "noslip_iterations": NOSLIP if noslip else None,
         }
-        setting = Setting(timeconst, tuple((name, value) for name, value in options.items() if value is not None))
+        setting = Setting(
+            timeconst,
+            tuple(
+                (name, value) for name, value in options.items() if value is not None
+            ),
+        )
         if setting.change_count:
             variant = replace(scene, model=with_setting(scene, setting, hold))
-            yield setting, predicted_hold(variant, hold.body, hold.touches, work, hold.data).mm_s
+            yield (
+                setting,
+                predicted_hold(variant, hold.body, hold.touches, work, hold.data).mm_s,
+            )
 
 
 def touched(scene: Scene, hold: Hold) -> list[int]:
@@ -135,7 +191,10 @@ def with_setting(scene: Scene, setting: Setting, hold: Hold) -> MjModel:
         model.geom_solref[touched(scene, hold)] = (setting.timeconst_s, 1.0)
         pairs = scene.pair_indices
         named = [scene.contacts.named[pairs[touch.geoms]] for touch in hold.touches]
-        model.pair_solref[[index for index in named if index >= 0]] = (setting.timeconst_s, 1.0)
+        model.pair_solref[[index for index in named if index >= 0]] = (
+            setting.timeconst_s,
+            1.0,
+        )
     return model
 
 
@@ -147,14 +206,25 @@ def _rank(candidate: tuple[Setting, float], bound_mm_s: float) -> tuple:
     return (0, changes, -predicted) if is_good else (1, predicted, changes)
 
 
-def measured(scene: Scene, target: Target, work: Work, setting: Setting, hold: Hold, predicted_mm_s: float) -> Trial:
+def measured(
+    scene: Scene,
+    target: Target,
+    work: Work,
+    setting: Setting,
+    hold: Hold,
+    predicted_mm_s: float,
+) -> Trial:
     """Simulate a setting from the scene's start: how far the body moves within what holds it."""
     model = with_setting(scene, setting, hold)
     # Seen from a hand that accelerates upward, gravity is larger.
-    model.opt.gravity *= 1.0 + work.lift_m_s2 / max(np.linalg.norm(model.opt.gravity), 1e-9)
+    model.opt.gravity *= 1.0 + work.lift_m_s2 / max(
+        np.linalg.norm(model.opt.gravity), 1e-9
+    )
     data = started(model, target.data)
     settled(model, data, work.settle_s)
-    return Trial(setting, predicted_mm_s, M * along(model, data, hold, MEASURED_S) / MEASURED_S)
+    return Trial(
+        setting, predicted_mm_s, M * along(model, data, hold, MEASURED_S) / MEASURED_S
+    )
 
 
 def along(model: MjModel, data: MjData, hold: Hold, time_s: float) -> float:
@@ -177,12 +247,17 @@ def changes_of(scene: Scene, setting: Setting, geoms: Sequence[int]) -> list[Cha
     changes = [*for_option(scene, setting.attributes(), "").changes]
     if setting.timeconst_s is not None:
         solref = ("solref", f"{setting.timeconst_s:g} 1")
-        changes += [Change(scene.names[geom], (solref,), scene.source.geom(geom)) for geom in geoms]
+        changes += [
+            Change(scene.names[geom], (solref,), scene.source.geom(geom))
+            for geom in geoms
+        ]
     return changes
 
 
 def _table(trials: Sequence[Trial], bound_mm_s: float) -> Iterator[str]:
     yield f"{'':2}{'predicted':>18}{'measured':>18}  setting (bound {bound_mm_s:g} mm/s)"
     for trial in trials:
-        predicted = "slides" if np.isinf(trial.predicted_mm_s) else rated(trial.predicted_mm_s)
+        predicted = (
+            "slides" if np.isinf(trial.predicted_mm_s) else rated(trial.predicted_mm_s)
+        )
         yield f"{'':2}{predicted:>18}{rated(trial.measured_mm_s):>18}  {trial.setting}"

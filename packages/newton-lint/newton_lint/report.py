@@ -59,7 +59,10 @@ class Report:
 
     def worst(self) -> int:
         """Return the index in ``SEVERITIES`` of the worst finding; -1 where there is none."""
-        return max((SEVERITIES.index(finding.severity) for finding in self.findings), default=-1)
+        return max(
+            (SEVERITIES.index(finding.severity) for finding in self.findings),
+            default=-1,
+        )
 
 
 def report_of(target: Target, request: Request) -> Report:
@@ -67,7 +70,9 @@ def report_of(target: Target, request: Request) -> Report:
     try:
         return _report_of(target, request)
     except mujoco.FatalError as error:
-        raise TargetError(f"{target.name}: MuJoCo stops at it: {' '.join(str(error).split())}") from error
+        raise TargetError(
+            f"{target.name}: MuJoCo stops at it: {' '.join(str(error).split())}"
+        ) from error
 
 
 def _report_of(target: Target, request: Request) -> Report:
@@ -108,36 +113,62 @@ def _report_of(target: Target, request: Request) -> Report:
         shape_count=scene.colliding,
         pair_count=len(scene.contacts),
         load=request.load,
-        findings=[finding for finding in findings if not is_ignored(finding, scene.source, request.ignore)],
+        findings=[
+            finding
+            for finding in findings
+            if not is_ignored(finding, scene.source, request.ignore)
+        ],
         creep=[] if refused else predictions(scene, request.load),
         hold=hold,
         source=scene.source,
     )
 
 
-def _noted(scene: Scene, runs: Sequence[Run], findings: Sequence[Finding]) -> list[Finding]:
+def _noted(
+    scene: Scene, runs: Sequence[Run], findings: Sequence[Finding]
+) -> list[Finding]:
     """Return findings, those of parameters of what touches nothing as notes: it may be no part of what is done."""
     touched = {scene.names[geom] for run in runs for pair in run.first for geom in pair}
-    touched |= {scene.names[geom] for run in runs for geom in run.data.contact.geom.ravel().tolist() if geom >= 0}
+    touched |= {
+        scene.names[geom]
+        for run in runs
+        for geom in run.data.contact.geom.ravel().tolist()
+        if geom >= 0
+    }
     may_touch = not runs or any(run.bad for run in runs)
 
     def is_idle(finding: Finding) -> bool:
-        touches = finding.shape in touched and not (finding.against and touched.isdisjoint(finding.against))
-        return finding.severity == "warning" and finding.rule in OF_CONTACTS and not (may_touch or touches)
+        touches = finding.shape in touched and not (
+            finding.against and touched.isdisjoint(finding.against)
+        )
+        return (
+            finding.severity == "warning"
+            and finding.rule in OF_CONTACTS
+            and not (may_touch or touches)
+        )
 
-    return [replace(finding, severity="note") if is_idle(finding) else finding for finding in findings]
+    return [
+        replace(finding, severity="note") if is_idle(finding) else finding
+        for finding in findings
+    ]
 
 
-def _newton_findings(target: Target, request: Request, findings: Sequence[Finding]) -> Iterator[Finding]:
+def _newton_findings(
+    target: Target, request: Request, findings: Sequence[Finding]
+) -> Iterator[Finding]:
     """Yield what rules besides those that MuJoCo's model broke find in the file as Newton reads it."""
     rules = {finding.rule for finding in findings}
-    imported = replace(target, newton_model=newtons(target.name, NEWTONS, "imported", target.path))
+    imported = replace(
+        target, newton_model=newtons(target.name, NEWTONS, "imported", target.path)
+    )
     report = newtons(target.name, NEWTONS, "report_of", imported, request)
     assert target.model is not None  # what Newton alone reads is no target of this
     gravity = target.model.opt.gravity[2]
     taken = float(np.ravel(imported.newton_model.gravity.numpy())[2])
     if not np.isclose(gravity, taken, rtol=1e-3):
-        message = f"m/s² is what the scene says, and Newton's importer takes {taken:.4g}"
+        message = (
+            f"m/s² is what the scene says, and Newton's importer takes {taken:.4g}"
+        )
         yield Finding("importer", "", "gravity", gravity, message, used=taken)
     if target.model.npair:
         message = "are not read by Newton's own contacts (newton#3644)"
@@ -149,22 +180,47 @@ def scene_of(target: Target, engine: Engine | None = None) -> Scene:
     engine = engine or Engine()
     if target.model is None:
         raise TargetError(f"{target.name}: is no model of MuJoCo's")
-    if target.model.opt.timestep > 10.0:  # mj_step takes any, and the number of steps would round to none
-        raise TargetError(f"{target.name}: a time step of {target.model.opt.timestep:g} s is too long to simulate")
-    numbers = {name: getattr(target.model, name) for name in dir(target.model) if name.startswith(NUMBERS)}
-    numbers = {name: values for name, values in numbers.items() if values.dtype == np.float64}
-    numbers |= {name: np.atleast_1d(getattr(target.model.opt, name)) for name in ("impratio", "gravity", "timestep")}
+    if (
+        target.model.opt.timestep > 10.0
+    ):  # mj_step takes any, and the number of steps would round to none
+        raise TargetError(
+            f"{target.name}: a time step of {target.model.opt.timestep:g} s is too long to simulate"
+        )
+    numbers = {
+        name: getattr(target.model, name)
+        for name in dir(target.model)
+        if name.startswith(NUMBERS)
+    }
+    numbers = {
+        name: values for name, values in numbers.items() if values.dtype == np.float64
+    }
+    numbers |= {
+        name: np.atleast_1d(getattr(target.model.opt, name))
+        for name in ("impratio", "gravity", "timestep")
+    }
     for name, values in numbers.items():
-        if np.abs(values[np.isfinite(values)]).max(initial=0.0) > HUGE or not np.isfinite(values).all():
-            raise TargetError(f"{target.name}: {name} has numbers of {HUGE:g} and more, whose squares are infinite")
-    return Scene(engine.configured(target.model), Source.of(target.path, target.model, target.texts), engine)
+        if (
+            np.abs(values[np.isfinite(values)]).max(initial=0.0) > HUGE
+            or not np.isfinite(values).all()
+        ):
+            raise TargetError(
+                f"{target.name}: {name} has numbers of {HUGE:g} and more, whose squares are infinite"
+            )
+    return Scene(
+        engine.configured(target.model),
+        Source.of(target.path, target.model, target.texts),
+        engine,
+    )
 
 
 def as_json(report: Report) -> dict[str, Any]:
     """Return what ``--json`` prints; docs/lint.md is its schema."""
     return {
         "schema": 2,
-        **{name: getattr(report, name) for name in ("target", "newton", "dt_s", "shape_count", "pair_count")},
+        **{
+            name: getattr(report, name)
+            for name in ("target", "newton", "dt_s", "shape_count", "pair_count")
+        },
         "findings": [_finding_json(finding) for finding in report.findings],
         "creep": [vars(report.load) | vars(prediction) for prediction in report.creep],
         "hold": report.hold.as_json() if report.hold else None,
@@ -172,17 +228,34 @@ def as_json(report: Report) -> dict[str, Any]:
 
 
 def _finding_json(finding: Finding) -> dict[str, Any]:
-    names = ("rule", "shape", "against", "parameter", "value", "used", "unit", "message", "severity")
+    names = (
+        "rule",
+        "shape",
+        "against",
+        "parameter",
+        "value",
+        "used",
+        "unit",
+        "message",
+        "severity",
+    )
     return {
         **{name: getattr(finding, name) for name in names},
         **_location(finding.element),
         "advice": str(finding.advice) if finding.advice else None,
         "changes": [
-            {"subject": change.subject, "attributes": dict(change.attributes), **_location(change.element)}
+            {
+                "subject": change.subject,
+                "attributes": dict(change.attributes),
+                **_location(change.element),
+            }
             for change in (finding.advice.changes if finding.advice else ())
         ],
     }
 
 
 def _location(element: Element | None) -> dict[str, Any]:
-    return {"file": str(element.file) if element else None, "line": element.line if element else None}
+    return {
+        "file": str(element.file) if element else None,
+        "line": element.line if element else None,
+    }

@@ -44,12 +44,15 @@ LEAVES_S = 0.2
 MOST_CONTACTS = int(mujoco.mjMAXCONPAIR)
 SLIDE = int(mujoco.mjtJoint.mjJNT_SLIDE)
 ON_JOINT = int(mujoco.mjtTrn.mjTRN_JOINT)
-ELLIPSOID, CYLINDER, BOX, MESH = PLATES = tuple(range(mujoco.mjtGeom.mjGEOM_ELLIPSOID, mujoco.mjtGeom.mjGEOM_MESH + 1))
+ELLIPSOID, CYLINDER, BOX, MESH = PLATES = tuple(
+    range(mujoco.mjtGeom.mjGEOM_ELLIPSOID, mujoco.mjtGeom.mjGEOM_MESH + 1)
+)
 UNSORTED = int(mujoco.mjtDisableBit.mjDSBL_MIDPHASE)
 MOST_CROSSINGS = 3
 EQUALITY = int(mujoco.mjtConstraint.mjCNSTR_EQUALITY)
 COUPLINGS = {
-    int(getattr(mujoco.mjtEq, f"mjEQ_{name.upper()}")): name for name in ("connect", "weld", "joint", "tendon")
+    int(getattr(mujoco.mjtEq, f"mjEQ_{name.upper()}")): name
+    for name in ("connect", "weld", "joint", "tendon")
 }
 Edit = Callable[[MjModel, MjData], None]
 Read = Callable[[MjModel, MjData], float]
@@ -114,7 +117,9 @@ def rest_of(model: MjModel, data: MjData, start: Start) -> Rest | None:
             if is_bad(data):
                 return None
             places += [] if braked else [places_of(data)]
-            mujoco.mj_differentiatePos(model, moved, window * model.opt.timestep, last, data.qpos)
+            mujoco.mj_differentiatePos(
+                model, moved, window * model.opt.timestep, last, data.qpos
+            )
             fastest = np.abs(moved).max(initial=0.0)
             calm = calm + 1 if fastest < REST else 0
             if calm == 2 or time.process_time() - since > BUDGET_S:
@@ -135,7 +140,11 @@ def at_rest(scene: Scene, run: Run, rest: Rest) -> Iterator[Finding]:
     afters = {}
     for rule in (_passed, _released, _crowded):
         yield from rule(scene, rest)
-    gives = [*_depths(scene, run, rest), *_limits(model, rest.data), *_equalities(model, rest.data)]
+    gives = [
+        *_depths(scene, run, rest),
+        *_limits(model, rest.data),
+        *_equalities(model, rest.data),
+    ]
     for give in [*gives, *_servos(model, rest)]:
         scale = SCALE[give.unit]
         least = give.least or LEAST[give.unit]
@@ -144,10 +153,19 @@ def at_rest(scene: Scene, run: Run, rest: Rest) -> Iterator[Finding]:
         for _, edit in give.ways:
             if edit not in afters:  # all that a rule finds is changed at once
                 afters[edit] = _again(scene, rest.start, edit)
-        mended = [(text, give.read(model, after.data)) for text, edit in give.ways if (after := afters[edit])]
-        mended = [(text, max(0.0, after)) for text, after in mended if after < MENDS * value]
+        mended = [
+            (text, give.read(model, after.data))
+            for text, edit in give.ways
+            if (after := afters[edit])
+        ]
+        mended = [
+            (text, max(0.0, after)) for text, after in mended if after < MENDS * value
+        ]
         if not give.needs_way or (mended and mended[0][0] == give.ways[0][0]):
-            gains = [f"{text}: {scale * value:.3g} → {scale * after:.3g} {give.unit} at rest" for text, after in mended]
+            gains = [
+                f"{text}: {scale * value:.3g} → {scale * after:.3g} {give.unit} at rest"
+                for text, after in mended
+            ]
             is_certain = mended and rest.speed < WILD and value > give.far * least
             yield Finding(
                 give.rule,
@@ -184,8 +202,17 @@ def _depths(scene: Scene, run: Run, rest: Rest) -> Iterator[Give]:
 
     def stiffer(model, data, hardest: bool = False) -> None:
         for contact, solref in solrefs.items():
-            first, second, named = (int(getattr(contacts, side)[contact]) for side in ("first", "second", "named"))
-            rows = [named] if named >= 0 else [first] if contacts.outranked[contact] else [first, second]
+            first, second, named = (
+                int(getattr(contacts, side)[contact])
+                for side in ("first", "second", "named")
+            )
+            rows = (
+                [named]
+                if named >= 0
+                else [first]
+                if contacts.outranked[contact]
+                else [first, second]
+            )
             kind = "pair" if named >= 0 else "geom"
             getattr(model, f"{kind}_solref")[rows] = shortest if hardest else solref
             if hardest:
@@ -193,12 +220,16 @@ def _depths(scene: Scene, run: Run, rest: Rest) -> Iterator[Give]:
 
     shortest = 2.0 * model.opt.timestep, 1.0
     harder: Edit = partial(stiffer, hardest=True)
-    for pair in dict.fromkeys(tuple(sorted(pair)) for pair in rest.data.contact.geom.tolist()):
+    for pair in dict.fromkeys(
+        tuple(sorted(pair)) for pair in rest.data.contact.geom.tolist()
+    ):
         if (contact := pairs.get(pair)) is None:  # a flex, or one of many alike
             continue
 
         def read(model, data, pair=pair) -> float:
-            return -data.contact.dist[(np.sort(data.contact.geom, axis=1) == pair).all(axis=1)].min(initial=0.0)
+            return -data.contact.dist[
+                (np.sort(data.contact.geom, axis=1) == pair).all(axis=1)
+            ].min(initial=0.0)
 
         depth = read(model, rest.data)
         bodies = model.geom_bodyid[list(pair)]
@@ -206,15 +237,26 @@ def _depths(scene: Scene, run: Run, rest: Rest) -> Iterator[Give]:
         lies = scene.free[bodies].sum() == 1 and model.body_weldid[bodies].min() == 0
         least = min(LEAST["mm"], SUNK * sizes[thin])
         moves = WINDOW_S * max(speeds[bodies])
-        if depth <= max(least, moves) or (depth < 2.0 * run.first.get(pair, 0.0) and not lies):
+        if depth <= max(least, moves) or (
+            depth < 2.0 * run.first.get(pair, 0.0) and not lies
+        ):
             continue
         share = min(LEAST["mm"] / depth, 0.4)
         first, second = contacts.solref[contact].tolist()
         shorter = max(first, 2.0 * model.opt.timestep) * share**0.5
-        new = (max(shorter, 2.0 * model.opt.timestep), second) if first > 0.0 else (first / share, second / share**0.5)
+        new = (
+            (max(shorter, 2.0 * model.opt.timestep), second)
+            if first > 0.0
+            else (first / share, second / share**0.5)
+        )
         solrefs[contact] = new
-        changes = for_contact(scene, contact, partial(str.format, f"{new[0]:.3g} {new[1]:.3g}"), "").changes
-        ways = [(", ".join(map(str, changes)), stiffer), (HARDEST.format(_text(shortest), _text(HARD)), harder)]
+        changes = for_contact(
+            scene, contact, partial(str.format, f"{new[0]:.3g} {new[1]:.3g}"), ""
+        ).changes
+        ways = [
+            (", ".join(map(str, changes)), stiffer),
+            (HARDEST.format(_text(shortest), _text(HARD)), harder),
+        ]
         is_certain = depth > 2.0 * run.first.get(pair, 0.0) and rest.speed < 0.1 * WILD
         yield Give(
             "depth",
@@ -234,46 +276,93 @@ def _depths(scene: Scene, run: Run, rest: Rest) -> Iterator[Give]:
 def _limits(model: MjModel, data: MjData) -> Iterator[Give]:
     """Yield joints and tendons with a range, and how far beyond it they lie."""
     solref = max(0.005, 2.0 * model.opt.timestep), 1.0
-    servos = np.flatnonzero(is_servo(model))  # the trnid of others may be that of a tendon
+    servos = np.flatnonzero(
+        is_servo(model)
+    )  # the trnid of others may be that of a tendon
     servos = servos[model.jnt_limited[model.actuator_trnid[servos, 0]] > 0]
-    gears = np.where(model.actuator_gear[servos, :1] == 0.0, 1.0, model.actuator_gear[servos, :1])
+    gears = np.where(
+        model.actuator_gear[servos, :1] == 0.0, 1.0, model.actuator_gear[servos, :1]
+    )
     ranges = model.jnt_range[model.actuator_trnid[servos, 0]] / gears
 
     def harder(model, data) -> None:
         model.jnt_solref[:] = model.tendon_solref_lim[:] = solref
 
     def clipped(model, data) -> None:
-        data.ctrl[servos] = np.clip(data.ctrl[servos], ranges.min(axis=1), ranges.max(axis=1))
+        data.ctrl[servos] = np.clip(
+            data.ctrl[servos], ranges.min(axis=1), ranges.max(axis=1)
+        )
 
-    def give(name: str, parameter: str, span: np.ndarray, unit: str, field: str, at: int, joint: int = -1) -> Give:
+    def give(
+        name: str,
+        parameter: str,
+        span: np.ndarray,
+        unit: str,
+        field: str,
+        at: int,
+        joint: int = -1,
+    ) -> Give:
         low, high = span.tolist()
         ways = [(f'solreflimit="{solref[0]:g} 1" on it', harder)]
         for servo in servos[model.actuator_trnid[servos, 0] == joint].tolist():
-            if not low <= (told := data.ctrl[servo] * model.actuator_gear[servo, 0]) <= high:
+            if (
+                not low
+                <= (told := data.ctrl[servo] * model.actuator_gear[servo, 0])
+                <= high
+            ):
                 actuator = model.actuator(servo).name or "its actuator"
-                ways = [(f'ctrlrange="{low:.4g} {high:.4g}" on {actuator}, which asks for {told:.4g}', clipped)]
+                ways = [
+                    (
+                        f'ctrlrange="{low:.4g} {high:.4g}" on {actuator}, which asks for {told:.4g}',
+                        clipped,
+                    )
+                ]
 
         def past(model, data) -> float:
             value = getattr(data, field)[at]
             return max(low - value, value - high)
 
-        return Give("limit", name, parameter, "is how far it is beyond its range", past, ways, unit, far=MUCH)
+        return Give(
+            "limit",
+            name,
+            parameter,
+            "is how far it is beyond its range",
+            past,
+            ways,
+            unit,
+            far=MUCH,
+        )
 
-    for joint in np.flatnonzero(model.jnt_limited & np.isin(model.jnt_type, (HINGE, SLIDE))).tolist():
+    for joint in np.flatnonzero(
+        model.jnt_limited & np.isin(model.jnt_type, (HINGE, SLIDE))
+    ).tolist():
         unit = "°" if model.jnt_type[joint] == HINGE else "mm"
         name = model.joint(joint).name or f"joint_{joint}"
-        yield give(name, "position", model.jnt_range[joint], unit, "qpos", model.jnt_qposadr[joint], joint)
+        yield give(
+            name,
+            "position",
+            model.jnt_range[joint],
+            unit,
+            "qpos",
+            model.jnt_qposadr[joint],
+            joint,
+        )
     for tendon in np.flatnonzero(model.tendon_limited).tolist():
         name = model.tendon(tendon).name or f"tendon_{tendon}"
         unit = "°" if _turns(model, tendon) else "mm"
-        yield give(name, "length", model.tendon_range[tendon], unit, "ten_length", tendon)
+        yield give(
+            name, "length", model.tendon_range[tendon], unit, "ten_length", tendon
+        )
 
 
 def unposed(model: MjModel, start: Start) -> Iterator[Finding]:
     """Yield joints that a start puts beyond their range: nobody starts there."""
     data = start.data(model)
     for give in _limits(model, data):
-        if give.parameter == "position" and (value := give.read(model, data)) > LEAST[give.unit]:
+        if (
+            give.parameter == "position"
+            and (value := give.read(model, data)) > LEAST[give.unit]
+        ):
             yield Finding(
                 give.rule,
                 give.name,
@@ -309,7 +398,11 @@ def _equalities(model: MjModel, data: MjData) -> Iterator[Give]:
             return np.linalg.norm(data.efc_pos[rows][:3])
 
         joint = int(model.eq_obj1id[equality])
-        turns = _turns(model, joint) if kind == "tendon" else kind == "joint" and model.jnt_type[joint] == HINGE
+        turns = (
+            _turns(model, joint)
+            if kind == "tendon"
+            else kind == "joint" and model.jnt_type[joint] == HINGE
+        )
         yield Give(
             "equality",
             model.eq(equality).name or f"equality_{equality}",
@@ -326,7 +419,12 @@ def is_servo(model: MjModel) -> np.ndarray:
     gain = model.actuator_gainprm[:, 0]
     bias = model.actuator_biasprm[:, 1]
     on_joint = model.actuator_trntype == ON_JOINT
-    return on_joint & (gain > 0.0) & np.isclose(gain, -bias) & (model.actuator_dyntype == 0)
+    return (
+        on_joint
+        & (gain > 0.0)
+        & np.isclose(gain, -bias)
+        & (model.actuator_dyntype == 0)
+    )
 
 
 def _servos(model: MjModel, rest: Rest) -> Iterator[Give]:
@@ -342,7 +440,10 @@ def _servos(model: MjModel, rest: Rest) -> Iterator[Give]:
 
     for servo in np.flatnonzero(is_servo(model)).tolist():
         joint = int(model.actuator_trnid[servo, 0])
-        if model.jnt_type[joint] not in (HINGE, SLIDE) or rest.data.qfrc_constraint[model.jnt_dofadr[joint]]:
+        if (
+            model.jnt_type[joint] not in (HINGE, SLIDE)
+            or rest.data.qfrc_constraint[model.jnt_dofadr[joint]]
+        ):
             continue
 
         def short(model, data, servo=servo) -> float:
@@ -352,13 +453,18 @@ def _servos(model: MjModel, rest: Rest) -> Iterator[Give]:
         times[servo] = max(1.0, math.ceil(short(model, rest.data) / LEAST[unit]))
         yield Give(
             "servo",
-            model.actuator(servo).name or model.joint(joint).name or f"actuator_{servo}",
+            model.actuator(servo).name
+            or model.joint(joint).name
+            or f"actuator_{servo}",
             "error",
             "is how far gravity pulls it from its target",
             short,
             [
                 ('gravcomp="1" on the bodies that it carries', light),
-                (f'kp="{times[servo] * model.actuator_gainprm[servo, 0]:.4g}" on it', stiffer),
+                (
+                    f'kp="{times[servo] * model.actuator_gainprm[servo, 0]:.4g}" on it',
+                    stiffer,
+                ),
             ],
             unit,
             needs_way=True,
@@ -374,9 +480,13 @@ def _passed(scene: Scene, rest: Rest) -> Iterator[Finding]:
     pairs = np.stack([contacts.first, contacts.second], axis=1)
     pairs = np.concatenate([pairs, pairs[:, ::-1]])
     # What moves is passed by on all sides within a tenth of a second.
-    walls = np.isin(model.geom_type, PLATES) & (model.body_weldid[model.geom_bodyid] == 0)
+    walls = np.isin(model.geom_type, PLATES) & (
+        model.body_weldid[model.geom_bodyid] == 0
+    )
     pairs = pairs[walls[pairs[:, 1]]]
-    for geom, wall in pairs[_crossing(model, pairs, [places_of(data), *rest.places])][:MOST_CROSSINGS].tolist():
+    for geom, wall in pairs[_crossing(model, pairs, [places_of(data), *rest.places])][
+        :MOST_CROSSINGS
+    ].tolist():
         axis = int(model.geom_aabb[wall, 3:].argmin())
         pair = np.array([[geom, wall]])
         thick = M * 2.0 * model.geom_aabb[wall, 3 + axis]
@@ -386,14 +496,22 @@ def _passed(scene: Scene, rest: Rest) -> Iterator[Finding]:
             def thicker(model, data, wall=wall, axis=axis, times=times) -> None:
                 kind = model.geom_type[wall]
                 mesh = model.geom_dataid[wall]
-                model.geom_size[wall, axis // 2 if kind == CYLINDER else axis] *= times  # its radius, then its length
+                model.geom_size[wall, axis // 2 if kind == CYLINDER else axis] *= (
+                    times  # its radius, then its length
+                )
                 if kind == MESH:
-                    model.mesh_vert[model.mesh_vertadr[mesh] :][: model.mesh_vertnum[mesh], axis] *= times
+                    model.mesh_vert[model.mesh_vertadr[mesh] :][
+                        : model.mesh_vertnum[mesh], axis
+                    ] *= times
                 model.geom_aabb[wall, 3 + axis] *= times
                 model.geom_rbound[wall] = np.linalg.norm(model.geom_aabb[wall, 3:])
                 model.opt.disableflags |= UNSORTED  # whose tree of boxes is compiled
 
-            after = _again(scene, rest.start, thicker) if times * thick < 2.0 * M * distance else None
+            after = (
+                _again(scene, rest.start, thicker)
+                if times * thick < 2.0 * M * distance
+                else None
+            )
             if after and not _crossing(model, pair, after.places).any():
                 yield Finding(
                     "tunnel",
@@ -406,12 +524,16 @@ def _passed(scene: Scene, rest: Rest) -> Iterator[Finding]:
                     "mm",
                     "error",
                     scene.source.geom(wall),
-                    Advice(f"a thickness of {times * thick:.3g} mm stops it, measured; or a softer drive"),
+                    Advice(
+                        f"a thickness of {times * thick:.3g} mm stops it, measured; or a softer drive"
+                    ),
                 )
                 return
 
 
-def _crossing(model: MjModel, pairs: np.ndarray, places: Sequence[Places]) -> np.ndarray:
+def _crossing(
+    model: MjModel, pairs: np.ndarray, places: Sequence[Places]
+) -> np.ndarray:
     """Tell of geoms and plates whether the geom has gone from one side of the plate to the other, and through it."""
     rows = np.arange(len(pairs))
     geoms, walls = pairs.T
@@ -420,12 +542,21 @@ def _crossing(model: MjModel, pairs: np.ndarray, places: Sequence[Places]) -> np
     crossing = np.zeros(len(pairs), dtype=bool)
     last = None
     for positions, axes in places:
-        way = np.einsum("nji,nj->ni", axes[walls].reshape(-1, 3, 3), positions[geoms] - positions[walls]) - centres
+        way = (
+            np.einsum(
+                "nji,nj->ni",
+                axes[walls].reshape(-1, 3, 3),
+                positions[geoms] - positions[walls],
+            )
+            - centres
+        )
         if last is not None:
             before = last[rows, axis]
             after = way[rows, axis]
             is_through = before * after < 0.0
-            share = np.where(is_through, before / np.where(is_through, before - after, 1.0), 0.0)
+            share = np.where(
+                is_through, before / np.where(is_through, before - after, 1.0), 0.0
+            )
             across = np.abs(last + (way - last) * share[:, None])
             crossing |= is_through & (across <= sizes).all(axis=1)
         last = way
@@ -455,7 +586,9 @@ def _released(scene: Scene, rest: Rest) -> Iterator[Finding]:
             before,
             "m/s or rad/s is how fast it is left, since it has no ctrl and servos pull to 0",
             element=key,
-            advice=Advice(f'ctrl="{_text(told.ctrl)}" in the <key>: {before:.3g} → {after:.3g} m/s or rad/s'),
+            advice=Advice(
+                f'ctrl="{_text(told.ctrl)}" in the <key>: {before:.3g} → {after:.3g} m/s or rad/s'
+            ),
         )
 
 
@@ -478,7 +611,10 @@ def _crowded(scene: Scene, rest: Rest) -> Iterator[Finding]:
         for pair in pairs[counts >= MOST_CONTACTS].tolist():
             field, geom = sorted(pair, key=lambda geom: model.geom_type[geom] != HFIELD)
             wide = model.hfield_size[model.geom_dataid[field]]
-            ncol, nrow = (max(2, round(2.0 * side / (0.7 * model.geom_rbound[geom]))) for side in wide[:2].tolist())
+            ncol, nrow = (
+                max(2, round(2.0 * side / (0.7 * model.geom_rbound[geom])))
+                for side in wide[:2].tolist()
+            )
             yield Finding(
                 "hfield",
                 names[geom],

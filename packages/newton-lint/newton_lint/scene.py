@@ -57,7 +57,10 @@ class Scene:
     def option(self) -> Option:
         option = option_of(self.model)
         # put_model of MuJoCo Warp before 3.17 refuses noslip_iterations, and the law is asked of the scene without.
-        return replace(option, noslip=option.noslip and (self.engine.name == "mujoco" or has_noslip()))
+        return replace(
+            option,
+            noslip=option.noslip and (self.engine.name == "mujoco" or has_noslip()),
+        )
 
     @cached_property
     def contacts(self) -> Contacts:
@@ -67,28 +70,45 @@ class Scene:
     def colliding(self) -> int:
         """Say how many geoms can collide."""
         model = self.model
-        named = np.zeros(model.ngeom, dtype=bool)  # a <pair> makes contacts whatever the bits of its geoms are
+        named = np.zeros(
+            model.ngeom, dtype=bool
+        )  # a <pair> makes contacts whatever the bits of its geoms are
         named[model.pair_geom1] = named[model.pair_geom2] = True
-        return int(np.count_nonzero(model.geom_contype | model.geom_conaffinity | named))
+        return int(
+            np.count_nonzero(model.geom_contype | model.geom_conaffinity | named)
+        )
 
     @cached_property
     def bodies(self) -> list[str]:
         """Return names of the bodies; one without a name goes by its number."""
-        return [self.model.body(index).name or f"body_{index}" for index in range(self.model.nbody)]
+        return [
+            self.model.body(index).name or f"body_{index}"
+            for index in range(self.model.nbody)
+        ]
 
     @cached_property
     def names(self) -> list[str]:
         """Return body and geom of each geom, ``cube/box``; of the world's only the geom."""
         model = self.model
-        geoms = [model.geom(index).name or f"geom_{index}" for index in range(model.ngeom)]
+        geoms = [
+            model.geom(index).name or f"geom_{index}" for index in range(model.ngeom)
+        ]
         owners = [self.bodies[body] if body else "" for body in model.geom_bodyid]
-        return [geom if owner in ("", geom) else f"{owner}/{geom}" for owner, geom in zip(owners, geoms, strict=True)]
+        return [
+            geom if owner in ("", geom) else f"{owner}/{geom}"
+            for owner, geom in zip(owners, geoms, strict=True)
+        ]
 
     @cached_property
     def pair_indices(self) -> dict[tuple[int, int], int]:
         """Return the index of each pair by its geoms, the lower first."""
-        pairs = np.sort(np.stack([self.contacts.first, self.contacts.second], axis=1), axis=1)
-        return {(int(geom1), int(geom2)): index for index, (geom1, geom2) in enumerate(pairs)}
+        pairs = np.sort(
+            np.stack([self.contacts.first, self.contacts.second], axis=1), axis=1
+        )
+        return {
+            (int(geom1), int(geom2)): index
+            for index, (geom1, geom2) in enumerate(pairs)
+        }
 
     def pair_element(self, contact: int) -> Element | None:
         """Return the ``<pair>`` that names the geoms of a contact."""
@@ -100,7 +120,9 @@ class Scene:
         """Tell whether a geom's own parameters count in any pair."""
         contacts = self.contacts
         counting = np.zeros(self.model.ngeom, dtype=bool)
-        plain = contacts.named < 0  # mj_collide reads a <pair>'s own parameters, and none of its geoms
+        plain = (
+            contacts.named < 0
+        )  # mj_collide reads a <pair>'s own parameters, and none of its geoms
         counting[contacts.first[plain]] = True
         counting[contacts.second[plain & ~contacts.outranked]] = True
         return counting
@@ -111,4 +133,6 @@ class Scene:
         model = self.model
         loose = np.zeros(model.nbody, dtype=bool)
         loose[model.jnt_bodyid[model.jnt_type == FREE]] = True
-        return loose[model.body_weldid]  # a body without joints moves as the one that it is welded to
+        return loose[
+            model.body_weldid
+        ]  # a body without joints moves as the one that it is welded to

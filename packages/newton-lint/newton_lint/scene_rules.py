@@ -27,13 +27,23 @@ def lost(scene: Scene) -> Iterator[Finding]:
     model = scene.model
     contacts = scene.contacts
     tree = model.body_rootid[model.geom_bodyid]
-    collides = np.isin(np.arange(model.ngeom), read(model)) | (scene.colliding == 0)  # of all masks that are off
-    is_whole = len(read(model)) == np.count_nonzero(model.geom_contype | model.geom_conaffinity)
+    collides = np.isin(np.arange(model.ngeom), read(model)) | (
+        scene.colliding == 0
+    )  # of all masks that are off
+    is_whole = len(read(model)) == np.count_nonzero(
+        model.geom_contype | model.geom_conaffinity
+    )
     is_free = scene.free[tree]
     met = {*tree[contacts.first].tolist(), *tree[contacts.second].tolist()}
-    falls = bool(model.opt.gravity.any()) and not model.opt.disableflags & (WEIGHTLESS | OFF)
+    falls = bool(model.opt.gravity.any()) and not model.opt.disableflags & (
+        WEIGHTLESS | OFF
+    )
     others = np.flatnonzero(~is_free)
-    for body in sorted({*tree[is_free & collides].tolist()} - met) if falls and is_whole and len(others) else ():
+    for body in (
+        sorted({*tree[is_free & collides].tolist()} - met)
+        if falls and is_whole and len(others)
+        else ()
+    ):
         bits = int(np.bitwise_or.reduce(model.geom_contype[tree != body]))
         geom = int(np.flatnonzero(tree == body)[0] if bits else others[0])
         yield Finding(
@@ -43,7 +53,12 @@ def lost(scene: Scene) -> Iterator[Finding]:
             float(model.geom_contype[geom]),
             "meets no geom of another body, and falls through all of them: no geom's bits meet those of its geoms",
             element=scene.source.authored(geom, "contype") or scene.source.geom(geom),
-            advice=for_geom(scene, geom, {"contype": f"{bits or 1}", "conaffinity": f"{bits or 1}"}, "it is met"),
+            advice=for_geom(
+                scene,
+                geom,
+                {"contype": f"{bits or 1}", "conaffinity": f"{bits or 1}"},
+                "it is met",
+            ),
         )
 
 
@@ -53,12 +68,30 @@ def fixed(scene: Scene) -> Iterator[Finding]:
     data = mujoco.MjData(scene.model)
     tree = scene.model.body_rootid[scene.model.geom_bodyid]
     mujoco.mj_kinematics(model, data)
-    static = np.flatnonzero(~np.isin(tree, model.body_rootid[model.jnt_bodyid])).tolist()
-    for body in np.flatnonzero((model.body_parentid == 0) & (model.body_mocapid < 0))[1:].tolist():
-        geoms = [geom for geom in static if tree[geom] == body and model.geom_contype[geom]]
-        elements = [element for geom in geoms if (element := scene.source.geom(geom)) and "mass" in element.attributes]
-        pairs = ((geom, other) for other in range(model.ngeom) for geom in geoms if tree[other] != body)
-        near = (mujoco.mj_geomDistance(model, data, *pair, NEAR_M, None) < NEAR_M for pair in pairs)
+    static = np.flatnonzero(
+        ~np.isin(tree, model.body_rootid[model.jnt_bodyid])
+    ).tolist()
+    for body in np.flatnonzero((model.body_parentid == 0) & (model.body_mocapid < 0))[
+        1:
+    ].tolist():
+        geoms = [
+            geom for geom in static if tree[geom] == body and model.geom_contype[geom]
+        ]
+        elements = [
+            element
+            for geom in geoms
+            if (element := scene.source.geom(geom)) and "mass" in element.attributes
+        ]
+        pairs = (
+            (geom, other)
+            for other in range(model.ngeom)
+            for geom in geoms
+            if tree[other] != body
+        )
+        near = (
+            mujoco.mj_geomDistance(model, data, *pair, NEAR_M, None) < NEAR_M
+            for pair in pairs
+        )
         if elements and not any(near):
             element = elements[0]
             yield Finding(
@@ -82,17 +115,25 @@ def visual(scene: Scene) -> Iterator[Finding]:
     root = scene.source.root
     if root is None or root.tag != "mujoco" or model.npair:
         return
-    with contextlib.suppress(ValueError, AttributeError):  # an old release has no MjSpec that could
+    with contextlib.suppress(
+        ValueError, AttributeError
+    ):  # an old release has no MjSpec that could
         spec = mujoco.MjSpec.from_file(str(root.file))
         count = 0
         for body in () if spec.compiler.inertiagrouprange[0] else spec.bodies[1:]:
-            seen = [geom for geom in body.geoms if not geom.contype and not geom.conaffinity]
+            seen = [
+                geom for geom in body.geoms if not geom.contype and not geom.conaffinity
+            ]
             if 0 < len(seen) < len(body.geoms) and not body.explicitinertial:
                 for geom in seen:
                     geom.mass = 0.0
                     count = count + 1
         light = spec.compile() if count else model
-        times = model.body_mass / np.maximum(light.body_mass, mujoco.mjMINVAL) * (model.body_weldid > 0)
+        times = (
+            model.body_mass
+            / np.maximum(light.body_mass, mujoco.mjMINVAL)
+            * (model.body_weldid > 0)
+        )
         heavier = times > HEAVIER
         is_twice = (np.abs(times[heavier] - 2.0) < TWICE).all()  # else it may be meant
         for body in np.flatnonzero(heavier).tolist():
@@ -108,7 +149,9 @@ def visual(scene: Scene) -> Iterator[Finding]:
                 None,
                 "kg",
                 "warning" if is_twice else "note",
-                advice=Advice(f'mass="0" on them, or an <inertial> in the body: {mass:.3g} → {used:.3g} kg'),
+                advice=Advice(
+                    f'mass="0" on them, or an <inertial> in the body: {mass:.3g} → {used:.3g} kg'
+                ),
             )
 
 
@@ -120,11 +163,21 @@ def closed(scene: Scene) -> Iterator[Finding]:
         mesh = int(model.geom_dataid[geom])
         if (start := int(model.mesh_graphadr[mesh])) < 0:  # it has no hull
             continue
-        vertices = model.mesh_vert[model.mesh_vertadr[mesh] :][: model.mesh_vertnum[mesh]].astype(float)
-        corners = vertices[model.mesh_face[model.mesh_faceadr[mesh] :][: model.mesh_facenum[mesh]]]
+        vertices = model.mesh_vert[model.mesh_vertadr[mesh] :][
+            : model.mesh_vertnum[mesh]
+        ].astype(float)
+        corners = vertices[
+            model.mesh_face[model.mesh_faceadr[mesh] :][: model.mesh_facenum[mesh]]
+        ]
         count, faces = model.mesh_graph[start : start + 2].tolist()
-        hull = vertices[model.mesh_graph[start + 2 + 3 * count + 3 * faces :][: 3 * faces].reshape(-1, 3)]
-        full, hollow = (abs(np.linalg.det(triangles).sum()) for triangles in (hull, corners))
+        hull = vertices[
+            model.mesh_graph[start + 2 + 3 * count + 3 * faces :][: 3 * faces].reshape(
+                -1, 3
+            )
+        ]
+        full, hollow = (
+            abs(np.linalg.det(triangles).sum()) for triangles in (hull, corners)
+        )
         if full > HOLLOW * hollow > 0.0:
             yield Finding(
                 "closed",
@@ -160,7 +213,9 @@ def pyramid(scene: Scene) -> Iterator[Finding]:
             advice,
         )
     if steepest > STEEP:
-        softer = 0.5 * steepest**2 * (1.0 + steepest**2)  # its R by mj_makeImpedance, of condim 3, over an ellipse's
+        softer = (
+            0.5 * steepest**2 * (1.0 + steepest**2)
+        )  # its R by mj_makeImpedance, of condim 3, over an ellipse's
         yield _scene_finding(
             scene,
             "pyramid",
@@ -173,7 +228,9 @@ def pyramid(scene: Scene) -> Iterator[Finding]:
 
 def unread(scene: Scene) -> Iterator[Finding]:
     """Yield how many geoms are left out where all of them make too many pairs."""
-    count = np.count_nonzero(scene.model.geom_contype | scene.model.geom_conaffinity) - len(read(scene.model))
+    count = np.count_nonzero(
+        scene.model.geom_contype | scene.model.geom_conaffinity
+    ) - len(read(scene.model))
     if count:
         yield _scene_finding(
             scene,
@@ -188,11 +245,24 @@ def unread(scene: Scene) -> Iterator[Finding]:
 def engine(scene: Scene) -> Iterator[Finding]:
     """Yield what MuJoCo Warp says of a scene, in its words."""
     if scene.engine.name == "warp" and (refused := refusal(scene.model)):
-        yield _scene_finding(scene, "engine", "", 1.0, f"MuJoCo Warp refuses this model: {refused}", severity="error")
+        yield _scene_finding(
+            scene,
+            "engine",
+            "",
+            1.0,
+            f"MuJoCo Warp refuses this model: {refused}",
+            severity="error",
+        )
 
 
 def _scene_finding(
-    scene: Scene, rule: str, parameter: str, value: float, message: str, advice=None, severity="warning"
+    scene: Scene,
+    rule: str,
+    parameter: str,
+    value: float,
+    message: str,
+    advice=None,
+    severity="warning",
 ) -> Finding:
     return Finding(
         rule,

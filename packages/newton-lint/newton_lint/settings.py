@@ -25,7 +25,11 @@ def table_of(folder: Path) -> dict[str, Any]:
         file = parent / "pyproject.toml"
         if file.is_file():
             try:
-                return tomllib.loads(file.read_text(encoding="utf-8")).get("tool", {}).get("newton-lint", {})
+                return (
+                    tomllib.loads(file.read_text(encoding="utf-8"))
+                    .get("tool", {})
+                    .get("newton-lint", {})
+                )
             except (ValueError, OSError) as error:
                 raise TargetError(f"{file}: cannot be read: {error}") from error
     return {}
@@ -50,6 +54,9 @@ def is_ignored(finding: Finding, source: Source, rules: Collection[str]) -> bool
 def _comments(file: Path) -> list[tuple[int, set[str]]]:
     text = file.read_text(encoding="utf-8", errors="replace")
     return [
-        (text.count("\n", 0, match.start()) + 1, {rule.strip() for rule in (match[1] or "").split(",")} - {""})
+        (
+            text.count("\n", 0, match.start()) + 1,
+            {rule.strip() for rule in (match[1] or "").split(",")} - {""},
+        )
         for match in COMMENT.finditer(text)
     ]

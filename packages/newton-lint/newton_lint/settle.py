@@ -11,7 +11,13 @@ import numpy as np
 from mujoco import MjData, MjModel
 
 from newton_lint.findings import Advice, Finding
-from newton_lint.law import M, Response, response_of, settled_impedance, shared_slide_m_s
+from newton_lint.law import (
+    M,
+    Response,
+    response_of,
+    settled_impedance,
+    shared_slide_m_s,
+)
 from newton_lint.scene import Scene
 from newton_lint.target import Target, TargetError
 
@@ -101,7 +107,11 @@ class Hold:
 
     def findings(self, scene: Scene, below_mm_s: float) -> Iterator[Finding]:
         """Say that it slides, has not settled, or creeps faster than it may."""
-        touching = tuple(dict.fromkeys(scene.names[geom] for touch in self.touches for geom in touch.geoms))
+        touching = tuple(
+            dict.fromkeys(
+                scene.names[geom] for touch in self.touches for geom in touch.geoms
+            )
+        )
         if not self.rests:
             yield Finding(
                 "unsettled",
@@ -116,7 +126,17 @@ class Hold:
             )
         elif self.slides:
             message = "slides: what it has to bear is beyond the cone of friction"
-            yield Finding("slides", self.name, "load", self.load_n, message, touching, None, "N", "error")
+            yield Finding(
+                "slides",
+                self.name,
+                "load",
+                self.load_n,
+                message,
+                touching,
+                None,
+                "N",
+                "error",
+            )
         elif self.mm_s > below_mm_s:
             yield Finding(
                 "creep",
@@ -127,11 +147,20 @@ class Hold:
                 touching,
                 below_mm_s,
                 "mm/s",
-                advice=Advice(f"newton-lint prescribe … --hold {self.name} --below {below_mm_s:g} searches settings"),
+                advice=Advice(
+                    f"newton-lint prescribe … --hold {self.name} --below {below_mm_s:g} searches settings"
+                ),
             )
 
     def as_json(self) -> dict[str, Any]:
-        names = ("load_n", "point_count", "mm_s", "acceleration_mm_s", "slides", "moves_mm_s")
+        names = (
+            "load_n",
+            "point_count",
+            "mm_s",
+            "acceleration_mm_s",
+            "slides",
+            "moves_mm_s",
+        )
         values = {"body": self.name} | {name: getattr(self, name) for name in names}
         return values | ({"mm_s": None} if self.slides else {})  # JSON has no infinity
 
@@ -139,15 +168,21 @@ class Hold:
 def settled_hold(scene: Scene, target: Target, work: Work) -> Hold | None:
     """Let the scene settle and predict what its body creeps, None if nothing touches it; TargetError without a body."""
     if work.body not in scene.bodies[1:]:
-        raise TargetError(f"{target.name}: has no body {work.body}; it has {', '.join(scene.bodies[1:][:12])}")
+        raise TargetError(
+            f"{target.name}: has no body {work.body}; it has {', '.join(scene.bodies[1:][:12])}"
+        )
     body = scene.bodies.index(work.body)
     for share in EARLIER:
         time_s = share * work.settle_s
-        data = settled(scene.model, started(scene.model, target.data), time_s * (1.0 - READ_SHARE))
+        data = settled(
+            scene.model, started(scene.model, target.data), time_s * (1.0 - READ_SHARE)
+        )
         steps = max(1, round(time_s * READ_SHARE / scene.model.opt.timestep))
         if touches := touches_of(scene, data, body, steps):
             hold = predicted_hold(scene, body, touches, work, data)
-            return hold if share == 1.0 else replace(hold, mm_s=math.inf)  # it was held, and is lost
+            return (
+                hold if share == 1.0 else replace(hold, mm_s=math.inf)
+            )  # it was held, and is lost
     return None
 
 
@@ -156,7 +191,15 @@ def started(model: MjModel, state: MjData | None = None) -> MjData:
     data = MjData(model)
     if state is not None:
         data.time = state.time  # mj_copyData asks for data of the same model, and this one may have other options
-        for name in ("qpos", "qvel", "act", "ctrl", "mocap_pos", "mocap_quat", "qacc_warmstart"):
+        for name in (
+            "qpos",
+            "qvel",
+            "act",
+            "ctrl",
+            "mocap_pos",
+            "mocap_quat",
+            "qacc_warmstart",
+        ):
             getattr(data, name)[:] = getattr(state, name)
     elif model.nkey:
         mujoco.mj_resetDataKeyframe(model, data, 0)
@@ -173,7 +216,9 @@ def touches_of(scene: Scene, data: MjData, body: int, step_count: int) -> list[T
     model = scene.model
     body_of = scene.model.geom_bodyid
     is_held = model.body_weldid == model.body_weldid[body]
-    readings: defaultdict[tuple[tuple[int, int], int], list[dict[str, Any]]] = defaultdict(list)
+    readings: defaultdict[tuple[tuple[int, int], int], list[dict[str, Any]]] = (
+        defaultdict(list)
+    )
     for _ in range(step_count):
         mujoco.mj_step(model, data)
         counts: Counter[tuple[int, int]] = Counter()
@@ -181,7 +226,9 @@ def touches_of(scene: Scene, data: MjData, body: int, step_count: int) -> list[T
         on_body = (geoms >= 0) & is_held[body_of[geoms]]  # -1 is the side of a flex
         for index in np.flatnonzero(on_body[:, 0] != on_body[:, 1]).tolist():
             # mj_contactForce is what acts on the second geom.
-            if reading := _reading(scene, data, index, 1.0 if on_body[index, 1] else -1.0):
+            if reading := _reading(
+                scene, data, index, 1.0 if on_body[index, 1] else -1.0
+            ):
                 geom1, geom2 = sorted(geoms[index].tolist())
                 readings[(geom1, geom2), counts[geom1, geom2]].append(reading)
                 counts[geom1, geom2] += 1
@@ -192,33 +239,58 @@ def touches_of(scene: Scene, data: MjData, body: int, step_count: int) -> list[T
         touches.append(
             Touch(
                 geoms=pair,
-                support=next(int(side) for side in body_of[list(pair)] if not is_held[side]),
+                support=next(
+                    int(side) for side in body_of[list(pair)] if not is_held[side]
+                ),
                 share=len(series) / step_count,
-                **{name: total / (step_count if name in FORCES else len(series)) for name, total in sums.items()},
+                **{
+                    name: total / (step_count if name in FORCES else len(series))
+                    for name, total in sums.items()
+                },
             )
         )
     return touches
 
 
-def _reading(scene: Scene, data: MjData, index: int, sign: float) -> dict[str, Any] | None:
+def _reading(
+    scene: Scene, data: MjData, index: int, sign: float
+) -> dict[str, Any] | None:
     """Return what a contact bears, with the friction times a sign; None where it presses nothing."""
     model = scene.model
     contact = data.contact[index]
     force = np.zeros(6)
-    if contact.efc_address < 0:  # within the gap, or without a dof: it is listed, and has no rows
+    if (
+        contact.efc_address < 0
+    ):  # within the gap, or without a dof: it is listed, and has no rows
         return None
     mujoco.mj_contactForce(model, data, index, force)
     if force[0] <= 0.0:
         return None
     frame = contact.frame.reshape(3, 3)  # its rows: normal, then both tangents
     shares = np.abs(force[1:3]) / contact.friction[:2]
-    used = float(shares.sum() if scene.option.cone == "pyramidal" else np.hypot(*shares)) / force[0]
+    used = (
+        float(shares.sum() if scene.option.cone == "pyramidal" else np.hypot(*shares))
+        / force[0]
+    )
     weight = _weight(scene, data, index)
     along1, along2 = force[1:3] ** 2 / max(force[1:3] @ force[1:3], mujoco.mjMINVAL)
     # mj_makeImpedance: R μ² is the same along both tangents.
-    softer = along1 + along2 * (contact.friction[0] / contact.friction[1]) ** 2 if along1 + along2 else 1.0
-    means = {"normal_n": force[0], "tangential_n": sign * (force[1:3] @ frame[1:]), "normal": frame[0].copy()}
-    return means | {"position": contact.pos.copy(), "used": used, "weight_1_kg": weight, "softer": softer}
+    softer = (
+        along1 + along2 * (contact.friction[0] / contact.friction[1]) ** 2
+        if along1 + along2
+        else 1.0
+    )
+    means = {
+        "normal_n": force[0],
+        "tangential_n": sign * (force[1:3] @ frame[1:]),
+        "normal": frame[0].copy(),
+    }
+    return means | {
+        "position": contact.pos.copy(),
+        "used": used,
+        "weight_1_kg": weight,
+        "softer": softer,
+    }
 
 
 def _weight(scene: Scene, data: MjData, index: int) -> float:
@@ -226,13 +298,17 @@ def _weight(scene: Scene, data: MjData, index: int) -> float:
     model = scene.model
     contact = data.contact[index]
     stiffness, damping, d = data.efc_KBIP[contact.efc_address, :3]
-    weight = data.efc_R[contact.efc_address] * d / (1.0 - d)  # mj_makeImpedance: R = (1 - d) / d · weight
+    weight = (
+        data.efc_R[contact.efc_address] * d / (1.0 - d)
+    )  # mj_makeImpedance: R = (1 - d) / d · weight
     if scene.option.discrete:
         h = model.opt.timestep
         weight *= 1.0 + damping * h + stiffness * d * h * h
     if scene.option.cone == "pyramidal" and contact.dim > 1:
         mu = contact.friction[0]
-        weight *= model.opt.impratio / (2.0 * mu**2 * (1.0 + mu**2))  # so much of R and of the weight has an edge
+        weight *= model.opt.impratio / (
+            2.0 * mu**2 * (1.0 + mu**2)
+        )  # so much of R and of the weight has an edge
     return weight
 
 
@@ -245,20 +321,28 @@ def weigh(scene: Scene, data: MjData) -> None:
             scene.contacts.weight[pair] = _weight(scene, data, index)
 
 
-def predicted_hold(scene: Scene, body: int, touches: Sequence[Touch], work: Work, data: MjData) -> Hold:
+def predicted_hold(
+    scene: Scene, body: int, touches: Sequence[Touch], work: Work, data: MjData
+) -> Hold:
     """Return the creep by the law of a body that is held as in ``data``, with a scene's settings and more loads."""
     model = scene.model
     option = scene.option
     mass = model.body_subtreemass[body]
     gravity = model.opt.gravity
     down = gravity / max(np.linalg.norm(gravity), 1e-12)
-    flat = np.mean([np.eye(3) - np.outer(touch.normal, touch.normal) for touch in touches], axis=0)
+    flat = np.mean(
+        [np.eye(3) - np.outer(touch.normal, touch.normal) for touch in touches], axis=0
+    )
     pairs = scene.pair_indices
     turning = np.zeros(3)
     points = []
     for touch in touches:
-        contact = replace(scene.contacts.contact(pairs[touch.geoms]), weight_1_kg=touch.weight_1_kg)
-        plain = response_of(contact, option, settled_impedance(contact, option, touch.normal_n))
+        contact = replace(
+            scene.contacts.contact(pairs[touch.geoms]), weight_1_kg=touch.weight_1_kg
+        )
+        plain = response_of(
+            contact, option, settled_impedance(contact, option, touch.normal_n)
+        )
         mu = plain.mu / math.sqrt(touch.softer)
         response = replace(plain, load_m_s_n=plain.load_m_s_n * touch.softer, mu=mu)
         points.append((response, touch.normal_n))
@@ -268,10 +352,17 @@ def predicted_hold(scene: Scene, body: int, touches: Sequence[Touch], work: Work
             across = outward - (outward @ touch.normal) * touch.normal
             turning = turning + response.acceleration_s * across / len(touches)
     arm = data.subtree_com[body] - data.xpos[model.body_rootid[touches[0].support]]
-    more = flat @ (mass * (work.lift_m_s2 * down + work.turn_rad_s**2 * (arm - (arm @ down) * down)))
-    load = more - sum((touch.tangential_n for touch in touches), np.zeros(3))  # what friction has to hold
+    more = flat @ (
+        mass
+        * (work.lift_m_s2 * down + work.turn_rad_s**2 * (arm - (arm @ down) * down))
+    )
+    load = more - sum(
+        (touch.tangential_n for touch in touches), np.zeros(3)
+    )  # what friction has to hold
     total = np.linalg.norm(load)
-    grip = sum(touch.used * touch.normal_n for touch in touches) / sum(touch.normal_n for touch in touches)
+    grip = sum(touch.used * touch.normal_n for touch in touches) / sum(
+        touch.normal_n for touch in touches
+    )
     slide = shared_slide_m_s(points, total)
     creep = np.zeros(3)
     if all(response.load_m_s_n for response, _ in points) and slide < 1.0 and total:
@@ -294,7 +385,12 @@ def predicted_hold(scene: Scene, body: int, touches: Sequence[Touch], work: Work
 
 
 def _slide(
-    model: MjModel, data: MjData, touches: Sequence[Touch], points: Points, body: int, more_n: np.ndarray
+    model: MjModel,
+    data: MjData,
+    touches: Sequence[Touch],
+    points: Points,
+    body: int,
+    more_n: np.ndarray,
 ) -> np.ndarray:
     """Return a body's velocity [m/s] where its points give way to friction alone, by joints that move nothing else."""
     support = np.zeros((3, model.nv))
@@ -310,16 +406,25 @@ def _slide(
     for touch, (response, _) in zip(touches, points, strict=True):
         mujoco.mj_jac(model, data, jacobian, None, touch.position, body)
         along = np.eye(3) - np.outer(touch.normal, touch.normal)
-        stiffness = along / response.load_m_s_n + hard * np.outer(touch.normal, touch.normal)
+        stiffness = along / response.load_m_s_n + hard * np.outer(
+            touch.normal, touch.normal
+        )
         bears += jacobian[:, alone].T @ stiffness @ jacobian[:, alone]
         acts -= jacobian[:, alone].T @ touch.tangential_n
-    return centre @ np.linalg.lstsq(bears, acts, rcond=1e-12)[0]  # two points let it turn about the line between them
+    return (
+        centre @ np.linalg.lstsq(bears, acts, rcond=1e-12)[0]
+    )  # two points let it turn about the line between them
 
 
 def _speed(model: MjModel, data: MjData, body: int, support: int) -> float:
     motion = np.zeros(6)
     carrier = np.zeros(6)
-    for moving, into in ((body, motion), (support, carrier)):  # rotation first, then translation
-        mujoco.mj_objectVelocity(model, data, int(mujoco.mjtObj.mjOBJ_BODY), moving, into, 0)
+    for moving, into in (
+        (body, motion),
+        (support, carrier),
+    ):  # rotation first, then translation
+        mujoco.mj_objectVelocity(
+            model, data, int(mujoco.mjtObj.mjOBJ_BODY), moving, into, 0
+        )
     carried = carrier[3:] + np.cross(carrier[:3], data.xpos[body] - data.xpos[support])
     return np.linalg.norm(motion[3:] - carried)

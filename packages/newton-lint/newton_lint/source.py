@@ -48,10 +48,14 @@ def parse(path: Path, root: Path | None = None, texts: Texts | None = None) -> E
     roots: list[Element] = []
 
     def start(tag: str, attributes: dict[str, str]) -> None:
-        element = Element(tag, attributes, path, parser.CurrentLineNumber, parser.CurrentByteIndex)
+        element = Element(
+            tag, attributes, path, parser.CurrentLineNumber, parser.CurrentByteIndex
+        )
         # As IncludeXML of MuJoCo's xml.cc: the children of its root stand where the tag stood.
         if tag == "include" and open_elements and "file" in attributes:
-            open_elements[-1].children.extend(_included(attributes["file"], path, root, texts))
+            open_elements[-1].children.extend(
+                _included(attributes["file"], path, root, texts)
+            )
         elif open_elements:
             open_elements[-1].children.append(element)
         else:
@@ -65,7 +69,10 @@ def parse(path: Path, root: Path | None = None, texts: Texts | None = None) -> E
 
 
 def _included(name: str, path: Path, root: Path, texts: Texts) -> list[Element]:
-    for folder in (root, path.parent):  # MuJoCo's order: beside the first file, then beside the one that includes
+    for folder in (
+        root,
+        path.parent,
+    ):  # MuJoCo's order: beside the first file, then beside the one that includes
         file = Path(os.path.normpath(folder / name))
         if file.is_file():
             return parse(file, root, texts).children
@@ -80,7 +87,9 @@ class Source:
         self._model = model
 
     @classmethod
-    def of(cls, path: Path | None, model: mujoco.MjModel, texts: Texts | None = None) -> "Source":
+    def of(
+        cls, path: Path | None, model: mujoco.MjModel, texts: Texts | None = None
+    ) -> "Source":
         try:
             return cls(parse(path, texts=texts) if path else None, model)
         except (OSError, expat.ExpatError, IndexError):
@@ -91,8 +100,14 @@ class Source:
         """Return the geoms of each body with their classes, in the order of the file."""
         if self.root is None or self.root.tag != "mujoco":
             return []
-        worlds = [child for world in self.root.sections("worldbody") for child in world.children]
-        return list(_bodies(Element("worldbody", {}, self.root.file, 1, 0, worlds), None))
+        worlds = [
+            child
+            for world in self.root.sections("worldbody")
+            for child in world.children
+        ]
+        return list(
+            _bodies(Element("worldbody", {}, self.root.file, 1, 0, worlds), None)
+        )
 
     @cached_property
     def geoms(self) -> dict[int, tuple[Element, str | None]]:
@@ -103,9 +118,15 @@ class Source:
         names = [model.geom(index).name for index in range(model.ngeom)]
         if list(map(len, bodies)) == model.body_geomnum.tolist():
             authored = [element.attributes.get("name", "") for element, _ in in_order]
-            if all(map(str.startswith, names, authored)):  # replicate appends to each name
+            if all(
+                map(str.startswith, names, authored)
+            ):  # replicate appends to each name
                 return dict(enumerate(in_order))
-        named = {geom[0].attributes["name"]: geom for geom in in_order if "name" in geom[0].attributes}
+        named = {
+            geom[0].attributes["name"]: geom
+            for geom in in_order
+            if "name" in geom[0].attributes
+        }
         return {index: named[name] for index, name in enumerate(names) if name in named}
 
     @cached_property
@@ -115,7 +136,9 @@ class Source:
         def visit(element: Element, outer: list[Element], name: str) -> None:
             chain = [element, *outer]
             # A class may stand in several <default>, as where two files are included: the last says more.
-            defaults[name] = chain + [default for default in defaults.get(name, []) if default not in chain]
+            defaults[name] = chain + [
+                default for default in defaults.get(name, []) if default not in chain
+            ]
             for child in element.sections("default"):
                 visit(child, chain, child.attributes.get("class", name))
 
@@ -130,7 +153,9 @@ class Source:
         element, name = self.geoms[geom]
         if attribute in element.attributes:
             return element
-        main = next(iter(self._defaults.values()), [])  # MJCF's first class counts for all, whatever its name
+        main = next(
+            iter(self._defaults.values()), []
+        )  # MJCF's first class counts for all, whatever its name
         for default in self._defaults.get(name, main) if name else main:
             for child in default.sections("geom"):
                 if attribute in child.attributes:
@@ -143,9 +168,17 @@ class Source:
 
     def option(self, attribute: str = "") -> Element | None:
         """Return the ``<option>`` that says an attribute; any where none does, and None where there is none."""
-        options = list(self.root.sections("option")) if self.root and self.root.tag == "mujoco" else []
-        authoring = [element for element in options if attribute in element.attributes] or options
-        return authoring[-1] if authoring else None  # of several MuJoCo's reader lets the last count
+        options = (
+            list(self.root.sections("option"))
+            if self.root and self.root.tag == "mujoco"
+            else []
+        )
+        authoring = [
+            element for element in options if attribute in element.attributes
+        ] or options
+        return (
+            authoring[-1] if authoring else None
+        )  # of several MuJoCo's reader lets the last count
 
     def key(self, index: int) -> Element | None:
         """Return a ``<key>``."""
@@ -154,27 +187,48 @@ class Source:
     def pair(self, *names: str) -> Element | None:
         """Return the ``<pair>`` of two geoms, by their names."""
         pairs = self._within("contact", "pair")
-        return next((p for p in pairs if {p.attributes.get("geom1"), p.attributes.get("geom2")} == {*names}), None)
+        return next(
+            (
+                p
+                for p in pairs
+                if {p.attributes.get("geom1"), p.attributes.get("geom2")} == {*names}
+            ),
+            None,
+        )
 
     def _within(self, section: str, tag: str) -> Iterator[Element]:
         for element in self.root.sections(section) if self.root else ():
             yield from element.sections(tag)
 
 
-def _bodies(element: Element, inherited: str | None) -> Iterator[list[tuple[Element, str | None]]]:
+def _bodies(
+    element: Element, inherited: str | None
+) -> Iterator[list[tuple[Element, str | None]]]:
     """Yield the geoms of a body, and of those within it, with their classes."""
     children = list(_children(element, element.attributes.get("childclass", inherited)))
-    yield [(child, child.attributes.get("class", name)) for child, name in children if child.tag == "geom"]
+    yield [
+        (child, child.attributes.get("class", name))
+        for child, name in children
+        if child.tag == "geom"
+    ]
     for child, name in children:
         if child.tag == "body":
             yield from _bodies(child, name)
 
 
-def _children(element: Element, childclass: str | None) -> Iterator[tuple[Element, str | None]]:
+def _children(
+    element: Element, childclass: str | None
+) -> Iterator[tuple[Element, str | None]]:
     """Yield a body's children with their childclass; those of a replicate count as often as it says."""
     for child in element.children:
         if child.tag in GROUPS:
-            for _ in range(int(child.attributes.get("count", "1")) if child.tag == "replicate" else 1):
-                yield from _children(child, child.attributes.get("childclass", childclass))
+            for _ in range(
+                int(child.attributes.get("count", "1"))
+                if child.tag == "replicate"
+                else 1
+            ):
+                yield from _children(
+                    child, child.attributes.get("childclass", childclass)
+                )
         else:
             yield child, childclass

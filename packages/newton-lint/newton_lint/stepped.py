@@ -19,7 +19,10 @@ BUDGET_S = 5.0
 MOST_STARTS = 4
 MOST_DOFS = 3000
 # After one of them mj_checkPos and mj_checkAcc reset the state, which then looks sound: only the count stays.
-BAD = [int(getattr(mujoco.mjtWarning, f"mjWARN_BAD{name}")) for name in ("QPOS", "QVEL", "QACC")]
+BAD = [
+    int(getattr(mujoco.mjtWarning, f"mjWARN_BAD{name}"))
+    for name in ("QPOS", "QVEL", "QACC")
+]
 
 
 @dataclass(frozen=True)
@@ -87,7 +90,10 @@ def starts(model: MjModel, target: Target) -> list[Start]:
     if target.data is not None:
         return [Start("the given state", state=target.data)]
     keys = range(min(model.nkey, MOST_STARTS - 1))
-    return [Start("the start"), *(Start(f"keyframe {model.key(key).name or key}", key) for key in keys)]
+    return [
+        Start("the start"),
+        *(Start(f"keyframe {model.key(key).name or key}", key) for key in keys),
+    ]
 
 
 def runs_of(model: MjModel, target: Target, time_s: float = STEPPED_S) -> list[Run]:
@@ -156,7 +162,9 @@ def is_bad(data: MjData) -> bool:
 
 def deepest_of(data: MjData) -> float:
     """Return how deep the deepest contact is [m]; 0 where none is pressed in."""
-    return -data.contact.dist.min(initial=0.0) if data.ncon else 0.0  # dist is below 0 inside
+    return (
+        -data.contact.dist.min(initial=0.0) if data.ncon else 0.0
+    )  # dist is below 0 inside
 
 
 def overlaps(data: MjData) -> dict[tuple[int, int], float]:

@@ -53,9 +53,20 @@ def targets_of(names: Sequence[str], exclude: Sequence[str] = ()) -> Iterator[st
         if not Path(name).is_dir() or Path(name).suffix.lower() in ENDINGS:
             yield name
             continue
-        paths = (path for path in sorted(Path(name).rglob("*")) if "/." not in f"/{path.relative_to(name).as_posix()}")
-        files = [path for path in paths if path.suffix.lower() in ENDINGS and path.is_file()]
-        excluded = {path for path in files for glob in exclude if fnmatch(str(path), glob) or path.match(glob)}
+        paths = (
+            path
+            for path in sorted(Path(name).rglob("*"))
+            if "/." not in f"/{path.relative_to(name).as_posix()}"
+        )
+        files = [
+            path for path in paths if path.suffix.lower() in ENDINGS and path.is_file()
+        ]
+        excluded = {
+            path
+            for path in files
+            for glob in exclude
+            if fnmatch(str(path), glob) or path.match(glob)
+        }
         scenes = [path for path in files if path not in excluded and _is_scene(path)]
         if not scenes:
             raise TargetError(f"{name}: has no scene")
@@ -65,7 +76,9 @@ def targets_of(names: Sequence[str], exclude: Sequence[str] = ()) -> Iterator[st
 
 
 def _is_scene(path: Path) -> bool:
-    is_readable = path.suffix.lower() in MUJOCOS and os.access(path, os.R_OK)  # or it is said when it is read
+    is_readable = path.suffix.lower() in MUJOCOS and os.access(
+        path, os.R_OK
+    )  # or it is said when it is read
     return not is_readable or bool(ROOTS.search(path.read_bytes()))
 
 
@@ -84,17 +97,25 @@ def read_target(target: str) -> Target:
             return _read_file(target, path)
         if ":" in target:
             return _of(target, _returned(target))
-    raise TargetError(f"{target}: is none of FILE.xml, FILE.urdf, FILE.usd, FILE.py:function and module:function")
+    raise TargetError(
+        f"{target}: is none of FILE.xml, FILE.urdf, FILE.usd, FILE.py:function and module:function"
+    )
 
 
 def _read_file(target: str, path: Path) -> Target:
     if not path.is_file() or not os.access(path, os.R_OK):
-        raise TargetError(f"{path}: {'cannot be read' if path.exists() else 'there is no such file'}")
+        raise TargetError(
+            f"{path}: {'cannot be read' if path.exists() else 'there is no such file'}"
+        )
     if path.suffix.lower() in USD:
         return Target(target, None, newtons(target, NEWTONS, "imported", path))
     try:
         return Target(target, compiled(path), path=path)
-    except (ValueError, TypeError, mujoco.FatalError) as error:  # a TypeError of a name that is no text
+    except (
+        ValueError,
+        TypeError,
+        mujoco.FatalError,
+    ) as error:  # a TypeError of a name that is no text
         raise TargetError(f"{path}: MuJoCo refuses it: {_line(error)}") from error
 
 
@@ -107,7 +128,9 @@ def tried(target: Target, texts: Mapping[Path, bytes]) -> Target:
 def compiled(path: Path, texts: Mapping[Path, bytes] | None = None) -> MjModel:
     """Compile a file, or texts in place of what files hold; a ValueError where MuJoCo refuses it."""
     try:
-        return MjModel.from_xml_path(str(path), {str(file): text for file, text in (texts or {}).items()})
+        return MjModel.from_xml_path(
+            str(path), {str(file): text for file, text in (texts or {}).items()}
+        )
     except ValueError:
         if texts:
             raise
@@ -119,7 +142,9 @@ def compiled(path: Path, texts: Mapping[Path, bytes] | None = None) -> MjModel:
 
 def _without_pictures(spec: Any) -> MjModel:
     for material in spec.materials:
-        material.textures = [""] * len(material.textures)  # or spec.compile asks for what is deleted
+        material.textures = [""] * len(
+            material.textures
+        )  # or spec.compile asks for what is deleted
     for unread in (*spec.sensors, *spec.textures):
         spec.delete(unread)
     return spec.compile()
@@ -129,10 +154,16 @@ def _returned(target: str) -> Any:
     name, _, function = target.rpartition(":")
     sys.path.insert(0, str(Path(name).parent if name.endswith(".py") else Path.cwd()))
     try:
-        names = runpy.run_path(name) if name.endswith(".py") else vars(importlib.import_module(name))
+        names = (
+            runpy.run_path(name)
+            if name.endswith(".py")
+            else vars(importlib.import_module(name))
+        )
         return names[function]()
     except (Exception, SystemExit) as error:  # the code is the user's
-        raise TargetError(f"{target}: gives no model: {type(error).__name__}: {_line(error)}") from error
+        raise TargetError(
+            f"{target}: gives no model: {type(error).__name__}: {_line(error)}"
+        ) from error
     finally:
         sys.path.pop(0)
 
@@ -153,7 +184,9 @@ def _of(target: str, scene: Any) -> Target:
         return Target(target, scene, data=data if isinstance(data, MjData) else None)
     if "newton" in sys.modules and newtons(target, NEWTONS, "is_model", scene):
         return Target(target, None, scene)
-    raise TargetError(f"{target}: returns a {type(scene).__name__}, and no model of MuJoCo's or Newton's")
+    raise TargetError(
+        f"{target}: returns a {type(scene).__name__}, and no model of MuJoCo's or Newton's"
+    )
 
 
 def newtons(target: str, module: str, function: str, *arguments: Any) -> Any:
@@ -162,8 +195,12 @@ def newtons(target: str, module: str, function: str, *arguments: Any) -> Any:
         return attrgetter(function)(importlib.import_module(module))(*arguments)
     except ImportError as error:
         raise TargetError(f"{target}: {NEEDS_NEWTON} ({_line(error)})") from error
-    except Exception as error:  # whatever the importers meet in a file that is none of theirs
-        raise TargetError(f"{target}: cannot be read: {type(error).__name__}: {_line(error)}") from error
+    except (
+        Exception
+    ) as error:  # whatever the importers meet in a file that is none of theirs
+        raise TargetError(
+            f"{target}: cannot be read: {type(error).__name__}: {_line(error)}"
+        ) from error
 
 
 def _line(error: BaseException) -> str:

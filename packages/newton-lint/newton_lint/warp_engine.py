@@ -33,9 +33,14 @@ def refusal(model: mujoco.MjModel) -> str:
             warp.config.quiet = True
             warp.init()
     except ImportError as error:
-        raise TargetError(f"--engine warp takes MuJoCo Warp: pip install mujoco-warp ({error})") from error
+        raise TargetError(
+            f"--engine warp takes MuJoCo Warp: pip install mujoco-warp ({error})"
+        ) from error
     try:
-        with muted_standard_error(), warp.ScopedDevice("cpu"):  # a machine without a GPU is to answer too
+        with (
+            muted_standard_error(),
+            warp.ScopedDevice("cpu"),
+        ):  # a machine without a GPU is to answer too
             engine.put_model(model)
     except Exception as error:  # of several kinds, and all are its words
         return " ".join(str(error).split()) or type(error).__name__
@@ -45,5 +50,7 @@ def refusal(model: mujoco.MjModel) -> str:
 def has_noslip() -> bool:
     """Tell whether the installed release has the noslip pass."""
     with contextlib.suppress(ImportError), muted_standard_error():
-        return hasattr(importlib.import_module("mujoco_warp").Option, "noslip_iterations")
+        return hasattr(
+            importlib.import_module("mujoco_warp").Option, "noslip_iterations"
+        )
     return False

@@ -14,7 +14,9 @@ from measured_report.files.root import ROOT
 from measured_report.records.record import trace_path
 from measured_report.records.traces import load_trace
 
-pytestmark = pytest.mark.skipif(not shutil.which("node"), reason="there is no node to run the page's engine with")
+pytestmark = pytest.mark.skipif(
+    not shutil.which("node"), reason="there is no node to run the page's engine with"
+)
 RECORD = ROOT / "results/newton-1.4.0/lab.json"
 QUERIES = {
     "as-shipped": "",
@@ -51,7 +53,13 @@ NAMES = {
 
 def rows_in_node(queries, shake_frame_count, **env):
     command = ["node", ROOT / "assets/lab/run.mjs", RECORD, str(shake_frame_count)]
-    done = subprocess.run(command, input=json.dumps(queries), capture_output=True, text=True, env=os.environ | env)
+    done = subprocess.run(
+        command,
+        input=json.dumps(queries),
+        capture_output=True,
+        text=True,
+        env=os.environ | env,
+    )
     assert done.returncode == 0, done.stderr
     return [json.loads(line) for line in done.stdout.splitlines()]
 
@@ -61,11 +69,15 @@ def test_it_slips_as_the_tracked_runs_and_ends_in_their_class():
     """Two cycles of each, and what they end in of two."""
     for case, row in zip(QUERIES, rows_in_node([*QUERIES.values()], 121), strict=True):
         moved = load_trace(trace_path(RECORD, case))[["x_mm", "y_mm", "z_mm"]].iloc[120]
-        assert row["slip_mm"] == pytest.approx(np.linalg.norm(moved), rel=1e-3, abs=1e-4), case
+        assert row["slip_mm"] == pytest.approx(
+            np.linalg.norm(moved), rel=1e-3, abs=1e-4
+        ), case
     tracked = {row["case"]: row for row in json.loads(RECORD.read_text())["rows"]}
     [row] = rows_in_node([QUERIES[WHOLE]], 688)
     assert row["class"] == tracked[WHOLE]["class"]
-    assert row["slip_mm"] == pytest.approx(tracked[WHOLE]["slip_mm"], rel=0.01, abs=0.02)
+    assert row["slip_mm"] == pytest.approx(
+        tracked[WHOLE]["slip_mm"], rel=0.01, abs=0.02
+    )
     assert row["predicted_drift_mm_s"] == pytest.approx(row["drift_mm_s"], rel=0.02)
 
 
@@ -74,7 +86,10 @@ def test_it_ends_whatever_it_is_asked():
     chance = random.Random(4)
     queries = []
     for _ in range(RANDOM_COUNT):
-        said = {name: low * (high / low) ** chance.random() for name, (low, high) in NUMBERS.items()}
+        said = {
+            name: low * (high / low) ** chance.random()
+            for name, (low, high) in NUMBERS.items()
+        }
         said |= {name: chance.choice(choices) for name, choices in NAMES.items()}
         queries.append("&".join(f"{name}={value}" for name, value in said.items()))
     rows = rows_in_node(queries, 60)
@@ -83,7 +98,15 @@ def test_it_ends_whatever_it_is_asked():
 
 
 def test_what_an_address_says_badly_is_as_shipped_or_in_range():
-    queries = ["kd=nonsense&cone=round&substeps=2.4", "kd=1e99&substeps=2", "kd=100&substeps=2"]
+    queries = [
+        "kd=nonsense&cone=round&substeps=2.4",
+        "kd=1e99&substeps=2",
+        "kd=100&substeps=2",
+    ]
     badly, far, plain = rows_in_node(queries, 10)
-    assert badly["pad_kd"] == 100 and badly["cone"] == "elliptic" and badly["slip_mm"] == plain["slip_mm"]
+    assert (
+        badly["pad_kd"] == 100
+        and badly["cone"] == "elliptic"
+        and badly["slip_mm"] == plain["slip_mm"]
+    )
     assert far["pad_kd"] == 1e5

@@ -8,8 +8,12 @@ from pathlib import Path
 
 import pytest
 
-sync_api = pytest.importorskip("playwright.sync_api", reason="there is no Playwright to look at the site with")
-axe_core = pytest.importorskip("axe_playwright_python.base", reason="there is no axe to judge the site with")
+sync_api = pytest.importorskip(
+    "playwright.sync_api", reason="there is no Playwright to look at the site with"
+)
+axe_core = pytest.importorskip(
+    "axe_playwright_python.base", reason="there is no axe to judge the site with"
+)
 
 FRONT_BYTES = 10_000
 """Most that the front page may fetch for the trial before Run is pressed."""
@@ -34,7 +38,12 @@ def tab(browser, address, request) -> Iterator["sync_api.Page"]:
     tab = browser.new_page(**getattr(request, "param", {}))
     problems: list[str] = []
     tab.on("pageerror", lambda error: problems.append(str(error)))
-    tab.on("request", lambda asked: None if asked.url.startswith(address) else problems.append(asked.url))
+    tab.on(
+        "request",
+        lambda asked: (
+            None if asked.url.startswith(address) else problems.append(asked.url)
+        ),
+    )
     yield tab
     tab.close()
     assert problems == []
@@ -55,20 +64,29 @@ def test_run_shakes_the_cube_as_it_is_tracked_and_can_be_read_by_all(tab, addres
     assert tab.get_attribute("#lab-slip", "data-class") == "creeping"
     assert tab.locator("#lab-results tbody tr").first.inner_text().count("6.36") == 2
     tab.evaluate(axe_core.AXE_FILE_PATH.read_text(encoding="utf-8"))
-    found = tab.evaluate("axe.run({resultTypes: ['violations'], preload: false})")["violations"]
+    found = tab.evaluate("axe.run({resultTypes: ['violations'], preload: false})")[
+        "violations"
+    ]
     assert [(rule["id"], rule["nodes"][0]["html"][:99]) for rule in found] == []
 
 
 @pytest.mark.parametrize(
-    "tab", [{"reduced_motion": "reduce", "viewport": {"width": 390, "height": 844}}], indirect=True
+    "tab",
+    [{"reduced_motion": "reduce", "viewport": {"width": 390, "height": 844}}],
+    indirect=True,
 )
 def test_an_address_sets_it_and_the_keyboard_runs_it(tab, address):
     tab.goto(f"{address}lab.html#ke=250000&kd=1000&mu=nonsense")
-    assert tab.input_value("#lab-form-ke") == "250000" and tab.input_value("#lab-form-mu") == "1"
+    assert (
+        tab.input_value("#lab-form-ke") == "250000"
+        and tab.input_value("#lab-form-mu") == "1"
+    )
     tab.focus("#lab-form-ke")
     tab.keyboard.press("Enter")
     tab.wait_for_selector("#lab-slip[data-slip-mm]", timeout=60_000)
-    assert float(tab.get_attribute("#lab-slip", "data-slip-mm")) == pytest.approx(0.3153, abs=0.02)
+    assert float(tab.get_attribute("#lab-slip", "data-slip-mm")) == pytest.approx(
+        0.3153, abs=0.02
+    )
     assert tab.url.endswith("#ke=250000&kd=1000")
     assert tab.evaluate("document.documentElement.scrollWidth") <= 390
 
@@ -87,7 +105,9 @@ def test_the_turntable_grows_by_the_law(tab, address):
     tab.goto(f"{address}lab.html")
     tab.click("#turn-run")
     tab.wait_for_selector("#turn-growth[data-growth-per-s]", timeout=60_000)
-    assert float(tab.get_attribute("#turn-growth", "data-growth-per-s")) == pytest.approx(0.0349907, rel=0.005)
+    assert float(
+        tab.get_attribute("#turn-growth", "data-growth-per-s")
+    ) == pytest.approx(0.0349907, rel=0.005)
 
 
 def test_from_a_file_it_says_that_it_can_not(site, browser):
@@ -106,7 +126,9 @@ def test_the_front_page_tries_it_and_is_hardly_heavier_for_it(tab, address):
     assert sum(size for url, size in fetched.items() if "/lab/" in url) <= FRONT_BYTES
     tab.click("#try-run")
     tab.wait_for_selector("#try-slip[data-slip-mm]", timeout=60_000)
-    assert float(tab.get_attribute("#try-slip", "data-slip-mm")) == pytest.approx(6.3607, abs=0.02)
+    assert float(tab.get_attribute("#try-slip", "data-slip-mm")) == pytest.approx(
+        6.3607, abs=0.02
+    )
     tab.locator("#try-kd").press("ArrowRight")
     assert tab.text_content("#try-slip") == "", "what was measured is of another kd"
 
@@ -119,12 +141,17 @@ def test_the_slider_tells_what_the_law_makes_of_it(tab, address):
     assert "by the law 0.332 mm" in tab.inner_text("#try")
 
 
-@pytest.mark.parametrize("tab", [{"viewport": {"width": 320, "height": 640}}], indirect=True)
+@pytest.mark.parametrize(
+    "tab", [{"viewport": {"width": 320, "height": 640}}], indirect=True
+)
 def test_a_search_finds_what_stands_on_another_page(tab, address):
     tab.goto(f"{address}lab.html")
     tab.fill(".search input", "friction coefficient")
     tab.wait_for_selector(".search a")
-    assert tab.evaluate("document.documentElement.scrollWidth") <= tab.viewport_size["width"]
+    assert (
+        tab.evaluate("document.documentElement.scrollWidth")
+        <= tab.viewport_size["width"]
+    )
     link = tab.locator('.search a[href^="cause.html#"]').first
     place = link.get_attribute("href").partition("#")[2]
     link.click()

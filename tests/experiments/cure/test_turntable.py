@@ -11,10 +11,15 @@ from experiments.simulation.measurement import Conditions
 CONDITIONS = Conditions(device="cpu", quick=True)
 
 
-@pytest.mark.parametrize("name", ["plain", "rk4", "noslip", "pyramidal", "half-timeconst", "term", "term-rk4"])
+@pytest.mark.parametrize(
+    "name",
+    ["plain", "rk4", "noslip", "pyramidal", "half-timeconst", "term", "term-rk4"],
+)
 def test_the_box_on_the_turntable_goes_as_the_law_says(name):
     row = turntable.row_of("c", name, CONDITIONS)
-    assert row["growth_per_s"] == pytest.approx(row["predicted_growth_per_s"], rel=0.005)
+    assert row["growth_per_s"] == pytest.approx(
+        row["predicted_growth_per_s"], rel=0.005
+    )
     assert row["loaded_contact_count"] == 4
 
 

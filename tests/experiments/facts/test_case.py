@@ -10,7 +10,17 @@ import numpy as np
 import pytest
 
 from experiments.facts import case as cases
-from experiments.facts.case import AS_SHIPPED, FIXED, HOLD, LEAN, STIFF_PADS, UNTRIMMED, Case, CaseError, differences
+from experiments.facts.case import (
+    AS_SHIPPED,
+    FIXED,
+    HOLD,
+    LEAN,
+    STIFF_PADS,
+    UNTRIMMED,
+    Case,
+    CaseError,
+    differences,
+)
 from experiments.facts.fix_files import FIXED_SCENE
 from experiments.facts.metrics import DROP_DISTANCE
 from experiments.simulation import scene, stepper_c, task
@@ -33,30 +43,68 @@ def test_the_scene_has_the_numbers_of_the_file_that_is_offered():
     for module, names in named.items():
         for name in names.split():
             assert getattr(module, name) == known[name], name
-    case, names = AS_SHIPPED, "SHAKE_AMPLITUDE SHAKE_FREQUENCY FINGER_CLOSED SUBSTEP_COUNT IK_ITERATION_COUNT CUBE_EDGE"
-    found = case.shake_amplitude_m, case.shake_frequency_hz, case.finger_closed_m, case.substeps, case.ik_iterations
+    case, names = (
+        AS_SHIPPED,
+        "SHAKE_AMPLITUDE SHAKE_FREQUENCY FINGER_CLOSED SUBSTEP_COUNT IK_ITERATION_COUNT CUBE_EDGE",
+    )
+    found = (
+        case.shake_amplitude_m,
+        case.shake_frequency_hz,
+        case.finger_closed_m,
+        case.substeps,
+        case.ik_iterations,
+    )
     assert (*found, case.cube_edge_m) == tuple(known[name] for name in names.split())
-    assert known["DROP_DISTANCE"] == DROP_DISTANCE and case.frame_count == 900 and "--num-frames 900" in SHIPPED
+    assert (
+        known["DROP_DISTANCE"] == DROP_DISTANCE
+        and case.frame_count == 900
+        and "--num-frames 900" in SHIPPED
+    )
 
     def all_of(pattern: str) -> list[float]:
         [numbers] = re.findall(pattern, SHIPPED)
-        return [float(each) for each in re.findall(r"(?<![\w.])-?\d[\d.]*(?:e-?\d+)?", numbers)]
+        return [
+            float(each)
+            for each in re.findall(r"(?<![\w.])-?\d[\d.]*(?:e-?\d+)?", numbers)
+        ]
 
-    assert all_of(r"density=.*mu=[\d.]+") == [case.cube_density_kg_m3, case.cube_ke, case.cube_kd, case.cube_mu]
-    assert all_of(r"add_ground_plane\(.*gap=[\d.]+") == [scene.GROUND_MU, case.ground_gap_m]
-    assert all_of(r"rigid_gap = .*") == [case.robot_gap_m]
-    assert all_of(r"\Witerations=\d+,\s+ls_iterations=\d+") == [case.iterations, case.ls_iterations]
-    assert all_of(r"impratio=.*") == [case.impratio]
-    assert tuple(all_of(r"geom_solimp.*")) == scene.PAD_SOLIMP and case.pad_dmax == scene.PAD_SOLIMP[1]
-    assert all_of(r"joint_target_k[e].*\]") == [scene.TARGET_KE] and all_of(r"joint_target_k[d].*\]") == [
-        scene.TARGET_KD
+    assert all_of(r"density=.*mu=[\d.]+") == [
+        case.cube_density_kg_m3,
+        case.cube_ke,
+        case.cube_kd,
+        case.cube_mu,
     ]
-    for pattern, values in (("effort_limit", scene.EFFORT_LIMIT), ("armature", scene.ARMATURE)):
+    assert all_of(r"add_ground_plane\(.*gap=[\d.]+") == [
+        scene.GROUND_MU,
+        case.ground_gap_m,
+    ]
+    assert all_of(r"rigid_gap = .*") == [case.robot_gap_m]
+    assert all_of(r"\Witerations=\d+,\s+ls_iterations=\d+") == [
+        case.iterations,
+        case.ls_iterations,
+    ]
+    assert all_of(r"impratio=.*") == [case.impratio]
+    assert (
+        tuple(all_of(r"geom_solimp.*")) == scene.PAD_SOLIMP
+        and case.pad_dmax == scene.PAD_SOLIMP[1]
+    )
+    assert all_of(r"joint_target_k[e].*\]") == [scene.TARGET_KE] and all_of(
+        r"joint_target_k[d].*\]"
+    ) == [scene.TARGET_KD]
+    for pattern, values in (
+        ("effort_limit", scene.EFFORT_LIMIT),
+        ("armature", scene.ARMATURE),
+    ):
         pairs = np.reshape(all_of(rf"joint_{pattern}.*"), (-1, 2))
         assert np.repeat(pairs[:, 0], pairs[:, 1].astype(int)).tolist() == list(values)
     lifted = np.subtract(scene.CUBE_IN_HAND, known["CUBE_POSITION"])
     assert lifted == pytest.approx([0.0, 0.0, known["LIFT_HEIGHT"]])
-    assert (case.cube_offset_m, case.start_overlap_m, case.noslip_iterations, case.gravity_m_s2) == (0.0, 0.0, 0, 9.81)
+    assert (
+        case.cube_offset_m,
+        case.start_overlap_m,
+        case.noslip_iterations,
+        case.gravity_m_s2,
+    ) == (0.0, 0.0, 0, 9.81)
 
 
 def test_pads_as_shipped_are_what_newton_gives_a_shape_and_both_are_critically_damped():
@@ -68,17 +116,40 @@ def test_pads_as_shipped_are_what_newton_gives_a_shape_and_both_are_critically_d
     for case, timeconst_s in ((AS_SHIPPED, 0.02), (STIFF_PADS, 0.002), (FIXED, 0.002)):
         assert 2.0 / case.pad_kd == pytest.approx(timeconst_s)
         assert case.pad_kd**2 == pytest.approx(4.0 * case.pad_ke)
-    assert differences(STIFF_PADS).keys() == {"pad_ke", "pad_kd"} and cases.FIRM["pad_ke"] == STIFF_PADS.pad_ke
+    assert (
+        differences(STIFF_PADS).keys() == {"pad_ke", "pad_kd"}
+        and cases.FIRM["pad_ke"] == STIFF_PADS.pad_ke
+    )
     assert differences(HOLD) == {"shake_amplitude_m": 0.0}
-    assert differences(FIXED).keys() == differences(LEAN).keys() | differences(STIFF_PADS).keys()
-    assert cases.BEST["impratio"] == cases.FIRM["impratio"] == cases.IMPRATIO == 8.0 * AS_SHIPPED.impratio
+    assert (
+        differences(FIXED).keys()
+        == differences(LEAN).keys() | differences(STIFF_PADS).keys()
+    )
+    assert (
+        cases.BEST["impratio"]
+        == cases.FIRM["impratio"]
+        == cases.IMPRATIO
+        == 8.0 * AS_SHIPPED.impratio
+    )
     assert UNTRIMMED.ik_iterations == 3 * AS_SHIPPED.ik_iterations
 
 
 @pytest.mark.parametrize(
     ("name", "least"),
-    [("pad_mu", 0.0), ("cube_mu", 0.0), ("cube_gap_m", 0.0), ("robot_gap_m", 0.0), ("ground_gap_m", 0.0)]
-    + [("shake_amplitude_m", 0.0), ("iterations", 1), ("ls_iterations", 1), ("ik_iterations", 1), ("frame_count", 1)],
+    [
+        ("pad_mu", 0.0),
+        ("cube_mu", 0.0),
+        ("cube_gap_m", 0.0),
+        ("robot_gap_m", 0.0),
+        ("ground_gap_m", 0.0),
+    ]
+    + [
+        ("shake_amplitude_m", 0.0),
+        ("iterations", 1),
+        ("ls_iterations", 1),
+        ("ik_iterations", 1),
+        ("frame_count", 1),
+    ],
 )
 def test_the_least_that_makes_a_case_is_taken_and_less_is_not(name, least):
     assert getattr(Case("least", **{name: least}), name) == least
@@ -86,7 +157,9 @@ def test_the_least_that_makes_a_case_is_taken_and_less_is_not(name, least):
         Case("less", **{name: least - 1})
 
 
-@pytest.mark.parametrize("name", ["pad_kd", "cube_ke", "cube_kd", "cube_density_kg_m3", "cube_edge_m"])
+@pytest.mark.parametrize(
+    "name", ["pad_kd", "cube_ke", "cube_kd", "cube_density_kg_m3", "cube_edge_m"]
+)
 def test_what_cannot_be_nothing_is_refused_as_nothing(name):
     with pytest.raises(CaseError, match=name):
         replace(AS_SHIPPED, **{name: 0.0})

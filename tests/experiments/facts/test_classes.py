@@ -7,7 +7,13 @@ import pytest
 
 from experiments.facts import metrics
 from experiments.facts.case import AS_SHIPPED
-from experiments.facts.classes import classify, creep_mm_s, cycle_increments, drive_peak_m_s, excess_energy
+from experiments.facts.classes import (
+    classify,
+    creep_mm_s,
+    cycle_increments,
+    drive_peak_m_s,
+    excess_energy,
+)
 from experiments.facts.trace import FRAME_COLUMNS, Failure, Trace
 
 FRAME_DT = 1.0 / 60.0
@@ -28,7 +34,9 @@ def make_trace(cube_in_world_m, failure=None) -> Trace:
     poses[:, :, :3] = HAND
     poses[:, metrics.CUBE, :3] += cube_in_world_m
     phase = np.full(len(poses), metrics.SHAKE)
-    return Trace(FRAME_DT, phase, poses, np.zeros((len(poses), len(FRAME_COLUMNS))), failure)
+    return Trace(
+        FRAME_DT, phase, poses, np.zeros((len(poses), len(FRAME_COLUMNS))), failure
+    )
 
 
 def along(axis: int, values_m) -> np.ndarray:
@@ -90,17 +98,29 @@ def away(distance_m: float) -> np.ndarray:
         (kicked_at(100.0) + GONE, None, "exploded"),
         (GONE + creeping_at(1.0), None, "dropped"),
         # On either side of each border.
-        *((kicked_at(9.99 * DRIVE_PEAK_M_S), None, "holding"), (kicked_at(10.01 * DRIVE_PEAK_M_S), None, "exploded")),
+        *(
+            (kicked_at(9.99 * DRIVE_PEAK_M_S), None, "holding"),
+            (kicked_at(10.01 * DRIVE_PEAK_M_S), None, "exploded"),
+        ),
         *((away(0.0799), None, "holding"), (away(0.0801), None, "dropped")),
         *(
             (away(0.0695) + swinging(1e-3, 0.01), None, "exploded"),
             (away(0.075) + swinging(1e-3, 0.01), None, "holding"),
         ),
-        *((swinging(5e-3, 7.0e-3), None, "holding"), (swinging(5e-3, 7.1e-3), None, "exploded")),  # √2 of amplitude
-        *((swinging(0.0, 0.99 * BRISK_M), None, "holding"), (swinging(0.0, 1.01 * BRISK_M), None, "exploded")),
+        *(
+            (swinging(5e-3, 7.0e-3), None, "holding"),
+            (swinging(5e-3, 7.1e-3), None, "exploded"),
+        ),  # √2 of amplitude
+        *(
+            (swinging(0.0, 0.99 * BRISK_M), None, "holding"),
+            (swinging(0.0, 1.01 * BRISK_M), None, "exploded"),
+        ),
         (swinging(1e-3, 0.01)[-120:], None, "creeping"),  # a frame short of two cycles
         (swinging(1e-3, 0.01)[-121:], None, "exploded"),
-        *((creeping_at(0.0099), None, "holding"), (creeping_at(0.0101), None, "creeping")),
+        *(
+            (creeping_at(0.0099), None, "holding"),
+            (creeping_at(0.0101), None, "creeping"),
+        ),
     ],
 )
 def test_each_class(place, failure, expected):
@@ -115,12 +135,16 @@ def test_creep_is_the_change_over_the_last_period_or_all_of_a_short_shake():
     swing = along(2, 1e-3 * np.sin(np.pi * TIME_S))
     place = early + swing + creeping_at(0.3) + along(1, 1e-3 * 0.4 * TIME_S)
     assert creep_mm_s(AS_SHIPPED, make_trace(place)) == pytest.approx(0.5)
-    assert creep_mm_s(AS_SHIPPED, make_trace(creeping_at(0.3)[:31])) == pytest.approx(0.3)
+    assert creep_mm_s(AS_SHIPPED, make_trace(creeping_at(0.3)[:31])) == pytest.approx(
+        0.3
+    )
     assert creep_mm_s(AS_SHIPPED, make_trace(creeping_at(0.3)[:1])) == 0.0
     late = along(0, np.where(TIME_S < 3.5, 0.0, 5e-3))
     faster = replace(AS_SHIPPED, shake_frequency_hz=2.0)  # whose period is a second
     assert creep_mm_s(faster, make_trace(late)) == pytest.approx(5.0)
-    assert creep_mm_s(faster, make_trace(late)) == 2.0 * creep_mm_s(AS_SHIPPED, make_trace(late))
+    assert creep_mm_s(faster, make_trace(late)) == 2.0 * creep_mm_s(
+        AS_SHIPPED, make_trace(late)
+    )
     assert classify(AS_SHIPPED, make_trace(creeping_at(0.0)), 0.0) == "holding"
 
 
@@ -129,15 +153,23 @@ def test_the_drive_is_never_faster_than_its_peak(amplitude_m, frequency_hz):
     """The target's way, differenced over two periods."""
     time_s = np.linspace(-1.0 / frequency_hz, 1.0 / frequency_hz, 200_001)
     angle = 2.0 * np.pi * frequency_hz * time_s
-    target = amplitude_m * np.stack([np.sin(angle), 0.65 * np.sin(2.0 * angle), 0.35 * np.sin(1.5 * angle)])
+    target = amplitude_m * np.stack(
+        [np.sin(angle), 0.65 * np.sin(2.0 * angle), 0.35 * np.sin(1.5 * angle)]
+    )
     speed = np.linalg.norm(np.gradient(target, time_s, axis=1), axis=0)
-    case = replace(AS_SHIPPED, shake_amplitude_m=amplitude_m, shake_frequency_hz=frequency_hz)
+    case = replace(
+        AS_SHIPPED, shake_amplitude_m=amplitude_m, shake_frequency_hz=frequency_hz
+    )
     assert drive_peak_m_s(case) == pytest.approx(speed.max(), rel=1e-6)
-    assert drive_peak_m_s(replace(case, shake_amplitude_m=0.0)) == pytest.approx(DRIVE_PEAK_M_S)
+    assert drive_peak_m_s(replace(case, shake_amplitude_m=0.0)) == pytest.approx(
+        DRIVE_PEAK_M_S
+    )
 
 
 @pytest.mark.parametrize("gravity", [9.81, -9.81, 0.0])
-@pytest.mark.parametrize("start", [(0.0, 0.0, 0.0), (3.0, 0.0, 0.0), (0.0, 4.0, -1.0), (0.0, 0.0, 2.0)])
+@pytest.mark.parametrize(
+    "start", [(0.0, 0.0, 0.0), (3.0, 0.0, 0.0), (0.0, 4.0, -1.0), (0.0, 0.0, 2.0)]
+)
 def test_what_falls_keeps_the_energy_that_it_began_with(gravity, start):
     """Thrown with a velocity: v²/2 as long as gravity speeds it up; as it slows, its kinetic energy alone."""
     dt = 1e-3
@@ -152,6 +184,8 @@ def test_what_falls_keeps_the_energy_that_it_began_with(gravity, start):
 
 def test_increments_are_those_of_whole_cycles_between_frames_too():
     time_s = np.linspace(0.0, 3.0, 181)
-    np.testing.assert_allclose(cycle_increments(time_s, time_s**2, 1.0), [1.0, 3.0, 5.0])
+    np.testing.assert_allclose(
+        cycle_increments(time_s, time_s**2, 1.0), [1.0, 3.0, 5.0]
+    )
     found = cycle_increments(time_s, time_s**2, 0.7)  # 2.1 cycles of 10/7 s
     np.testing.assert_allclose(found, [100.0 / 49.0, 300.0 / 49.0], rtol=1e-4)

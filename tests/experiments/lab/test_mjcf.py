@@ -15,14 +15,36 @@ UNREAD = "_sizes names name_ nbuffer nnames signature geom_rgba bvh_ jnt_range a
 
 
 def test_compiled_it_is_the_model_that_newton_makes():
-    own = Simulation([replace(LEAN, backend="mujoco")], wp.get_device("cpu")).solver.mj_model
+    own = Simulation(
+        [replace(LEAN, backend="mujoco")], wp.get_device("cpu")
+    ).solver.mj_model
     compiled = mujoco.MjModel.from_xml_string(scene_mjcf())
-    names = [name for name in dir(own) if isinstance(getattr(own, name), np.ndarray | int | float)]
+    names = [
+        name
+        for name in dir(own)
+        if isinstance(getattr(own, name), np.ndarray | int | float)
+    ]
     for name in names:
-        if name.startswith("_") or any(part in name for part in UNREAD) or "site" in name:
+        if (
+            name.startswith("_")
+            or any(part in name for part in UNREAD)
+            or "site" in name
+        ):
             continue
-        found, wanted = np.asarray(getattr(compiled, name)), np.asarray(getattr(own, name))
+        found, wanted = (
+            np.asarray(getattr(compiled, name)),
+            np.asarray(getattr(own, name)),
+        )
         assert found.shape == wanted.shape, name
         assert np.allclose(found, wanted, rtol=1e-6, atol=1e-7), name
-    for name in ("timestep", "impratio", "tolerance", "ls_tolerance", "cone", "integrator", "solver", "disableflags"):
+    for name in (
+        "timestep",
+        "impratio",
+        "tolerance",
+        "ls_tolerance",
+        "cone",
+        "integrator",
+        "solver",
+        "disableflags",
+    ):
         assert getattr(compiled.opt, name) == getattr(own.opt, name), name

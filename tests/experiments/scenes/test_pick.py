@@ -18,7 +18,9 @@ def test_the_ball_is_dropped_as_published_and_creeps_as_predicted():
     case = Pick("", object="ball")
     controls = shake_controls(case, "full")[:1750, :1]  # one shake, for 7 s
     row = shake(case, controls, "cpu")
-    assert row["lifted_count"] == 1 and row["last_drop_s"] == pytest.approx(6.022, abs=0.2)
+    assert row["lifted_count"] == 1 and row["last_drop_s"] == pytest.approx(
+        6.022, abs=0.2
+    )
     row = shake(replace(case, cone="elliptic", impratio=10.0), controls, "cpu")
     assert row["held_count"] == 1 and row["last_drop_s"] is None
     row = hold(Pick("", object="ball"))

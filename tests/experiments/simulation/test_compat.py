@@ -17,10 +17,20 @@ GRASPED = 20
 def rows() -> dict[str, dict[str, object]]:
     """Live contact rows of the grasp, as the release makes them and with the timeconst of the friction rows set."""
     short = replace(AS_SHIPPED, cube_in_hand=True, frame_count=GRASPED + 1)
-    cases = [short, replace(short, name="kf-10", pad_kf=10.0), replace(short, name="kf-negative", pad_kf=-1.0)]
-    cases += [replace(short, name=name, friction_timeconst_override_s=s) for name, s in (("off", 0.0), ("on", 0.01))]
+    cases = [
+        short,
+        replace(short, name="kf-10", pad_kf=10.0),
+        replace(short, name="kf-negative", pad_kf=-1.0),
+    ]
+    cases += [
+        replace(short, name=name, friction_timeconst_override_s=s)
+        for name, s in (("off", 0.0), ("on", 0.01))
+    ]
     traces = simulate(cases, device="cpu", contact_frames=(GRASPED,))
-    return {case.name: row_columns(trace.contact_rows[0]) for case, trace in zip(cases, traces, strict=True)}
+    return {
+        case.name: row_columns(trace.contact_rows[0])
+        for case, trace in zip(cases, traces, strict=True)
+    }
 
 
 def damping_per_s(timeconst_s: float) -> float:
@@ -33,12 +43,24 @@ def test_what_damps_the_friction_rows(rows):
     for name in ("off", "kf-negative"):
         assert rows[name]["friction_timeconst_s"] == 0.0
         assert rows[name]["timeconst_s"] == pytest.approx(0.02)
-        assert rows[name]["friction_damping_per_s"] == pytest.approx(damping_per_s(0.02), rel=1e-4)
+        assert rows[name]["friction_damping_per_s"] == pytest.approx(
+            damping_per_s(0.02), rel=1e-4
+        )
     assert rows["on"]["timeconst_s"] == pytest.approx(0.02)
     assert rows["on"]["friction_timeconst_s"] == pytest.approx(0.01)
-    assert rows["on"]["friction_damping_per_s"] == pytest.approx(damping_per_s(0.01), rel=1e-4)
+    assert rows["on"]["friction_damping_per_s"] == pytest.approx(
+        damping_per_s(0.01), rel=1e-4
+    )
     timeconst = rows["kf-10"]["friction_timeconst_s"]
     assert (timeconst > REFSAFE_TIMECONST_S) == kf_is_read()
-    assert rows["as-shipped"]["friction_timeconst_s"] == pytest.approx(timeconst / 100.0, rel=0.01)
-    effective = max(rows["as-shipped"]["friction_timeconst_s"], REFSAFE_TIMECONST_S) if kf_is_read() else 0.02
-    assert rows["as-shipped"]["friction_damping_per_s"] == pytest.approx(damping_per_s(effective), rel=1e-4)
+    assert rows["as-shipped"]["friction_timeconst_s"] == pytest.approx(
+        timeconst / 100.0, rel=0.01
+    )
+    effective = (
+        max(rows["as-shipped"]["friction_timeconst_s"], REFSAFE_TIMECONST_S)
+        if kf_is_read()
+        else 0.02
+    )
+    assert rows["as-shipped"]["friction_damping_per_s"] == pytest.approx(
+        damping_per_s(effective), rel=1e-4
+    )

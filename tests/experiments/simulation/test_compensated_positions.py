@@ -34,12 +34,16 @@ class Solver:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("integrator", ["implicitfast", "RK4"])
-def test_a_position_creeps_in_the_world_that_compensates_and_stands_in_the_other(integrator):
+def test_a_position_creeps_in_the_world_that_compensates_and_stands_in_the_other(
+    integrator,
+):
     with wp.ScopedDevice("cpu"):
         solver = Solver(integrator)
         compensated_positions.install(solver, worlds=[True, False])
         moved = solver.moved()
-        expected = VELOCITY * 1e-3 * (STEP_COUNT - 1)  # the last step's sum is done in the next step
+        expected = (
+            VELOCITY * 1e-3 * (STEP_COUNT - 1)
+        )  # the last step's sum is done in the next step
         assert moved[0] == pytest.approx(np.full(4, expected), abs=1.3e-7)
         assert (moved[1] == 0.0).all()
 
@@ -57,10 +61,18 @@ def test_a_position_that_is_set_is_kept():
 def test_the_stages_of_a_step_of_rk4_weigh_as_simpsons_rule_has_it():
     weights = compensated_positions.STAGE_WEIGHTS
     assert weights == pytest.approx(np.array([1.0, 2.0, 2.0, 1.0]) / 6.0)
-    mean, velocity = (wp.array([[each]], dtype=float, device="cpu") for each in (9.0, 4.0))
+    mean, velocity = (
+        wp.array([[each]], dtype=float, device="cpu") for each in (9.0, 4.0)
+    )
     for weight, first, expected in ((0.5, True, 2.0), (0.25, False, 3.0)):
         inputs = [weight, first, velocity]
-        wp.launch(compensated_positions.add_stage, dim=(1, 1), inputs=inputs, outputs=[mean], device="cpu")
+        wp.launch(
+            compensated_positions.add_stage,
+            dim=(1, 1),
+            inputs=inputs,
+            outputs=[mean],
+            device="cpu",
+        )
         assert mean.numpy()[0, 0] == expected
 
 
@@ -70,21 +82,50 @@ def test_sums_keep_what_rounding_takes_joint_by_joint():
     velocity = random.normal(0.0, 1e-4, (1, 10)).astype(np.float32)
     start = np.float32(1.0) + random.uniform(0.0, 1.0, (1, 12)).astype(np.float32)
     arrays = [
-        wp.array(each, dtype=float, device="cpu") for each in (start, np.full((1, 12), np.nan), np.zeros((1, 12)))
+        wp.array(each, dtype=float, device="cpu")
+        for each in (start, np.full((1, 12), np.nan), np.zeros((1, 12)))
     ]
-    joints = [(0, 1, 3), (0, 7, 11), (0, 6, 9)]  # free, ball and hinge, and where their places and velocities begin
+    joints = [
+        (0, 1, 3),
+        (0, 7, 11),
+        (0, 6, 9),
+    ]  # free, ball and hinge, and where their places and velocities begin
     kinds = [wp.array(each, dtype=int, device="cpu") for each in joints]
-    inputs = [wp.array([True], dtype=bool, device="cpu"), wp.array([0.001], dtype=float, device="cpu"), *kinds]
+    inputs = [
+        wp.array([True], dtype=bool, device="cpu"),
+        wp.array([0.001], dtype=float, device="cpu"),
+        *kinds,
+    ]
     inputs.append(wp.array(velocity, dtype=float, device="cpu"))
     for _ in range(1001):  # the first takes what is there
-        wp.launch(compensated_positions.add_step, dim=(1, 3), inputs=inputs, outputs=arrays, device="cpu")
+        wp.launch(
+            compensated_positions.add_step,
+            dim=(1, 3),
+            inputs=inputs,
+            outputs=arrays,
+            device="cpu",
+        )
     moved, lost = arrays[0].numpy().astype(float) - start, arrays[2].numpy()
     expected = np.zeros(12)
-    expected[[0, 1, 2, 11]] = velocity[0, [0, 1, 2, 9]]  # in 1000 steps of a millisecond
+    expected[[0, 1, 2, 11]] = velocity[
+        0, [0, 1, 2, 9]
+    ]  # in 1000 steps of a millisecond
     assert moved[0] + lost[0] == pytest.approx(expected, abs=1e-9)
-    for way, kept in ((0.9e-6, True), (1.4e-6, False)):  # relative to 2 m: a step that ends that far off was set
+    for way, kept in (
+        (0.9e-6, True),
+        (1.4e-6, False),
+    ):  # relative to 2 m: a step that ends that far off was set
         place = np.float32(2.0 * (1.0 + way))
-        state = [wp.array([[each] * 12], dtype=float, device="cpu") for each in (place, 2.0, 0.0)]
+        state = [
+            wp.array([[each] * 12], dtype=float, device="cpu")
+            for each in (place, 2.0, 0.0)
+        ]
         still = [*inputs[:-1], wp.zeros((1, 10), dtype=float, device="cpu")]
-        wp.launch(compensated_positions.add_step, dim=(1, 3), inputs=still, outputs=state, device="cpu")
+        wp.launch(
+            compensated_positions.add_step,
+            dim=(1, 3),
+            inputs=still,
+            outputs=state,
+            device="cpu",
+        )
         assert state[0].numpy()[0, 11] == (2.0 if kept else place)

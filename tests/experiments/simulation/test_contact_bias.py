@@ -19,10 +19,13 @@ BIAS = replace(SHORT, name="term", contact_bias=True)
 def slips() -> dict[str, np.ndarray]:
     """What the cube moved in the TCP frame [mm], in worlds of one batch and through C."""
     cases = [SHORT, BIAS, replace(BIAS, name="centred", bias_centred=True)]
-    cases += [replace(case, name=f"{case.name}-c", backend="mujoco") for case in (SHORT, BIAS)]
+    cases += [
+        replace(case, name=f"{case.name}-c", backend="mujoco") for case in (SHORT, BIAS)
+    ]
     traces = simulate(cases, device="cpu")
     return {
-        case.name: 1e3 * metrics.displacement(trace).vector_m[-1] for case, trace in zip(cases, traces, strict=True)
+        case.name: 1e3 * metrics.displacement(trace).vector_m[-1]
+        for case, trace in zip(cases, traces, strict=True)
     }
 
 

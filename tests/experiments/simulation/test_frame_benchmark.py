@@ -9,7 +9,12 @@ import warp as wp
 
 from experiments.facts.case import AS_SHIPPED, Case
 from experiments.simulation import frame_benchmark
-from experiments.simulation.frame_benchmark import TIMED, WarmState, time_cases, warm_state
+from experiments.simulation.frame_benchmark import (
+    TIMED,
+    WarmState,
+    time_cases,
+    warm_state,
+)
 from experiments.simulation.simulation import Simulation
 from experiments.simulation.timing import batch_invalid_reason
 
@@ -42,7 +47,10 @@ def test_what_goes_wrong_in_any_world_counts_until_another_case_is_run(warm):
 def test_a_variant_whose_buffers_overflow_has_no_time_and_no_memory():
     cpu = wp.get_device("cpu")
     found = time_cases([AS_SHIPPED, SMALL], 2, cpu, cap_s=0.0)
-    assert found["as-shipped"]["frame_ms"] > 0.0 and found["as-shipped"]["buffer_bytes_per_world"] > 0
+    assert (
+        found["as-shipped"]["frame_ms"] > 0.0
+        and found["as-shipped"]["buffer_bytes_per_world"] > 0
+    )
     assert [found["small"][name] for name in TIMED] == [None] * len(TIMED)
     assert found["small"]["frame_ms_reason"] == OVERFLOW
 
@@ -62,7 +70,9 @@ def refusing(error: Exception, most: int = 0) -> type[Simulation]:
 def test_only_too_little_memory_is_why_a_variant_has_no_time(monkeypatch):
     cpu = wp.get_device("cpu")
     monkeypatch.setattr(frame_benchmark, "Simulation", refusing(NO_MEMORY, most=1))
-    assert time_cases([AS_SHIPPED], 2, cpu)["as-shipped"]["frame_ms_reason"] == str(NO_MEMORY)
+    assert time_cases([AS_SHIPPED], 2, cpu)["as-shipped"]["frame_ms_reason"] == str(
+        NO_MEMORY
+    )
     monkeypatch.setattr(frame_benchmark, "Simulation", refusing(DEVICE_FAULT, most=1))
     with pytest.raises(RuntimeError, match="CUDA error 719"):
         time_cases([AS_SHIPPED], 2, cpu)

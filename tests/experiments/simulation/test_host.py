@@ -27,13 +27,25 @@ def test_what_measures_compiles_no_gradients():
     assert program("-c", FIRST).stderr.endswith(" comes with enable_backward=False\n")
 
 
-SHARED = [(16, 81920, 1, False, 4), (16, 81920, 1, True, 16), (64, 81920, 1, True, 16), (3, 81920, 1, False, 3)]
-SHARED += [(16, 6144, 1, True, 3), (16, 6143, 1, True, 2), (16, 0, 1, True, 1), (15, 81920, 4, True, 3)]
+SHARED = [
+    (16, 81920, 1, False, 4),
+    (16, 81920, 1, True, 16),
+    (64, 81920, 1, True, 16),
+    (3, 81920, 1, False, 3),
+]
+SHARED += [
+    (16, 6144, 1, True, 3),
+    (16, 6143, 1, True, 2),
+    (16, 0, 1, True, 1),
+    (15, 81920, 4, True, 3),
+]
 SHARED += [(7, 81920, 8, True, 1)]
 
 
 @pytest.mark.parametrize(("cores", "mib", "gpus", "has_daemon", "count"), SHARED)
-def test_a_gpu_is_shared_by_as_many_as_have_memory(monkeypatch, tmp_path, cores, mib, gpus, has_daemon, count):
+def test_a_gpu_is_shared_by_as_many_as_have_memory(
+    monkeypatch, tmp_path, cores, mib, gpus, has_daemon, count
+):
     monkeypatch.setattr("os.cpu_count", lambda: cores)
     monkeypatch.setenv(nvidia.MPS, str(tmp_path if has_daemon else tmp_path / "none"))
     (tmp_path / "control").touch()
@@ -47,4 +59,6 @@ def test_gpus_are_those_that_the_process_may_use(monkeypatch):
     both.append(Accelerator("NVIDIA GB10", 0, {VISIBLE: "GPU-b"}))
     for allowed, found in {"1": both[1:], "GPU-a, GPU-b": both, "": []}.items():
         monkeypatch.setenv(VISIBLE, allowed)
-        assert accelerators() == found and measuring_device(None, "full") == ("cuda" if found else None), allowed
+        assert accelerators() == found and measuring_device(None, "full") == (
+            "cuda" if found else None
+        ), allowed

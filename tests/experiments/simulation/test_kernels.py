@@ -22,7 +22,9 @@ def test_what_would_be_launched_is_known_and_not_launched():
         wp.launch(doubled, 1, [values], device="cpu")
         raise IndexError
 
-    assert launched_kernels(wp.get_device("cpu"), run) == {(doubled.module, 1): [doubled]}
+    assert launched_kernels(wp.get_device("cpu"), run) == {
+        (doubled.module, 1): [doubled]
+    }
     assert not doubled.module.execs and values.numpy()[0] == 1.0
     wp.launch(doubled, 1, [values], device="cpu")
     assert values.numpy()[0] == 2.0
@@ -45,7 +47,12 @@ print(has_begun(), wp.config.kernel_cache_dir)
 """
 
 
-def test_whether_a_machine_is_bare_is_known_before_warp_begins_which_then_keeps_its_kernels_where_it_would(tmp_path):
+def test_whether_a_machine_is_bare_is_known_before_warp_begins_which_then_keeps_its_kernels_where_it_would(
+    tmp_path,
+):
     """So forks can compile for it."""
     lines = program("-c", LOOK, WARP_CACHE_PATH=str(tmp_path)).stdout.splitlines()
-    assert (lines[0], lines[-1]) == ("True False", f"True {tmp_path / wp.config.version}")
+    assert (lines[0], lines[-1]) == (
+        "True False",
+        f"True {tmp_path / wp.config.version}",
+    )

@@ -13,7 +13,13 @@ from experiments.simulation.timing import put_in_state_of, run_frames
 FRAME_COUNT = 10
 SHAKING = 100
 """Frames after which a cube that starts in the hand is shaken."""
-VARIED = {"ik_iterations": 24, "ik_beside": False, "state_sync": True, "sensors": False, "limits": False}
+VARIED = {
+    "ik_iterations": 24,
+    "ik_beside": False,
+    "state_sync": True,
+    "sensors": False,
+    "limits": False,
+}
 
 
 def test_a_varied_simulation_runs_as_one_that_was_built_so():
@@ -32,8 +38,14 @@ def test_a_varied_simulation_runs_as_one_that_was_built_so():
     first = poses_from(varied)
     case = replace(base, name="varied", **VARIED)
     varied.vary(case)
-    assert np.array_equal(poses_from(varied), poses_from(Simulation([case] * 2, shake.device)))
-    for unused in ({}, {"sensors": False}, {"limits": False}):  # stages that change no bit
+    assert np.array_equal(
+        poses_from(varied), poses_from(Simulation([case] * 2, shake.device))
+    )
+    for unused in (
+        {},
+        {"sensors": False},
+        {"limits": False},
+    ):  # stages that change no bit
         varied.vary(replace(base, name=f"but {unused}", **unused))
         assert np.array_equal(poses_from(varied), first)
     with pytest.raises(CaseError, match="gap takes a simulation of its own"):

@@ -35,9 +35,13 @@ def two_boxes(first: dict, second: dict, **attributes: tuple) -> newton.Model:
     builder = builder_of_the_solver()
     for index, config in enumerate((first, second)):
         body = builder.add_body(label=f"body_{index}")
-        custom = {f"mujoco:{name}": values[index] for name, values in attributes.items()}
+        custom = {
+            f"mujoco:{name}": values[index] for name, values in attributes.items()
+        }
         config = ShapeConfig(**{"gap": 0.001, **config})
-        builder.add_shape_box(body, cfg=config, label=f"box_{index}", custom_attributes=custom)
+        builder.add_shape_box(
+            body, cfg=config, label=f"box_{index}", custom_attributes=custom
+        )
     return builder.finalize(device="cpu")
 
 
@@ -54,7 +58,12 @@ def findings_in(model: newton.Model, engine: Engine = ENGINE):
 def found(model: newton.Model, **options) -> list[tuple]:
     return [
         (
-            *(finding.rule, (finding.shape, *finding.against), finding.parameter, pytest.approx(finding.value)),
+            *(
+                finding.rule,
+                (finding.shape, *finding.against),
+                finding.parameter,
+                pytest.approx(finding.value),
+            ),
             finding.used if finding.used is None else pytest.approx(finding.used),
         )
         for finding in findings_in(model, Engine(timestep_s=DT, **options))
@@ -63,13 +72,35 @@ def found(model: newton.Model, **options) -> list[tuple]:
 
 STIFF = {"ke": 2.5e5, "kd": 1e3}
 FOUND = {
-    "a timeconst below two substeps": (STIFF, STIFF, {}, [("timeconst", PAIR, "timeconst", 2e-3, 2 * DT)]),
-    "a pair's is the mean of 2 ms and 20 ms": (STIFF, {}, {}, [("one-sided", PAIR[:1], "solref", 2e-3, 11e-3)]),
+    "a timeconst below two substeps": (
+        STIFF,
+        STIFF,
+        {},
+        [("timeconst", PAIR, "timeconst", 2e-3, 2 * DT)],
+    ),
+    "a pair's is the mean of 2 ms and 20 ms": (
+        STIFF,
+        {},
+        {},
+        [("one-sided", PAIR[:1], "solref", 2e-3, 11e-3)],
+    ),
     "a solref of its own takes the place of ke and kd": (
-        *({"ke": 8e4}, {}, {"solref": ((1e-3, 1.0),) * 2, "solref_mode": (RAW, RAW), "geom_priority": (0, 1)}),
+        *(
+            {"ke": 8e4},
+            {},
+            {
+                "solref": ((1e-3, 1.0),) * 2,
+                "solref_mode": (RAW, RAW),
+                "geom_priority": (0, 1),
+            },
+        ),
         [("timeconst", PAIR[::-1], "timeconst", 1e-3, 2 * DT)],
     ),
-    "a large one": (*[{"ke": 1e4, "kd": 900.0}] * 2, {}, [("dampratio", PAIR, "dampratio", 4.5, 1.0)]),
+    "a large one": (
+        *[{"ke": 1e4, "kd": 900.0}] * 2,
+        {},
+        [("dampratio", PAIR, "dampratio", 4.5, 1.0)],
+    ),
     "0.5 is not far from 1": (*[{"ke": 1e4, "kd": 100.0}] * 2, {}, []),
     "nor is that of a stiffness and a damping": (
         *({}, {}, {"solref": ((-2500.0, -100.0),) * 2, "solref_mode": (RAW, RAW)}, []),
@@ -87,15 +118,30 @@ def test_what_is_found_and_what_is_not(name):
     assert found(two_boxes(first, second, **attributes)) == expected
 
 
-@pytest.mark.parametrize(("material", "parameter"), [({"ke": 1e5, "kd": 0.0}, "ke"), ({"ke": 0.0, "kd": 5.0}, "kd")])
+@pytest.mark.parametrize(
+    ("material", "parameter"),
+    [({"ke": 1e5, "kd": 0.0}, "ke"), ({"ke": 0.0, "kd": 5.0}, "kd")],
+)
 def test_a_ke_without_kd_is_not_read(material, parameter):
     model = two_boxes(material, {})
     used = {"ke": ShapeConfig().ke, "kd": ShapeConfig().kd}[parameter]
-    assert found(model) == [("ke-without-kd", PAIR[:1], parameter, material[parameter], used)]
+    assert found(model) == [
+        ("ke-without-kd", PAIR[:1], parameter, material[parameter], used)
+    ]
     # Nothing is lost where neither is said, or where a solref is, or where both act as forces.
     assert found(two_boxes({"ke": 0.0, "kd": 0.0}, {})) == []
     for mode in (RAW, FORCE_SPACE):
-        assert found(two_boxes(material, material, solref=[DEFAULT_SOLREF] * 2, solref_mode=(mode, mode))) == []
+        assert (
+            found(
+                two_boxes(
+                    material,
+                    material,
+                    solref=[DEFAULT_SOLREF] * 2,
+                    solref_mode=(mode, mode),
+                )
+            )
+            == []
+        )
 
 
 def test_kf_is_read_by_some_releases_and_cones_and_contacts_and_clamped():
@@ -103,7 +149,9 @@ def test_kf_is_read_by_some_releases_and_cones_and_contacts_and_clamped():
     unread = [("kf", PAIR[:1], "kf", 50.0, None)]
     assert found(model, name="newton", cone="pyramidal") == unread
     assert found(model, name="mujoco", cone="elliptic") == unread
-    assert found(model, name="newton", cone="elliptic") == ([] if kf_is_read() else unread)
+    assert found(model, name="newton", cone="elliptic") == (
+        [] if kf_is_read() else unread
+    )
     assert found(two_boxes({}, {}), name="newton", cone="elliptic") == []
     high = two_boxes({"kf": 1e7}, {}, geom_priority=(1, 0))
     shapes = [each[1] for each in found(high, name="newton", cone="elliptic")]
@@ -111,7 +159,9 @@ def test_kf_is_read_by_some_releases_and_cones_and_contacts_and_clamped():
 
 
 @pytest.mark.parametrize("impratio", [1.0, 4.0])
-def test_kf_is_clamped_where_its_timeconst_is_two_substeps_and_none_takes_the_friction_away(monkeypatch, impratio):
+def test_kf_is_clamped_where_its_timeconst_is_two_substeps_and_none_takes_the_friction_away(
+    monkeypatch, impratio
+):
     """A timeconst of 2 / (kf w ((1 - dmax) / impratio + dmax)), of which w is of both boxes and dmax is 0.95."""
     monkeypatch.setattr(module, "kf_is_read", lambda: True)
 
@@ -122,9 +172,15 @@ def test_kf_is_clamped_where_its_timeconst_is_two_substeps_and_none_takes_the_fr
     weight = 2.0 / float(two_boxes({}, {}).body_mass.numpy()[0])
     most = 1.0 / (DT * weight * (0.05 / impratio + 0.95))
     own, mixed = {"geom_priority": (1, 0)}, {"geom_solmix": (1.0, 3.0)}
-    assert of(0.99 * most, 9.0 * most, **own) == of(0.39 * most, 1.19 * most, **mixed) == []
+    assert (
+        of(0.99 * most, 9.0 * most, **own)
+        == of(0.39 * most, 1.19 * most, **mixed)
+        == []
+    )
     assert of(1.01 * most, 9.0 * most, **own) == [("kf", PAIR, "kf", 1.01 * most, most)]
-    assert of(0.4 * most, 1.21 * most, **mixed) == [("kf", PAIR, "kf", 1.0075 * most, most)]
+    assert of(0.4 * most, 1.21 * most, **mixed) == [
+        ("kf", PAIR, "kf", 1.0075 * most, most)
+    ]
     assert of(0.0, most, **own) == [("kf", PAIR, "mu", ShapeConfig().mu, None)]
 
 
@@ -140,7 +196,13 @@ MJCF = """
 
 
 @pytest.mark.parametrize(
-    ("pair", "rules"), [("0.02 1", []), ("0.001 1", ["timeconst"]), ("0.02 5", ["dampratio"]), ("-100 -20", [])]
+    ("pair", "rules"),
+    [
+        ("0.02 1", []),
+        ("0.001 1", ["timeconst"]),
+        ("0.02 5", ["dampratio"]),
+        ("-100 -20", []),
+    ],
 )
 def test_an_explicit_pair_has_parameters_of_its_own(pair, rules):
     model = read_mjcf(MJCF.format(geom=0.001, pair=pair))
@@ -154,7 +216,9 @@ def test_models_without_shapes_or_the_solvers_attributes():
     assert findings_in(builder.finalize(device="cpu")) == []
     builder.add_shape_box(body, cfg=ShapeConfig(ke=2.5e7, kd=1e4))
     builder.add_ground_plane(cfg=ShapeConfig(ke=2.5e7, kd=1e4))
-    assert [finding.rule for finding in findings_in(builder.finalize(device="cpu"))] == ["timeconst"]
+    assert [
+        finding.rule for finding in findings_in(builder.finalize(device="cpu"))
+    ] == ["timeconst"]
 
 
 def test_the_contacts_are_those_that_the_solver_has():
@@ -163,14 +227,27 @@ def test_the_contacts_are_those_that_the_solver_has():
     simulation.frame()
     scene = Shapes.of(simulation.model, Engine())
     contacts, shapes = scene.contacts, scene.index
-    pairs = zip(shapes[contacts.first].tolist(), shapes[contacts.second].tolist(), strict=True)
+    pairs = zip(
+        shapes[contacts.first].tolist(), shapes[contacts.second].tolist(), strict=True
+    )
     places = {frozenset(pair): index for index, pair in enumerate(pairs)}
-    data, geom_shapes = simulation.solver.mjw_data, simulation.solver.mjc_geom_to_newton_shape.numpy()[0]
+    data, geom_shapes = (
+        simulation.solver.mjw_data,
+        simulation.solver.mjc_geom_to_newton_shape.numpy()[0],
+    )
     count = int(data.nacon.numpy()[0])
     geoms = geom_shapes[data.contact.geom.numpy()[:count]]
     assert count
     where = [places[frozenset(pair)] for pair in geoms.tolist()]
-    np.testing.assert_allclose(contacts.solref[where], data.contact.solref.numpy()[:count], rtol=1e-5)
-    np.testing.assert_allclose(contacts.solimp[where], data.contact.solimp.numpy()[:count], rtol=1e-5)
-    np.testing.assert_allclose(contacts.friction[where, 0], data.contact.friction.numpy()[:count, 0], rtol=1e-5)
-    np.testing.assert_array_equal(contacts.condim[where], data.contact.dim.numpy()[:count])
+    np.testing.assert_allclose(
+        contacts.solref[where], data.contact.solref.numpy()[:count], rtol=1e-5
+    )
+    np.testing.assert_allclose(
+        contacts.solimp[where], data.contact.solimp.numpy()[:count], rtol=1e-5
+    )
+    np.testing.assert_allclose(
+        contacts.friction[where, 0], data.contact.friction.numpy()[:count, 0], rtol=1e-5
+    )
+    np.testing.assert_array_equal(
+        contacts.condim[where], data.contact.dim.numpy()[:count]
+    )

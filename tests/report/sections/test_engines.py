@@ -5,7 +5,7 @@ from dataclasses import replace
 import pytest
 from deriving import assert_found
 
-from experiments.drivers.newton_solver import EXCUSED
+from experiments.newton_solvers.box import EXCUSED
 from measured_report.editions.project import Project
 from measured_report.records.record import load_record
 from measured_report.values.results import Results

@@ -32,16 +32,36 @@ def derive(results: Results, releases: Releases) -> Section:
         if "settings" not in there or "confirm" not in there:
             continue
         rows = {SHIPPED: there["confirm"].results.row[task]}
-        rows |= {row.setting: row for row in there["settings"].results.rows if row.task == task}
-        cells = {each: row[COLUMNS.get(effect, "success_count")] for each, row in rows.items()}
+        rows |= {
+            row.setting: row
+            for row in there["settings"].results.rows
+            if row.task == task
+        }
+        cells = {
+            each: row[COLUMNS.get(effect, "success_count")]
+            for each, row in rows.items()
+        }
         columns[f"{task} {release}"] = cells
         # Machines do not differ in an episode, so that these of one are compared with those of another.
         step = Step(task, (SHIPPED, setting), (rows[SHIPPED], rows[setting]))
-        outcome = (HOLDS if effect in step.beyond_chance(len(SHOWN)) else FAILS).having_read(*cells.values())
+        outcome = (
+            HOLDS if effect in step.beyond_chance(len(SHOWN)) else FAILS
+        ).having_read(*cells.values())
         if effect == "untouched":
             outcome = at_most(cells[setting], 30.0, "far less than it slides")
-        numbers = {each.replace("-", "_").replace(" ", "_"): cell for each, cell in cells.items()}
-        claims.append(Claim(name, outcome, {**numbers, "found": cells[setting], "all": rows[SHIPPED].seed_count}))
+        numbers = {
+            each.replace("-", "_").replace(" ", "_"): cell
+            for each, cell in cells.items()
+        }
+        claims.append(
+            Claim(
+                name,
+                outcome,
+                {**numbers, "found": cells[setting], "all": rows[SHIPPED].seed_count},
+            )
+        )
     frame = pd.DataFrame(columns, dtype=object).rename_axis("setting")
     lacking = SHOWN.keys() - {claim.name for claim in claims}
-    return Section(tables={"settings": Table(frame)}, claims=claims, unmeasured=sorted(lacking))
+    return Section(
+        tables={"settings": Table(frame)}, claims=claims, unmeasured=sorted(lacking)
+    )

@@ -24,13 +24,21 @@ MARKDOWN_LIMIT = 60_000  # characters; a comment on GitHub holds 65,536
 
 
 def _json(kind: str, is_alarm: bool, parts: dict[str, Any]) -> str:
-    return json.dumps({"schema": SCHEMA, "kind": kind, "status": int(is_alarm), **parts}, indent=1, ensure_ascii=False)
+    return json.dumps(
+        {"schema": SCHEMA, "kind": kind, "status": int(is_alarm), **parts},
+        indent=1,
+        ensure_ascii=False,
+    )
 
 
 def _lines(lines: Iterable[str], form: str) -> str:
     """Write lines as text, or as a block of Markdown, in which none of it means anything."""
     text = "\n".join(lines).rstrip()
-    return text if form == "text" else "\n".join(["```text", text.replace("```", "'''")[:MARKDOWN_LIMIT], "```"])
+    return (
+        text
+        if form == "text"
+        else "\n".join(["```text", text.replace("```", "'''")[:MARKDOWN_LIMIT], "```"])
+    )
 
 
 Say = Callable[[str, Claim], str]  # words a claim of a section
@@ -40,17 +48,35 @@ def check_text(edition: Edition, form: str, say: Say) -> str:
     """Return what an edition says, each claim once, as text, markdown or json."""
     faults = faults_of(edition)
     settings = edition.project.report.settings
-    claims = [(name, claim) for name, chapter in edition.chapters.items() for claim in chapter.section.claims]
-    absent = [(state.section, state.words or "it was not measured") for state in edition.left_out]
+    claims = [
+        (name, claim)
+        for name, chapter in edition.chapters.items()
+        for claim in chapter.section.claims
+    ]
+    absent = [
+        (state.section, state.words or "it was not measured")
+        for state in edition.left_out
+    ]
     if form == "json":
-        outcomes = [{"section": name, "claim": claim.name, **_claim_data(name, claim, say)} for name, claim in claims]
+        outcomes = [
+            {"section": name, "claim": claim.name, **_claim_data(name, claim, say)}
+            for name, claim in claims
+        ]
         reasons = [{"section": section, "reason": reason} for section, reason in absent]
-        parts = {"faults": list(map(vars, faults)), "claims": outcomes, "absent": reasons}
-        return _json("check", bool(faults), {settings.edition: edition.project.release, **parts})
+        parts = {
+            "faults": list(map(vars, faults)),
+            "claims": outcomes,
+            "absent": reasons,
+        }
+        return _json(
+            "check", bool(faults), {settings.edition: edition.project.release, **parts}
+        )
     lines = [fault.text(settings) for fault in faults]
     for section, claim in claims:
         confirmed = f" ({claim.confirmed})" if claim.confirmed else ""
-        lines.append(f"{claim.outcome.answer:12} {section}.{claim.name}: {say(section, claim)}{confirmed}")
+        lines.append(
+            f"{claim.outcome.answer:12} {section}.{claim.name}: {say(section, claim)}{confirmed}"
+        )
     lines += [f"{'absent':12} {section}: {reason}" for section, reason in absent]
     return _lines(lines, form)
 
@@ -58,35 +84,64 @@ def check_text(edition: Edition, form: str, say: Say) -> str:
 def diff_text(comparison: Comparison, rate: str, form: str, say: Say) -> str:
     """Return the comparison as text, markdown or json; beside what it counts stands the ``rate`` of false alarms."""
     if form == "json":
-        return _json("diff", comparison.is_alarm, {"false_alarms": rate, **_diff_data(comparison, say)})
-    editions = " → ".join(f"{comparison.report.settings.edition} {release}" for release in comparison.releases)
+        return _json(
+            "diff",
+            comparison.is_alarm,
+            {"false_alarms": rate, **_diff_data(comparison, say)},
+        )
+    editions = " → ".join(
+        f"{comparison.report.settings.edition} {release}"
+        for release in comparison.releases
+    )
     counts = f"can't be trusted: {len(comparison.faults)}; what matters: {len(comparison.alarms)}"
     counts += f"; claims that flipped: {len(comparison.flips)}; values that changed: {len(comparison.moves)}"
     lines = [f"{editions}: {summary(comparison)}", f"{counts}; false alarms: {rate}"]
-    lines += [fault.text(comparison.report.settings) for fault in comparison.faults[:NAMED]]
+    lines += [
+        fault.text(comparison.report.settings) for fault in comparison.faults[:NAMED]
+    ]
     lines += [f"settings: {settings_text(comparison.settings)}", *largest(comparison)]
-    lines += [f"smallest change that would have been seen: {power(comparison)}", *_details(comparison, say)]
+    lines += [
+        f"smallest change that would have been seen: {power(comparison)}",
+        *_details(comparison, say),
+    ]
     return _lines(lines, form)
 
 
-def upgrade_text(comparison: Comparison, verdict: Sequence[str], form: str, say: Say) -> str:
+def upgrade_text(
+    comparison: Comparison, verdict: Sequence[str], form: str, say: Say
+) -> str:
     """Return the verdict on an upgrade as text, markdown or json; the last two with all of the comparison."""
     if form == "json":
-        return _json("upgrade", comparison.is_alarm, {"verdict": list(verdict), **_diff_data(comparison, say)})
-    return _lines(verdict if form == "text" else [*verdict, "", *_details(comparison, say)], form)
+        return _json(
+            "upgrade",
+            comparison.is_alarm,
+            {"verdict": list(verdict), **_diff_data(comparison, say)},
+        )
+    return _lines(
+        verdict if form == "text" else [*verdict, "", *_details(comparison, say)], form
+    )
 
 
 def _details(comparison: Comparison, say: Say) -> list[str]:
     """Say of a comparison what its verdict does not."""
-    lines = [fault.text(comparison.report.settings) for fault in comparison.faults[NAMED:]]
+    lines = [
+        fault.text(comparison.report.settings) for fault in comparison.faults[NAMED:]
+    ]
     for flip in comparison.flips:
-        lines += [f"{flip.claim}: {flip.outcomes}", *(f"  {say(flip.section, claim)}" for claim in flip.ends)]
+        lines += [
+            f"{flip.claim}: {flip.outcomes}",
+            *(f"  {say(flip.section, claim)}" for claim in flip.ends),
+        ]
     for section, sums in _sums(comparison).items():
-        lines.append(f"{section}: {', '.join(f'{count} {direction}' for direction, count in sums.items() if count)}")
+        lines.append(
+            f"{section}: {', '.join(f'{count} {direction}' for direction, count in sums.items() if count)}"
+        )
     lines += ["FORMAT=json lists them"] if comparison.moves else []
     lines += ["", *(f"not compared: {note}" for note in comparison.notes)]
     if comparison.missing:
-        lines.append(f"missing in one of them, so that no alarm says: {', '.join(comparison.missing)}")
+        lines.append(
+            f"missing in one of them, so that no alarm says: {', '.join(comparison.missing)}"
+        )
     return lines
 
 
@@ -102,7 +157,14 @@ def _diff_data(comparison: Comparison, say: Say) -> dict[str, Any]:
     flips = []
     for flip in comparison.flips:
         before, after = (_claim_data(flip.section, claim, say) for claim in flip.ends)
-        flips.append({"section": flip.section, "claim": flip.name, "before": before, "after": after})
+        flips.append(
+            {
+                "section": flip.section,
+                "claim": flip.name,
+                "before": before,
+                "after": after,
+            }
+        )
     return {
         "a": comparison.releases[0],
         "b": comparison.releases[1],
@@ -120,7 +182,12 @@ def _diff_data(comparison: Comparison, say: Say) -> dict[str, Any]:
 def _claim_data(section: str, claim: Claim, say: Say) -> dict[str, str]:
     outcome = claim.outcome
     text = say(section, claim)
-    return {"outcome": outcome.name, "said": outcome.answer, "text": text, "confirmed": claim.confirmed}
+    return {
+        "outcome": outcome.name,
+        "said": outcome.answer,
+        "text": text,
+        "confirmed": claim.confirmed,
+    }
 
 
 def _move_data(move: Move) -> dict[str, Any]:
@@ -149,13 +216,27 @@ def summary(comparison: Comparison) -> str:
 def largest(comparison: Comparison) -> list[str]:
     """Tell the largest changes in a line each, one of each column and in how many rows it changed; alarms first."""
     columns: dict[str, list[Move]] = {}
-    for move in sorted(comparison.moves, key=partial(_rank, rules=comparison.report.settings.changes), reverse=True):
-        is_setting = move.is_setting or move.column.is_setting  # which are told by themselves
-        if not is_setting and (move.share or (move.is_gone and move.after is None) or move.exceeds_threshold):
+    for move in sorted(
+        comparison.moves,
+        key=partial(_rank, rules=comparison.report.settings.changes),
+        reverse=True,
+    ):
+        is_setting = (
+            move.is_setting or move.column.is_setting
+        )  # which are told by themselves
+        if not is_setting and (
+            move.share
+            or (move.is_gone and move.after is None)
+            or move.exceeds_threshold
+        ):
             columns.setdefault(move.column.name, []).append(move)
     lines = []
     for lead, *more in list(columns.values())[:LINES]:
-        share = "" if lead.share is None or math.isinf(lead.share) else f", {format_share(lead.share, '+')}"
+        share = (
+            ""
+            if lead.share is None or math.isinf(lead.share)
+            else f", {format_share(lead.share, '+')}"
+        )
         location = f"{lead.section} {lead.place.get('case', '')}".strip()
         location += f"; and {len(more)} more" if more else ""
         text = f"{'alarm: ' if lead.exceeds_threshold else ''}{lead.column.words} {lead.ends}{share}"
@@ -176,9 +257,15 @@ def settings_text(settings: Sequence[Move]) -> str:
     """Name the settings that changed, alarms first, and those that only one edition has."""
     changed = [move for move in settings if None not in (move.before, move.after)]
     changed.sort(key=lambda move: not move.exceeds_threshold)
-    texts = [few([f"{move.place['case']} {move.ends}" for move in changed], 2 * NAMED)] if changed else []
+    texts = (
+        [few([f"{move.place['case']} {move.ends}" for move in changed], 2 * NAMED)]
+        if changed
+        else []
+    )
     for label, side in (("new", "before"), ("gone", "after")):
-        if lone := [move.place["case"] for move in settings if getattr(move, side) is None]:
+        if lone := [
+            move.place["case"] for move in settings if getattr(move, side) is None
+        ]:
             texts.append(f"{label}: {', '.join(lone)}")
     return "; ".join(texts) or "all as they were"
 
@@ -218,10 +305,17 @@ def rate_values(edition: Edition) -> dict[str, Value]:
     prefix = f"{edition.project.results.name}/{VALUES_FILE}#/{FOLDER}"
     formula = "each measurement left out in turn and compared with the others: "
     counts = rate_of(edition).items()
-    return {name: Value(count, "1", f"{prefix}/{name}", noise=0.0, formula=formula + name) for name, count in counts}
+    return {
+        name: Value(count, "1", f"{prefix}/{name}", noise=0.0, formula=formula + name)
+        for name, count in counts
+    }
 
 
 def rate_text(rate: Mapping[str, int]) -> str:
     """Say how often nothing had changed and a change was told."""
     text = "in {told} of {comparisons} comparisons in which nothing changed, and of {moves} of {numbers} numbers"
-    return text.format_map(rate) if rate else "not known: no section has been measured three times"
+    return (
+        text.format_map(rate)
+        if rate
+        else "not known: no section has been measured three times"
+    )

@@ -44,8 +44,14 @@ class Bisection:
         side = self.side(release, names)
         edition = editions_of(side, among=[side.release])[side.release]
         claims = [*self.query.names(edition.chapters)]
-        if self.query.is_claim and self.query.section in edition.chapters and self.query.text not in claims:
-            raise UsageError(f"there is no claim {self.query.text}{suggestion(self.query.text, claims)}")
+        if (
+            self.query.is_claim
+            and self.query.section in edition.chapters
+            and self.query.text not in claims
+        ):
+            raise UsageError(
+                f"there is no claim {self.query.text}{suggestion(self.query.text, claims)}"
+            )
         return self.query.answer(edition.chapters)
 
     def side(self, release: Release, names: Sequence[str]) -> Project:
@@ -67,7 +73,9 @@ def _lacking(project: Project, names: Sequence[str]) -> list[str]:
     """Return the sections that have to be measured: those without a record, and those
     whose record is of other packages, or, if a search measured it, of older code."""
     states = states_of(project)
-    packages = expected_packages(project, [state.record for state in states if state.record])
+    packages = expected_packages(
+        project, [state.record for state in states if state.record]
+    )
     lacking = []
     for state in states:
         record = state.record
@@ -79,10 +87,18 @@ def _lacking(project: Project, names: Sequence[str]) -> list[str]:
 
 
 def answer_text(answer: Answer | None) -> str:
-    return "cannot tell" if answer is None else answer if isinstance(answer, str) else f"{answer:.4g}"
+    return (
+        "cannot tell"
+        if answer is None
+        else answer
+        if isinstance(answer, str)
+        else f"{answer:.4g}"
+    )
 
 
-def first_change(points: Sequence[Any], is_first: Callable[[Any], bool | None]) -> tuple[Any, Any, list[Any]]:
+def first_change(
+    points: Sequence[Any], is_first: Callable[[Any], bool | None]
+) -> tuple[Any, Any, list[Any]]:
     """Return the neighbours between which the answer changes, which first and last differ in, and what can't tell."""
     low = 0
     high = len(points) - 1
@@ -95,24 +111,43 @@ def first_change(points: Sequence[Any], is_first: Callable[[Any], bool | None]) 
             low = middle
         else:
             high = middle
-    return points[low], points[high], [points[index] for index in sorted(skipped) if low < index < high]
+    return (
+        points[low],
+        points[high],
+        [points[index] for index in sorted(skipped) if low < index < high],
+    )
 
 
 def points_between(first: Release, last: Release) -> list[str]:
     """Name what a search may look at, as a command would: commits of one local repository, or else releases."""
-    (path, _, old), (new_path, _, new) = (release.asked.rpartition("@") for release in (first, last))
+    (path, _, old), (new_path, _, new) = (
+        release.asked.rpartition("@") for release in (first, last)
+    )
     if path and path == new_path and folder_at(path).is_dir():
-        commits = git(folder_at(path), "rev-list", "--reverse", "--first-parent", f"{old}..{new}").split()
-        return [first.asked, *(f"{path}@{commit}" for commit in commits[:-1]), last.asked]
+        commits = git(
+            folder_at(path), "rev-list", "--reverse", "--first-parent", f"{old}..{new}"
+        ).split()
+        return [
+            first.asked,
+            *(f"{path}@{commit}" for commit in commits[:-1]),
+            last.asked,
+        ]
     return [first.asked, *map(str, releases_between(first, last)), last.asked]
 
 
 def bisect(search: Bisection, first: Release, last: Release) -> str:
     """Say which edition is the first that answers otherwise, and which package did it; UsageError where none does."""
-    b, a = search.answer(last), search.answer(first)  # the newer one is often measured, and names what there is not
+    b, a = (
+        search.answer(last),
+        search.answer(first),
+    )  # the newer one is often measured, and names what there is not
     if a is None or b is None or a == b:
-        hint = "; PROFILE=full looks closer" if search.project.profile == "quick" else ""
-        raise UsageError(f"{search.query.text} is {answer_text(a)} at A and {answer_text(b)} at B{hint}")
+        hint = (
+            "; PROFILE=full looks closer" if search.project.profile == "quick" else ""
+        )
+        raise UsageError(
+            f"{search.query.text} is {answer_text(a)} at A and {answer_text(b)} at B{hint}"
+        )
 
     def is_first(release: Release) -> bool | None:
         try:
@@ -122,26 +157,46 @@ def bisect(search: Bisection, first: Release, last: Release) -> str:
             return None
         return None if answer is None else search.query.is_first(answer, a, b)
 
-    names = first_change(points_between(first, last), lambda name: is_first(release_of(name)))
+    names = first_change(
+        points_between(first, last), lambda name: is_first(release_of(name))
+    )
     before, after = map(release_of, names[:2])
-    lines = [f"{search.query.text} changes between {before} and {after}: {answer_text(a)} → {answer_text(b)}"]
+    lines = [
+        f"{search.query.text} changes between {before} and {after}: {answer_text(a)} → {answer_text(b)}"
+    ]
     if names[2]:  # each may be the one that differs
-        lines += [f"no answer from {', '.join(names[2])}: the first that answers otherwise is one of these and {after}"]
+        lines += [
+            f"no answer from {', '.join(names[2])}: the first that answers otherwise is one of these and {after}"
+        ]
     return "\n".join([*lines, _which_package(search, before, after, is_first)])
 
 
-def _which_package(search: Bisection, before: Release, after: Release, is_first: Callable[..., Any]) -> str:
+def _which_package(
+    search: Bisection, before: Release, after: Release, is_first: Callable[..., Any]
+) -> str:
     """Say which package did it: the older edition takes the newer one's others in turn, as it may run with newer."""
     settings = search.project.report.settings
     old = search.packages(before)
     new = search.packages(after)
-    groups = [names for names in settings.changes.package_groups if any(old[name] != new[name] for name in names)]
+    groups = [
+        names
+        for names in settings.changes.package_groups
+        if any(old[name] != new[name] for name in names)
+    ]
     pins = [f"{name}=={new[name]}" for names in groups for name in names]
     if any(MISSING in pin for pin in pins):
         return "which package did it cannot be told: one of them is not there in all"
     ways = [sum(map(len, groups[:count])) for count in range(1, len(groups) + 1)]
-    steps = [before, *(release_of(before.asked, " ".join(pins[:count])) for count in ways), after]
+    steps = [
+        before,
+        *(release_of(before.asked, " ".join(pins[:count])) for count in ways),
+        after,
+    ]
     low, high, skipped = first_change(steps, is_first)
     changed = [*groups, (settings.edition,)][steps.index(low) : steps.index(high)]
     names = " or ".join(" and ".join(names) for names in changed)
-    return f"it is one of {names}" if skipped else f"{names} did it: {low} is as before, {high} is not"
+    return (
+        f"it is one of {names}"
+        if skipped
+        else f"{names} did it: {low} is as before, {high} is not"
+    )

@@ -31,12 +31,16 @@ COMMIT_LIMIT = 200  # so many commits back the old code is looked for
 SHORT = 12  # characters of a commit
 
 
-def carried(project: Project, release: Release, names: Sequence[str]) -> Iterator[tuple[str, str]]:
+def carried(
+    project: Project, release: Release, names: Sequence[str]
+) -> Iterator[tuple[str, str]]:
     """Carry the records of sections; yield each with the reason why it could not be carried, or empty."""
     with worktree(project.root) as old, worktree(project.root) as new:
         python = python_of(release, expected_packages(project), project.root)
         for name in names:
-            sides = [replace(project, profile="quick", root=root) for root in (old, new)]
+            sides = [
+                replace(project, profile="quick", root=root) for root in (old, new)
+            ]
             try:
                 carry(project, name, sides, python)
                 yield name, ""
@@ -48,7 +52,9 @@ def carry(project: Project, name: str, sides: Sequence[Project], python: Path) -
     """Carry one record; ReportError if that is not proven, and then nothing is written."""
     old, new = sides
     path = project.record_path(name)
-    basis = basis_of(name, path, project.profile, project.root, expected_packages(project))
+    basis = basis_of(
+        name, path, project.profile, project.root, expected_packages(project)
+    )
     record = load_record(path)
     recorded = record.identity
     if basis.identity.code == recorded.code:
@@ -56,7 +62,9 @@ def carry(project: Project, name: str, sides: Sequence[Project], python: Path) -
     if replace(basis.identity, code=recorded.code, files=recorded.files) != recorded:
         raise ReportError(f"more than its code changed: make rerun SECTION={name}")
     if any(project.report.columns[column].is_cost for column in record.units):
-        raise ReportError(f"it has times, which are not carried: make rerun SECTION={name}")
+        raise ReportError(
+            f"it has times, which are not carried: make rerun SECTION={name}"
+        )
     new_code = identity_of(name, project.profile, new.root, recorded.packages).code
     if new_code != basis.identity.code:
         raise ReportError("its code has changes without a commit; commit them first")
@@ -67,12 +75,18 @@ def carry(project: Project, name: str, sides: Sequence[Project], python: Path) -
         with ThreadPoolExecutor() as pool:
             before, after = pool.map(partial(_run, name, python, log), sides)
         called = _places(log)
-    if reason := first_difference(before, after) or uncovered(Program(name, old.root), Program(name, new.root), called):
+    if reason := first_difference(before, after) or uncovered(
+        Program(name, old.root), Program(name, new.root), called
+    ):
         raise ReportError(reason)
     commits = old_commit[:SHORT], git(new.root, "rev-parse", "HEAD")[:SHORT]
     cell_count = sum(map(len, after.rows))
-    change = Carried(recorded.code, *commits, now().isoformat(timespec="seconds"), cell_count)
-    basis.write(replace(record, identity=basis.identity, carried=(*record.carried, change)))
+    change = Carried(
+        recorded.code, *commits, now().isoformat(timespec="seconds"), cell_count
+    )
+    basis.write(
+        replace(record, identity=basis.identity, carried=(*record.carried, change))
+    )
 
 
 @contextmanager
@@ -87,7 +101,9 @@ def worktree(root: Path) -> Iterator[Path]:
         run_git(root, "worktree", "add", "--quiet", "--detach", str(tree))
         try:
             tree_root = tree / git(root, "rev-parse", "--show-prefix")
-            for made in root.glob(".venv-*"):  # environments, which take minutes to make
+            for made in root.glob(
+                ".venv-*"
+            ):  # environments, which take minutes to make
                 (tree_root / made.name).symlink_to(made)
             yield tree_root
         finally:
@@ -99,15 +115,30 @@ def _check_out_measured(record: Record, root: Path) -> str:
     files = [f":(top,glob)**/{file}" for file in record.identity.files]
     head = git(root, "rev-parse", "HEAD")
     limit = f"--max-count={COMMIT_LIMIT}"
-    parents = git(root, "log", "--format=%P", limit, head, "--", *files).split()  # before each change of a file
-    noted = [carried.new for carried in record.carried[-1:]] + [str(record.measured["commit"])]
+    parents = git(
+        root, "log", "--format=%P", limit, head, "--", *files
+    ).split()  # before each change of a file
+    noted = [carried.new for carried in record.carried[-1:]] + [
+        str(record.measured["commit"])
+    ]
     for commit in dict.fromkeys([*noted, head, *parents]):
         with suppress(ReportError):  # the commit is not here, or has no such section
-            run_git(root, "checkout", "--quiet", "--force", "--detach", commit.removesuffix("-dirty"))
-            found = identity_of(record.section, record.identity.profile, root, record.identity.packages)
+            run_git(
+                root,
+                "checkout",
+                "--quiet",
+                "--force",
+                "--detach",
+                commit.removesuffix("-dirty"),
+            )
+            found = identity_of(
+                record.section, record.identity.profile, root, record.identity.packages
+            )
             if found.code == record.identity.code:
                 return git(root, "rev-parse", "HEAD")
-    raise ReportError(f"none of the {COMMIT_LIMIT} newest commits that change its files has the code that was measured")
+    raise ReportError(
+        f"none of the {COMMIT_LIMIT} newest commits that change its files has the code that was measured"
+    )
 
 
 def _run(name: str, python: Path, log: Path, side: Project) -> Record:
@@ -126,11 +157,26 @@ def _run(name: str, python: Path, log: Path, side: Project) -> Record:
         executed.VARIABLE: os.pathsep.join([str(log), f"{side.root}/"]),
         **side.report.accelerator.NONE,
     }
-    command = [str(python), "-m", MODULE, name, "--device", "cpu", "--profile", side.profile, "--edition", side.release]
+    command = [
+        str(python),
+        "-m",
+        MODULE,
+        name,
+        "--device",
+        "cpu",
+        "--profile",
+        side.profile,
+        "--edition",
+        side.release,
+    ]
     env = environment(**settings)
-    process = subprocess.run(command, cwd=side.root, env=env, capture_output=True, text=True, check=False)
+    process = subprocess.run(
+        command, cwd=side.root, env=env, capture_output=True, text=True, check=False
+    )
     if process.returncode or not path.exists():
-        reason = [*filter(None, process.stderr.splitlines()), "no reason was given"][-1 if process.returncode else 0]
+        reason = [*filter(None, process.stderr.splitlines()), "no reason was given"][
+            -1 if process.returncode else 0
+        ]
         raise ReportError(f"both codes could not be measured: {reason}")
     return load_record(path)
 

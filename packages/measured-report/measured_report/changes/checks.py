@@ -18,7 +18,9 @@ from measured_report.values.format import format_share
 from measured_report.values.quantities import Quantity
 
 
-def refuse_unknown_names(editions: Mapping[str, Edition], edition: Edition | None) -> None:
+def refuse_unknown_names(
+    editions: Mapping[str, Edition], edition: Edition | None
+) -> None:
     """Raise ReportError for the first name in report.toml that names nothing.
 
     Sections that were not measured yet are not asked for a value.
@@ -51,17 +53,27 @@ def refuse_unknown_names(editions: Mapping[str, Edition], edition: Edition | Non
     for each in editions.values():
         columns.update(_columns_of(each))
     for table in settings.columns:
-        others = table.rate_of, table.known_within, table.grows_with, table.trials, table.unless
+        others = (
+            table.rate_of,
+            table.known_within,
+            table.grows_with,
+            table.trials,
+            table.unless,
+        )
         _refuse("columns", (*table.names, *others), "column", columns)
     for setting in ("repeating", "cost_terms"):
         _refuse(setting, getattr(settings, setting), "column", columns)
 
 
-def _refuse(setting: str, names: Iterable[str], kind: str, existing: Collection[str]) -> None:
+def _refuse(
+    setting: str, names: Iterable[str], kind: str, existing: Collection[str]
+) -> None:
     for name in names:
         if name and name not in existing:
             similar = suggestion(name, existing)
-            raise ReportError(f"{FILE}: {setting} names {name}, which is no {kind} here{similar}")
+            raise ReportError(
+                f"{FILE}: {setting} names {name}, which is no {kind} here{similar}"
+            )
 
 
 def _is_there(query: Query, edition: Edition) -> bool:
@@ -69,12 +81,16 @@ def _is_there(query: Query, edition: Edition) -> bool:
     if query.is_claim:
         return query.claim(edition.chapters) is not None
     number = query.quantity(edition.chapters)
-    return isinstance(number, bool) or (isinstance(number, Quantity) and bool(number.source))
+    return isinstance(number, bool) or (
+        isinstance(number, Quantity) and bool(number.source)
+    )
 
 
 def _columns_of(edition: Edition) -> list[str]:
     chapters = edition.chapters.values()
-    return columns_of([row for chapter in chapters for row in chapter.results.record.rows])
+    return columns_of(
+        [row for chapter in chapters for row in chapter.results.record.rows]
+    )
 
 
 def gaps(edition: Edition) -> list[str]:
@@ -87,9 +103,13 @@ def gaps(edition: Edition) -> list[str]:
             tuple(item for item in row.items() if not isinstance(item[1], float))
             for row in rows
         ]
-        doubles = [dict(cells)["case"] for cells, count in Counter(exact).items() if count > 1]
+        doubles = [
+            dict(cells)["case"] for cells, count in Counter(exact).items() if count > 1
+        ]
         for case in dict.fromkeys(doubles):
-            lines.append(f"{name}: several rows of case {case}, which nothing tells apart")
+            lines.append(
+                f"{name}: several rows of case {case}, which nothing tells apart"
+            )
         for row in rows:
             for column, reason in unbelieved(row).items():
                 lines.append(f"{name}: {row['case']} has no {column}: {reason}")
@@ -98,7 +118,9 @@ def gaps(edition: Edition) -> list[str]:
                 lines.append(f"{name}: the figure {key} has no sources")
         for claim in chapter.section.claims:
             for number in claim.unread(edition.report.columns):
-                lines.append(f"{name}.{claim.name} prints {number}, which its test has not read")
+                lines.append(
+                    f"{name}.{claim.name} prints {number}, which its test has not read"
+                )
             outcome = claim.outcome
             is_near = outcome.is_inconclusive or outcome == WITHIN
             if outcome.name == "unknown" and not is_near:
@@ -122,7 +144,9 @@ def blind_spots(edition: Edition) -> list[str]:
                 least = math.sqrt(2) * number.noise / abs(number.value)
             if least > threshold:
                 hidden = f"noise hides changes below {format_share(least)}"
-                late.append(f"{name}: threshold {format_share(threshold)}, but {hidden}")
+                late.append(
+                    f"{name}: threshold {format_share(threshold)}, but {hidden}"
+                )
     return late
 
 

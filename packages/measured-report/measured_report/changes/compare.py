@@ -80,13 +80,17 @@ def flips(releases: Releases, page_release: str) -> Iterator[Flip]:
         }
         groups = [list(group) for _, group in groupby(outcomes, outcomes.__getitem__)]
         if len(groups) > 1:
-            worded = [page_release if page_release in each else each[-1] for each in groups]
+            worded = [
+                page_release if page_release in each else each[-1] for each in groups
+            ]
             answered = list(zip(groups, map(answers.__getitem__, worded), strict=True))
             chapter = releases[next(iter(answers))][section]
             yield Flip(section, name, chapter.results.label, chapter.page, answered)
 
 
-def _terms_of(section: str, claim: Claim, chapters: Chapters) -> frozenset[tuple[Any, ...]]:
+def _terms_of(
+    section: str, claim: Claim, chapters: Chapters
+) -> frozenset[tuple[Any, ...]]:
     """Return what editions must share for their answers to a claim to be compared: the
     machine, for a claim on costs or on the noise."""
     results = chapters[section].results
@@ -133,7 +137,9 @@ def backed(flips: Sequence[Flip], compared: Sequence[Move], noise: str) -> list[
         for _, claim in flip.answers:
             pointers = list(map(Pointer, claim.outcome.reads))
             read |= {each for each in pointers if each.cell and noise not in each.file}
-            has_traces = any(each.is_trace for each in pointers)  # which records may lack
+            has_traces = any(
+                each.is_trace for each in pointers
+            )  # which records may lack
             is_untold |= has_traces and claim.outcome.name == "unknown"
         moved = (_has_moved(pointer, of_rows) for pointer in read)
         if not is_untold and (not read or any(moved)):
@@ -184,7 +190,9 @@ class Fault:
 
     def text(self, settings: Config) -> str:
         subject = f"{self.section}.{self.claim}".rstrip(".")
-        return f"{self.kind}: {settings.edition} {self.release}, {subject}: {self.reason}"
+        return (
+            f"{self.kind}: {settings.edition} {self.release}, {subject}: {self.reason}"
+        )
 
 
 @dataclass(frozen=True)
@@ -221,7 +229,11 @@ class Comparison:
     def missing(self) -> list[str]:
         """Return the numbers with a threshold that are not in both editions."""
         names = {cell.name for cell in self.cells}
-        return [name for name in self.report.settings.changes.thresholds if name not in names]
+        return [
+            name
+            for name in self.report.settings.changes.thresholds
+            if name not in names
+        ]
 
     @property
     def is_alarm(self) -> bool:
@@ -229,7 +241,9 @@ class Comparison:
         return bool(self.faults or self.flips or self.alarms)
 
 
-def compare(before: Edition, after: Edition, timed: Sequence[Edition] = ()) -> Comparison:
+def compare(
+    before: Edition, after: Edition, timed: Sequence[Edition] = ()
+) -> Comparison:
     """Compare the results of two editions; sections that were ``timed`` in turn, in both
     of these editions, by their times there."""
     sides = before.chapters, after.chapters
@@ -298,7 +312,9 @@ def faults_of(edition: Edition) -> list[Fault]:
                 read = cells(claim.outcome.reads, edition.chapters)
                 lost = [row for _, row, column in read if row.get(column) is None]
                 for reason in list(filter(None, map(_breakdown, lost)))[:1]:
-                    faults.append(Fault(release, name, "cannot tell", reason, claim.name))
+                    faults.append(
+                        Fault(release, name, "cannot tell", reason, claim.name)
+                    )
     return faults
 
 
@@ -317,7 +333,12 @@ def _faults_between(before: Edition, after: Edition) -> Iterator[Fault]:
         cases = [{row["case"] for row in record.rows} for record in records]
         common = set.intersection(*cases)
         broken = [
-            [reason for row in record.rows if row["case"] in common if (reason := _breakdown(row))]
+            [
+                reason
+                for row in record.rows
+                if row["case"] in common
+                if (reason := _breakdown(row))
+            ]
             for record in records
         ]
         for edition, reasons in zip((before, after), broken, strict=True):

@@ -111,7 +111,9 @@ class Move:
         named = self.rules.thresholds
         if "failure" in self.column.kinds:
             run = self.name.rpartition(".")[0]
-            return self.is_real and any(name.rpartition(".")[0] == run for name in named)
+            return self.is_real and any(
+                name.rpartition(".")[0] == run for name in named
+            )
         threshold = named.get(self.name)
         if self.is_setting:
             threshold = self.rules.setting_threshold

@@ -65,11 +65,15 @@ class Query:
         columns = schema_of(chapters)
         alike = columns.settings.changes.equivalent_sections if columns else ()
         sections = (self.section, *(alike if self.section in alike else ()))
-        rows = [self._row(chapters[name].results) for name in sections if name in chapters]
+        rows = [
+            self._row(chapters[name].results) for name in sections if name in chapters
+        ]
         row = next(filter(None, rows), None)
         if row and self.column in row:
             return row[self.column]
-        edition = f" with {columns.settings.name_of(release)}" if columns and release else ""
+        edition = (
+            f" with {columns.settings.name_of(release)}" if columns and release else ""
+        )
         unit = columns[self.column].unit if columns else PLAIN
         return absent(unit, f"{self.section} has not been measured so{edition}")
 
@@ -78,7 +82,9 @@ class Query:
             return results.row[self.case]
         terms = results.columns.settings.cost_terms
         wanted = self.case, self.device
-        rows = [row for row in results.rows if (row.case, row.plain.get("device")) == wanted]
+        rows = [
+            row for row in results.rows if (row.case, row.plain.get("device")) == wanted
+        ]
         cost = [[row.plain.get(term) or 0 for term in terms] for row in rows]
         return rows[cost.index(min(cost))] if rows else None
 
@@ -99,7 +105,9 @@ class Query:
             return
         for name in get_close_matches(self.section, chapters, n=1):
             for case, row in chapters[name].results.row.items():
-                numbers = [each for each in row.plain if isinstance(row[each], Quantity)]
+                numbers = [
+                    each for each in row.plain if isinstance(row[each], Quantity)
+                ]
                 yield from (f"{name}.{case}.{column}" for column in numbers)
 
     def is_first(self, answer: Answer, first: Answer, last: Answer) -> bool:
@@ -181,7 +189,10 @@ def changes_in(
     best = max(weighted, key=weighted.__getitem__, default=0)
     if not best or apart[best] <= resolution:
         return []
-    errors = math.hypot(*known[:best]) / best, math.hypot(*known[best:]) / (count - best)
+    errors = (
+        math.hypot(*known[:best]) / best,
+        math.hypot(*known[best:]) / (count - best),
+    )
     deviations = apart[best] / max(math.hypot(*errors) / Z, TINY)
     if (count - 1) * math.erfc(deviations / math.sqrt(2)) > FALSE_SHARE:
         return []

@@ -15,7 +15,9 @@ def run(project: Project, arguments: Arguments) -> int:
     """Print of each section whether it was carried, and if not why; 1 when one was not."""
     names = sections(project.root)
     if arguments.section and arguments.section not in names:
-        raise UsageError(f"SECTION={arguments.section} is no section{suggestion(arguments.section, names)}")
+        raise UsageError(
+            f"SECTION={arguments.section} is no section{suggestion(arguments.section, names)}"
+        )
     stale = [state.section for state in states_of(project) if state.kind == "stale"]
     chosen = [arguments.section] if arguments.section else stale
     if not chosen:
@@ -23,6 +25,9 @@ def run(project: Project, arguments: Arguments) -> int:
         return 0
     is_refused = False
     for name, reason in carried(project, arguments.release, chosen):
-        print(f"{name}: not carried: {reason}" if reason else f"{name}: carried", flush=True)
+        print(
+            f"{name}: not carried: {reason}" if reason else f"{name}: carried",
+            flush=True,
+        )
         is_refused |= bool(reason)
     return int(is_refused)

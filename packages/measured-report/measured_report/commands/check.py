@@ -8,7 +8,10 @@ from measured_report.editions.project import Project
 from measured_report.findings.editions import editions_of
 from measured_report.pages.wording import sentences_of
 
-STRICT = {"action": "store_true", "help": "1: end with status 1 when anything can't be trusted"}
+STRICT = {
+    "action": "store_true",
+    "help": "1: end with status 1 when anything can't be trusted",
+}
 OPTIONS = {**shared("edition", "profile", "format"), "strict": STRICT}
 
 
@@ -17,4 +20,6 @@ def run(project: Project, arguments: Arguments) -> int:
     refuse_unmeasured(project, arguments.release.asked)
     edition = editions_of(project)[project.release]
     print(check_text(edition, arguments.format, sentences_of(project)))
-    return int(say_damage(edition.left_out) or (arguments.strict and bool(faults_of(edition))))
+    return int(
+        say_damage(edition.left_out) or (arguments.strict and bool(faults_of(edition)))
+    )

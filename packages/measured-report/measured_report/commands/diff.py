@@ -25,5 +25,7 @@ def run(project: Project, arguments: Arguments) -> int:
     before, after = (derive_edition(project.of(name)) for name in names)
     comparison = compare(before, after)
     rate = rate_of(before) + rate_of(after)
-    print(diff_text(comparison, rate_text(rate), arguments.format, sentences_of(project)))
+    print(
+        diff_text(comparison, rate_text(rate), arguments.format, sentences_of(project))
+    )
     return int(comparison.is_alarm)

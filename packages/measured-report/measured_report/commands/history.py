@@ -10,14 +10,21 @@ OPTIONS = shared("claim", "value", "profile")
 
 
 def run(project: Project, arguments: Arguments) -> int:
-    releases = {release: edition.chapters for release, edition in editions_of(project).items()}
+    releases = {
+        release: edition.chapters for release, edition in editions_of(project).items()
+    }
     if not (arguments.claim or arguments.value):
         headlines = project.report.settings.changes.headlines.values()
         print("\n\n".join(history(releases, Query(value)) for value in headlines))
         return 0
     query = query_of(arguments)
-    if not any(query.answer(side) is not None or query.text in query.names(side) for side in releases.values()):
-        raise UsageError(f"no edition has {query.text}{suggestion(query.text, query.names(releases[project.release]))}")
+    if not any(
+        query.answer(side) is not None or query.text in query.names(side)
+        for side in releases.values()
+    ):
+        raise UsageError(
+            f"no edition has {query.text}{suggestion(query.text, query.names(releases[project.release]))}"
+        )
     print(history(releases, query))
     return 0
 

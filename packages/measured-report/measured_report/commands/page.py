@@ -30,21 +30,29 @@ def build_site(project: Project, address: str = "") -> tuple[bool, bool]:
     missing = [state.section for state in built.left_out if state.kind == Kind.MISSING]
     whole = (Kind.MISSING, Kind.NOT_SHOWN)
     damaged = [state.section for state in built.left_out if state.kind not in whole]
-    lacking = [name for name in (*missing, *damaged, *built.stale) if name in measurable]
+    lacking = [
+        name for name in (*missing, *damaged, *built.stale) if name in measurable
+    ]
     for label, names in (("not measured", missing), ("stale", built.stale)):
         if names:
             print(f"{label}: {', '.join(names)}")
     if lacking:
         # A CPU's results never stand with those of an accelerator.
-        takes_card = needs_device(lacking[0], project) and any(machines_besides(project, "cpu"))
+        takes_card = needs_device(lacking[0], project) and any(
+            machines_besides(project, "cpu")
+        )
         accelerator = project.report.accelerator
         on = f" on a {accelerator.NOUN}"
         device = None if accelerator.accelerators() or takes_card else "cpu"
-        print(f"{project.rerun(lacking[0], device)} measures one of them{on if takes_card else ''}")
+        print(
+            f"{project.rerun(lacking[0], device)} measures one of them{on if takes_card else ''}"
+        )
     for note in (*built.gaps, *built.notes):
         print(note)
     print(f"built {project.site.name}/index.html")
-    return say_damage(state for release in releases.values() for state in release.left_out), bool(lacking)
+    return say_damage(
+        state for release in releases.values() for state in release.left_out
+    ), bool(lacking)
 
 
 def say_damage(states: Iterable[State]) -> bool:

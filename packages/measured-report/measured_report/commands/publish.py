@@ -25,15 +25,22 @@ from measured_report.files.git import GitError, environment, run_git
 from measured_report.records.replicas import SUMS
 from measured_report.site.check import check_site
 
-OPTIONS = {"target": {"default": "", "help": "where to publish: dir:PATH or git:REMOTE"}, **shared("address")}
+OPTIONS = {
+    "target": {"default": "", "help": "where to publish: dir:PATH or git:REMOTE"},
+    **shared("address"),
+}
 DEFAULT, BRANCH = "git:origin", "gh-pages"
 SUBJECT = "The report, as make publish made it"
-MARK = ".published"  # a file of every copy that is published: only what has it is replaced
+MARK = (
+    ".published"  # a file of every copy that is published: only what has it is replaced
+)
 ASIDE = ".site-copy"  # a folder beside the site, where the copy lies meanwhile
 DOMAIN = "CNAME"  # a file that GitHub keeps on the branch
 ALONE = ("core.bare=true", "push.followTags=false", "push.recurseSubmodules=no")
 PROTOCOLS = "file:git:http:https:ssh"
-QUICK = '<meta name="profile" content="quick">'  # of a page of small grids and short runs
+QUICK = (
+    '<meta name="profile" content="quick">'  # of a page of small grids and short runs
+)
 
 
 def run(project: Project, arguments: Arguments) -> int:
@@ -41,7 +48,9 @@ def run(project: Project, arguments: Arguments) -> int:
     page, is_damaged = project.site / "index.html", False
     if page.is_file():
         profile = "quick" if QUICK.encode() in page.read_bytes() else project.profile
-        is_damaged, _ = build_site(dataclasses.replace(project, profile=profile), arguments.address)
+        is_damaged, _ = build_site(
+            dataclasses.replace(project, profile=profile), arguments.address
+        )
     print(f"published at {publish(project.site, arguments.target)}")
     return int(is_damaged)
 
@@ -50,14 +59,27 @@ def publish(site: Path, target: str) -> str:
     """Put a checked copy of ``site`` at ``dir:PATH`` or ``git:REMOTE#BRANCH``, whole, and return where it lies."""
     scheme, _, location = (target or DEFAULT).partition(":")
     option = f"TARGET={target}"
-    if scheme not in TARGETS or not location or location.startswith("-") or "\0" in location:
-        raise UsageError(f"{option!r} is no place to publish to; use TARGET=dir:PATH or git:REMOTE")
+    if (
+        scheme not in TARGETS
+        or not location
+        or location.startswith("-")
+        or "\0" in location
+    ):
+        raise UsageError(
+            f"{option!r} is no place to publish to; use TARGET=dir:PATH or git:REMOTE"
+        )
     try:
         (site.parent / ASIDE).mkdir(exist_ok=True)
-        with staging_folder(site.parent / ASIDE / "copy") as folder:  # what a killed one has left goes now
-            return without_secrets(TARGETS[scheme](_checked_copy(site, folder / "site"), location, site))
+        with staging_folder(
+            site.parent / ASIDE / "copy"
+        ) as folder:  # what a killed one has left goes now
+            return without_secrets(
+                TARGETS[scheme](_checked_copy(site, folder / "site"), location, site)
+            )
     except OSError as error:
-        raise UsageError(f"{option}: {error.strerror or ' '.join(str(error).split())}") from None
+        raise UsageError(
+            f"{option}: {error.strerror or ' '.join(str(error).split())}"
+        ) from None
 
 
 def _checked_copy(site: Path, copy: Path) -> Path:
@@ -66,13 +88,21 @@ def _checked_copy(site: Path, copy: Path) -> Path:
         raise UsageError(f"{site.name}/ holds no report; make report builds it")
     with locked(site.parent, alone=False):  # not while it is being put in place
         digests = digests_below(site)
-        if not digests.pop(SUMS, "") or (site / SUMS).read_text(encoding="utf-8", errors="replace") != sums(digests):
-            raise ReportError(f"not published: {site.name}/ is not as it was built; make report builds it again")
+        if not digests.pop(SUMS, "") or (site / SUMS).read_text(
+            encoding="utf-8", errors="replace"
+        ) != sums(digests):
+            raise ReportError(
+                f"not published: {site.name}/ is not as it was built; make report builds it again"
+            )
         shutil.copytree(site, copy)
     if QUICK.encode() in (copy / "index.html").read_bytes():
-        raise UsageError(f"{site.name}/ holds a quick look, not the report; make report builds that")
+        raise UsageError(
+            f"{site.name}/ holds a quick look, not the report; make report builds that"
+        )
     if problems := check_site(copy):
-        raise ReportError(f"not published, problems found: {len(problems)}; the first: {problems[0]}")
+        raise ReportError(
+            f"not published, problems found: {len(problems)}; the first: {problems[0]}"
+        )
     write_file(copy / MARK, "what make publish made; it removes what else is here\n")
     for path in (copy, *copy.rglob("*")):
         path.chmod(0o755 if path.is_dir() else 0o644)
@@ -86,7 +116,9 @@ def _to_folder(copy: Path, location: str, site: Path) -> str:
         raise UsageError(f"TARGET=dir:{location}: there is no folder to put it into")
     is_free = not path.exists() or (path.is_dir() and not any(path.iterdir()))
     if path.is_symlink() or not (is_free or (path / MARK).is_file()):
-        raise UsageError(f"{path} holds something that was not published here; it was left alone")
+        raise UsageError(
+            f"{path} holds something that was not published here; it was left alone"
+        )
     with staging_folder(path) as fresh:
         shutil.copytree(copy, fresh)
         replace(path, fresh)
@@ -96,7 +128,9 @@ def _to_folder(copy: Path, location: str, site: Path) -> str:
 def _to_branch(copy: Path, location: str, site: Path) -> str:
     """Publish to a branch of a remote, as its one commit, made in a repository of its own and pushed by address."""
     if not shutil.which("git"):
-        raise UsageError("publishing there needs git, which is not there; TARGET=dir:PATH needs nothing")
+        raise UsageError(
+            "publishing there needs git, which is not there; TARGET=dir:PATH needs nothing"
+        )
     try:
         return _pushed(copy, location, site)
     except GitError as error:
@@ -106,30 +140,62 @@ def _to_branch(copy: Path, location: str, site: Path) -> str:
 def _pushed(copy: Path, location: str, site: Path) -> str:
     remote, _, branch = location.partition("#")
     branch = branch or BRANCH
-    ref, aside, here = f"refs/heads/{branch}", copy.with_name("git"), partial(run_git, site.parent)
+    ref, aside, here = (
+        f"refs/heads/{branch}",
+        copy.with_name("git"),
+        partial(run_git, site.parent),
+    )
     if Path(here("rev-parse", "--show-toplevel")) != site.parent.resolve():
-        raise UsageError(f"{site.parent} is no git repository of its own; TARGET=dir:PATH needs none")
-    if here("check-ref-format", "--branch", branch) != branch or branch.startswith(("@", "refs/")):
+        raise UsageError(
+            f"{site.parent} is no git repository of its own; TARGET=dir:PATH needs none"
+        )
+    if here("check-ref-format", "--branch", branch) != branch or branch.startswith(
+        ("@", "refs/")
+    ):
         raise UsageError(f"{branch} is no name for a branch")
     is_named = remote in here("remote").splitlines()
     address = here("remote", "get-url", "--push", remote) if is_named else remote
     here("init", "--quiet", "--bare", str(aside))
     # The clone's settings say who pushes; none of its hooks or of what else may go with a push has a part.
-    settings = [f"include.path={site.parent / here('rev-parse', '--git-path', 'config')}", *ALONE]
+    settings = [
+        f"include.path={site.parent / here('rev-parse', '--git-path', 'config')}",
+        *ALONE,
+    ]
     options = [option for setting in settings for option in ("-c", setting)]
-    there = partial(run_git, aside, *options, GIT_DIR=str(aside), GIT_ALLOW_PROTOCOL=PROTOCOLS)
+    there = partial(
+        run_git, aside, *options, GIT_DIR=str(aside), GIT_ALLOW_PROTOCOL=PROTOCOLS
+    )
     if before := _tip(there, address, ref):
-        there("fetch", "--quiet", "--depth", "1", "--no-tags", "--no-auto-maintenance", address, ref)
+        there(
+            "fetch",
+            "--quiet",
+            "--depth",
+            "1",
+            "--no-tags",
+            "--no-auto-maintenance",
+            address,
+            ref,
+        )
         names = there("ls-tree", "--name-only", before).splitlines()
         if MARK not in names:
-            raise UsageError(f"the branch {branch} of {remote} holds something else; it was left alone")
+            raise UsageError(
+                f"the branch {branch} of {remote} holds something else; it was left alone"
+            )
         if DOMAIN in names and not (copy / DOMAIN).exists():
             write_file(copy / DOMAIN, there("show", f"{before}:{DOMAIN}") + "\n")
     _import(copy, branch, aside)
     commit = there("rev-parse", ref)
-    there("push", "--quiet", f"--force-with-lease={ref}:{before}", address, f"{commit}:{ref}")
+    there(
+        "push",
+        "--quiet",
+        f"--force-with-lease={ref}:{before}",
+        address,
+        f"{commit}:{ref}",
+    )
     if _tip(there, address, ref) != commit:
-        raise ReportError(f"not published: {remote} does not have it on its branch {branch}")
+        raise ReportError(
+            f"not published: {remote} does not have it on its branch {branch}"
+        )
     return f"{remote}, branch {branch}"
 
 
@@ -141,12 +207,30 @@ def _tip(git: Callable[..., str], address: str, ref: str) -> str:
 
 def _import(copy: Path, branch: str, repository: Path) -> None:
     """Make a folder the one commit of a branch."""
-    command = [sys.executable, "-m", "ghp_import", "--no-jekyll", "--branch", branch, "--message", SUBJECT, str(copy)]
-    author = {"GIT_COMMITTER_NAME": "make publish", "GIT_COMMITTER_EMAIL": "publish@localhost"}
+    command = [
+        sys.executable,
+        "-m",
+        "ghp_import",
+        "--no-jekyll",
+        "--branch",
+        branch,
+        "--message",
+        SUBJECT,
+        str(copy),
+    ]
+    author = {
+        "GIT_COMMITTER_NAME": "make publish",
+        "GIT_COMMITTER_EMAIL": "publish@localhost",
+    }
     env = environment(GIT_DIR=str(repository), **author)
-    ended = subprocess.run(command, input="", capture_output=True, text=True, errors="replace", env=env)
+    ended = subprocess.run(
+        command, input="", capture_output=True, text=True, errors="replace", env=env
+    )
     if ended.returncode:
-        lines = [*filter(None, map(str.strip, ended.stderr.splitlines())), f"exit status {ended.returncode}"]
+        lines = [
+            *filter(None, map(str.strip, ended.stderr.splitlines())),
+            f"exit status {ended.returncode}",
+        ]
         raise UsageError(f"not published: ghp-import: {lines[0]}")
 
 

@@ -18,7 +18,10 @@ from measured_report.measuring.measure import measure
 from measured_report.records.replicas import FOLDER, Records, archive_of, read_replica
 
 ASIDE = "replicate"  # the folder below `results` of what is being measured again: what is there is not measured twice
-FILE = {"default": "", "help": "somebody else's replica, a .tgz; without one it is measured here"}
+FILE = {
+    "default": "",
+    "help": "somebody else's replica, a .tgz; without one it is measured here",
+}
 OPTIONS = {"file": FILE, **shared("edition", "device", "cluster")}
 
 
@@ -29,12 +32,24 @@ def run(project: Project, arguments: Arguments) -> int:
         return 0
     device = device_of(project, arguments)
     fresh = [state.section for state in states_of(project) if state.kind == "fresh"]
-    if not (measurable := [section for section in fresh if device or not needs_device(section, project)]):
+    if not (
+        measurable := [
+            section for section in fresh if device or not needs_device(section, project)
+        ]
+    ):
         raise UsageError(lacks(project.report))
     again = replace(project.of(project.release), aside=ASIDE)
-    if lacking := [section for section in measurable if not again.record_path(section).exists()]:
-        again = measure(again, arguments.release, lacking, device or "cpu", arguments.cluster)
-    _keep(project, {record.section: record for record in records_of(again)}, "what was measured")
+    if lacking := [
+        section for section in measurable if not again.record_path(section).exists()
+    ]:
+        again = measure(
+            again, arguments.release, lacking, device or "cpu", arguments.cluster
+        )
+    _keep(
+        project,
+        {record.section: record for record in records_of(again)},
+        "what was measured",
+    )
     shutil.rmtree(again.results)
     return 0
 
@@ -43,15 +58,23 @@ def _keep(project: Project, records: Records, source: str) -> None:
     try:
         left_out = refused(project, records)
     except ReportError as error:
-        raise ReportError(f"{source} is no replica of {project.release}: {error}") from None
+        raise ReportError(
+            f"{source} is no replica of {project.release}: {error}"
+        ) from None
     accepted = [record for name, record in records.items() if name not in left_out]
     content = archive_of(accepted)
     machine = max(map(machine_of, accepted), key=[*map(machine_of, accepted)].count)
     day = min(record.measured["date"] for record in accepted)[:10]
-    path = project.results / FOLDER / f"{machine}-{day}-{sha256(content).hexdigest()[:8]}.tgz"
+    path = (
+        project.results
+        / FOLDER
+        / f"{machine}-{day}-{sha256(content).hexdigest()[:8]}.tgz"
+    )
     write_file(path, content)
     name = path.relative_to(project.root)
-    print(f"{len(accepted)} sections of {project.release}, measured on {machine} on {day}: {name}")
+    print(
+        f"{len(accepted)} sections of {project.release}, measured on {machine} on {day}: {name}"
+    )
     if left_out:
         print(f"left out: {reasons_text(left_out)}")
     print(next(line for line in replicas_text(project) if path.stem in line))

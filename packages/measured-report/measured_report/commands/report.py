@@ -19,10 +19,14 @@ OPTIONS = shared("edition", "device", "cluster", "profile", "address")
 def run(project: Project, arguments: Arguments) -> int:
     if not (device := device_of(project, arguments)):
         refuse_unmeasured(project, arguments.release.asked)
-    stale_sections = [state.section for state in states_of(project) if state.kind != "fresh"]
+    stale_sections = [
+        state.section for state in states_of(project) if state.kind != "fresh"
+    ]
     is_done = True
     if stale_sections and device:
-        project, is_done = measure_what_can(project, arguments.release, stale_sections, device, arguments.cluster)
+        project, is_done = measure_what_can(
+            project, arguments.release, stale_sections, device, arguments.cluster
+        )
     damaged, lacking = build_site(project, arguments.address)
     if lacking and not device:
         print(f"{lacks(project.report)}, in up to hours")
@@ -30,7 +34,11 @@ def run(project: Project, arguments: Arguments) -> int:
 
 
 def measure_what_can(
-    project: Project, release: Release, sections: Sequence[str], device: str, cluster: str | None = None
+    project: Project,
+    release: Release,
+    sections: Sequence[str],
+    device: str,
+    cluster: str | None = None,
 ) -> tuple[Project, bool]:
     """Measure sections and say what can't be; return the report that has them, and whether all could."""
     try:

@@ -25,21 +25,45 @@ OPTIONS = {"port": PORT, **shared("edition", "profile")}
 def run(project: Project, arguments: Arguments) -> int:
     refuse_unmeasured(project, arguments.release.asked)
     server = Server(project.site, arguments.port)
-    print(f"serving {project.site.name}/ at http://127.0.0.1:{arguments.port}", flush=True)
-    options = [f"--{project.report.settings.flag}", arguments.release.asked, "--profile", project.profile]
-    command = [sys.executable, "build.py", "page", *options]  # apart, since what changes may be the program
+    print(
+        f"serving {project.site.name}/ at http://127.0.0.1:{arguments.port}", flush=True
+    )
+    options = [
+        f"--{project.report.settings.flag}",
+        arguments.release.asked,
+        "--profile",
+        project.profile,
+    ]
+    command = [
+        sys.executable,
+        "build.py",
+        "page",
+        *options,
+    ]  # apart, since what changes may be the program
     folders = [project.root / name for name in INPUTS]
-    server.follow(folders, partial(subprocess.run, command, cwd=project.root, check=False))
+    server.follow(
+        folders, partial(subprocess.run, command, cwd=project.root, check=False)
+    )
     return 0
 
 
 class _Handler(SimpleHTTPRequestHandler):
     def send_head(self) -> Any:
         """Answer who asks for this machine by its own name, with files of the site that are no links out of it."""
-        path, folder = os.path.normpath(self.translate_path(self.path)), os.path.realpath(self.directory)
-        if self.headers.get("Host", "").partition(":")[0] not in ("127.0.0.1", "localhost"):
-            return self.send_error(HTTPStatus.MISDIRECTED_REQUEST)  # a page from elsewhere, whose name leads here
-        if "\0" in path or os.path.realpath(path) != os.path.normpath(folder + path.removeprefix(self.directory)):
+        path, folder = (
+            os.path.normpath(self.translate_path(self.path)),
+            os.path.realpath(self.directory),
+        )
+        if self.headers.get("Host", "").partition(":")[0] not in (
+            "127.0.0.1",
+            "localhost",
+        ):
+            return self.send_error(
+                HTTPStatus.MISDIRECTED_REQUEST
+            )  # a page from elsewhere, whose name leads here
+        if "\0" in path or os.path.realpath(path) != os.path.normpath(
+            folder + path.removeprefix(self.directory)
+        ):
             return self.send_error(HTTPStatus.NOT_FOUND)
         return super().send_head()
 
@@ -56,9 +80,13 @@ class Server(ThreadingHTTPServer):
 
     def __init__(self, folder: Path, port: int):
         try:
-            super().__init__(("127.0.0.1", port), partial(_Handler, directory=str(folder)))
+            super().__init__(
+                ("127.0.0.1", port), partial(_Handler, directory=str(folder))
+            )
         except (OSError, OverflowError) as error:
-            raise UsageError(f"PORT={port} can't be served at: {error}; PORT=8001 may be free") from None
+            raise UsageError(
+                f"PORT={port} can't be served at: {error}; PORT=8001 may be free"
+            ) from None
 
     def handle_error(self, request: Any, client_address: Any) -> None:
         """Say nothing: whoever asked has gone."""
@@ -77,8 +105,12 @@ class Server(ThreadingHTTPServer):
 def stamp(folders: Iterable[Path]) -> dict[Path, tuple[int, int]]:
     """Return when each file in some folders was changed, and its size."""
     stamps = {}
-    walked = chain.from_iterable(map(os.walk, folders))  # which passes over what vanishes meanwhile
-    for path in (Path(folder, name) for folder, *names in walked for name in chain(*names)):
+    walked = chain.from_iterable(
+        map(os.walk, folders)
+    )  # which passes over what vanishes meanwhile
+    for path in (
+        Path(folder, name) for folder, *names in walked for name in chain(*names)
+    ):
         if "__pycache__" not in path.parts:
             with suppress(OSError):  # it was removed just now
                 stamps[path] = path.stat().st_mtime_ns, path.stat().st_size

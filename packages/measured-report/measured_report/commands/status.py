@@ -14,7 +14,11 @@ OPTIONS = shared("edition", "profile")
 
 def run(project: Project, arguments: Arguments) -> int:
     refuse_unmeasured(project, arguments.release.asked)
-    modules = (import_module(name) for name in commands(project.root).values() if name.startswith(OWN))
+    modules = (
+        import_module(name)
+        for name in commands(project.root).values()
+        if name.startswith(OWN)
+    )
     states = [module.state(project) for module in modules if hasattr(module, "state")]
     replicas = replicas_text(project)
     is_damaged = any(line.startswith("damaged: ") for line in replicas)
@@ -22,7 +26,15 @@ def run(project: Project, arguments: Arguments) -> int:
         read_manifest(project.results, project.settings)
     except RecordError as error:
         replicas, is_damaged = [*replicas, f"damaged: {error}"], True
-    print("\n".join([status_matrix(project), *replicas, *(f"{state.section}: {state.summary}" for state in states)]))
+    print(
+        "\n".join(
+            [
+                status_matrix(project),
+                *replicas,
+                *(f"{state.section}: {state.summary}" for state in states),
+            ]
+        )
+    )
     states += states_of(project)
     if changed := changes_text(states):
         print(f"\n{project.settings.edition} {project.release}\n{changed}")

@@ -7,7 +7,10 @@ from measured_report.editions.environment import add_group, python_of
 from measured_report.editions.project import Project
 from measured_report.editions.status import expected_packages
 
-FAST = {"action": "store_true", "help": "1: only what a change of words or figures needs"}
+FAST = {
+    "action": "store_true",
+    "help": "1: only what a change of words or figures needs",
+}
 OPTIONS = {**shared("edition"), "fast": FAST}
 
 
@@ -15,5 +18,10 @@ def run(project: Project, arguments: Arguments) -> int:
     python = python_of(arguments.release, expected_packages(project), project.root)
     add_group("dev", project.root, python)
     add_group("cluster", project.root, python, "extra")
-    command = [str(python), "-m", "pytest", *(["-m", "words and not slow"] if arguments.fast else [])]
+    command = [
+        str(python),
+        "-m",
+        "pytest",
+        *(["-m", "words and not slow"] if arguments.fast else []),
+    ]
     return subprocess.run(command, cwd=project.root, check=False).returncode

@@ -24,7 +24,10 @@ from measured_report.values.quantities import (
     local,
 )
 
-OPTIONS = {"value": {**SHARED["value"], "required": True}, **shared("edition", "profile")}
+OPTIONS = {
+    "value": {**SHARED["value"], "required": True},
+    **shared("edition", "profile"),
+}
 
 
 def run(project: Project, arguments: Arguments) -> int:
@@ -36,13 +39,36 @@ def run(project: Project, arguments: Arguments) -> int:
 def provenance(project: Project, editions: Mapping[str, Edition], name: str) -> str:
     """Return the provenance of ``section.name``, ``section.case.column``, or a page's pointer to either, in lines."""
     chapters = editions[project.release].chapters
-    records = {owner.results.source: owner for edition in editions.values() for owner in edition.chapters.values()}
-    values = {value.source: value for chapter in records.values() for value in chapter.results.derived.values()}
+    records = {
+        owner.results.source: owner
+        for edition in editions.values()
+        for owner in edition.chapters.values()
+    }
+    values = {
+        value.source: value
+        for chapter in records.values()
+        for value in chapter.results.derived.values()
+    }
     query = Query(name)
     package = project.report.settings.edition
-    pointer = name if name.startswith(f"{package}-") else f"{package}-{project.release}/{name}"
-    answers = query.quantity(chapters), values.get(pointer), _cell(records, Pointer(pointer))
-    quantity = next((answer for answer in answers if isinstance(answer, Quantity) and answer.source), None)
+    pointer = (
+        name
+        if name.startswith(f"{package}-")
+        else f"{package}-{project.release}/{name}"
+    )
+    answers = (
+        query.quantity(chapters),
+        values.get(pointer),
+        _cell(records, Pointer(pointer)),
+    )
+    quantity = next(
+        (
+            answer
+            for answer in answers
+            if isinstance(answer, Quantity) and answer.source
+        ),
+        None,
+    )
     if quantity is None:
         fault = f"{name} is no value of {package} {project.release}{suggestion(name, query.names(chapters))}"
         hint = f"all values are in site/data/{VALUES_FILE}, a number of a row is SECTION.CASE.COLUMN"
@@ -50,24 +76,54 @@ def provenance(project: Project, editions: Mapping[str, Edition], name: str) -> 
     lines = [f"{name}: {_text(quantity)}"]
     if isinstance(quantity, Value):
         lines.append(f"  is          {quantity.formula}")
-        for value in (values[pointer] for pointer in quantity.sources if pointer in values):
-            lines.append(f"  made of     {'.'.join(value.source.split('/')[2:])}, {_text(value)}: {value.formula}")
-    lines += [f"  printed at  {anchor}" for anchor in dict.fromkeys(_printed(project, quantity.source)) or ["no page"]]
+        for value in (
+            values[pointer] for pointer in quantity.sources if pointer in values
+        ):
+            lines.append(
+                f"  made of     {'.'.join(value.source.split('/')[2:])}, {_text(value)}: {value.formula}"
+            )
+    lines += [
+        f"  printed at  {anchor}"
+        for anchor in dict.fromkeys(_printed(project, quantity.source)) or ["no page"]
+    ]
     for section, chapter in chapters.items():
-        claims = (claim for claim in chapter.section.claims if quantity.source in claim.outcome.reads)
-        lines += [f"  decides     {section}.{claim.name}: {claim.outcome.answer}" for claim in claims]
-    cells = [Pointer(pointer) for pointer in sorted(quantity.reads) if VALUES_FILE not in pointer]
+        claims = (
+            claim
+            for claim in chapter.section.claims
+            if quantity.source in claim.outcome.reads
+        )
+        lines += [
+            f"  decides     {section}.{claim.name}: {claim.outcome.answer}"
+            for claim in claims
+        ]
+    cells = [
+        Pointer(pointer)
+        for pointer in sorted(quantity.reads)
+        if VALUES_FILE not in pointer
+    ]
     for file, cells_of_file in groupby(cells, key=lambda cell: cell.file):
-        chapter = records.get(file) or records[re.sub(r"\.[^/]*\.csv\.gz$", ".json", file)]
-        lines += ["", f"from {file}", *_of_record(project, chapter, list(cells_of_file))]
+        chapter = (
+            records.get(file) or records[re.sub(r"\.[^/]*\.csv\.gz$", ".json", file)]
+        )
+        lines += [
+            "",
+            f"from {file}",
+            *_of_record(project, chapter, list(cells_of_file)),
+        ]
     return "\n".join(lines)
 
 
 def _printed(project: Project, source: str) -> Iterator[str]:
     own = project.of(project.own_release or project.release).results.name
-    for path in sorted((project.site if project.is_own else project.site / project.results.name).glob("*.html")):
+    for path in sorted(
+        (project.site if project.is_own else project.site / project.results.name).glob(
+            "*.html"
+        )
+    ):
         anchor = ""
-        for match in re.finditer(' id="([^"]+)"| data-src="([^"]+)"', path.read_text(encoding="utf-8")):
+        for match in re.finditer(
+            ' id="([^"]+)"| data-src="([^"]+)"', path.read_text(encoding="utf-8")
+        ):
             anchor = match[1] or anchor
             if match[2] and local(source, own) in match[2].split():
                 yield f"{path.name}#{anchor}"
@@ -76,14 +132,29 @@ def _printed(project: Project, source: str) -> Iterator[str]:
 def _cell(records: Mapping[str, Chapter], pointer: Pointer) -> Quantity | None:
     if not pointer.cell or pointer.file not in records:
         return None
-    cells = (row[pointer.cell[1]] for row in records[pointer.file].results.rows if pointer.cell[1] in row)
-    return next((cell for cell in cells if isinstance(cell, Quantity) and cell.source == pointer.text), None)
+    cells = (
+        row[pointer.cell[1]]
+        for row in records[pointer.file].results.rows
+        if pointer.cell[1] in row
+    )
+    return next(
+        (
+            cell
+            for cell in cells
+            if isinstance(cell, Quantity) and cell.source == pointer.text
+        ),
+        None,
+    )
 
 
-def _of_record(project: Project, chapter: Chapter, cells: Sequence[Pointer]) -> Iterator[str]:
+def _of_record(
+    project: Project, chapter: Chapter, cells: Sequence[Pointer]
+) -> Iterator[str]:
     record = chapter.results.record
     columns = chapter.results.columns
-    for index, column, cell in sorted((*pointer.cell, pointer) for pointer in cells if pointer.cell):
+    for index, column, cell in sorted(
+        (*pointer.cell, pointer) for pointer in cells if pointer.cell
+    ):
         row = record.rows[index]
         parameters = columns.changed_parameters(row).items()
         changed = ", ".join(f"{name} {value}" for name, value in parameters)
@@ -104,5 +175,9 @@ def _of_record(project: Project, chapter: Chapter, cells: Sequence[Pointer]) -> 
 def _text(number: Quantity) -> str:
     if number.value is None:
         return f"not there, for {number.reason}"
-    noise = "not known" if number.noise is None else f"{number.noise:.2g} {unit_label(number.unit)}".rstrip()
+    noise = (
+        "not known"
+        if number.noise is None
+        else f"{number.noise:.2g} {unit_label(number.unit)}".rstrip()
+    )
     return f"{number} ({number.value!r}), noise {noise}"

@@ -39,7 +39,10 @@ from measured_report.values.evidence import is_absolute
 
 STALE = ("missing", "stale", "damaged")  # kinds of records that are measured anew
 TIMED = "timed"  # the folder below `results` of what two editions were timed for, each time anew
-SINCE = {"type": partial(release_of, option="SINCE"), "help": "edition to compare with, in place of the one before"}
+SINCE = {
+    "type": partial(release_of, option="SINCE"),
+    "help": "edition to compare with, in place of the one before",
+}
 OPTIONS = {"since": SINCE, **shared("edition", "device", "profile", "format")}
 
 
@@ -49,7 +52,9 @@ def run(project: Project, arguments: Arguments) -> int:
     device = measuring_device(arguments.device, project.profile)
     measurable = sections(project.root)
     names = project.report.settings.changes.upgrade_sections or measurable
-    base = arguments.since or release_of(base_of(project, names) or project.own_release or project.release)
+    base = arguments.since or release_of(
+        base_of(project, names) or project.own_release or project.release
+    )
     refuse_itself(str(base), project.release)
     answer = sys.stdout if arguments.format == "text" else _answer_file()
     # The newer edition goes first: if it cannot be installed, no base is measured for it.
@@ -64,21 +69,32 @@ def run(project: Project, arguments: Arguments) -> int:
         if wanted and not device:
             raise UsageError(f"{lacks()}, and with PROFILE=quick in minutes")
         if wanted:
-            text = f"{settings.edition} {release}: to be measured are {', '.join(wanted)}"
+            text = (
+                f"{settings.edition} {release}: to be measured are {', '.join(wanted)}"
+            )
             print(text, flush=True)
-    after, before = (_measured(project, each, device, unmeasured[each]) for each in releases)
+    after, before = (
+        _measured(project, each, device, unmeasured[each]) for each in releases
+    )
     editions = editions_of(project, among=[before.release, after.release])
     old, new = editions.values()
     timed = []
     if device:
         timed = timed_in_turn([before, after], releases[::-1], measurable, device)
     comparison = compare(old, new, timed)
-    lost = [Fault(after.release, name, "missing", "it could not be measured") for name in lacking(after, names)]
+    lost = [
+        Fault(after.release, name, "missing", "it could not be measured")
+        for name in lacking(after, names)
+    ]
     comparison = replace(comparison, faults=[*lost, *comparison.faults])
     say = sentences_of(project)
     lines = verdict(comparison, say, old, new, names)
-    print(upgrade_text(comparison, lines, arguments.format, say), file=answer, flush=True)
-    if arguments.format == "text":  # the front page stays that of the project's own edition
+    print(
+        upgrade_text(comparison, lines, arguments.format, say), file=answer, flush=True
+    )
+    if (
+        arguments.format == "text"
+    ):  # the front page stays that of the project's own edition
         project = project.of(project.own_release or project.release)
         build(project)
         print(f"built {project.site.name}/index.html")
@@ -94,17 +110,24 @@ def _answer_file() -> TextIO:
     return answer
 
 
-def _measured(project: Project, release: Release, device: str | None, names: Sequence[str]) -> Project:
+def _measured(
+    project: Project, release: Release, device: str | None, names: Sequence[str]
+) -> Project:
     edition = project.of(str(release))
     if not names or not device:
         return edition
     package = project.report.settings.edition
     print(f"{package} {edition.release}: measuring {', '.join(names)}", flush=True)
-    return measure_what_can(kept_by(edition, machine_name(device), names), release, names, device)[0]
+    return measure_what_can(
+        kept_by(edition, machine_name(device), names), release, names, device
+    )[0]
 
 
 def timed_in_turn(
-    sides: Sequence[Project], releases: Sequence[Release], measurable: Sequence[str], device: str
+    sides: Sequence[Project],
+    releases: Sequence[Release],
+    measurable: Sequence[str],
+    device: str,
 ) -> list[Edition]:
     """Time two editions twice, one after the other, on this machine; return nothing if no
     section is timed, or one cannot be.
@@ -121,13 +144,24 @@ def timed_in_turn(
     timed = [replace(side, aside=TIMED) for side in sides]
     for again in (False, True) if names else ():
         for index, release in enumerate(releases):
-            print(f"{report.settings.edition} {release}: timing {', '.join(names)}, in turn", flush=True)
-            timed[index], is_done = measure_what_can(timed[index], release, names, device)
+            print(
+                f"{report.settings.edition} {release}: timing {', '.join(names)}, in turn",
+                flush=True,
+            )
+            timed[index], is_done = measure_what_can(
+                timed[index], release, names, device
+            )
             if not is_done:
                 return []
             if not again:
-                records = [record for record in records_of(timed[index]) if record.section in names]
-                write_file(timed[index].results / FOLDER / "first.tgz", archive_of(records))
+                records = [
+                    record
+                    for record in records_of(timed[index])
+                    if record.section in names
+                ]
+                write_file(
+                    timed[index].results / FOLDER / "first.tgz", archive_of(records)
+                )
     return list(map(derive_edition, timed)) if names else []
 
 
@@ -152,19 +186,29 @@ def lacking(project: Project, names: Sequence[str]) -> list[str]:
 
 
 def verdict(
-    comparison: Comparison, say: Say, before: Edition, after: Edition, names: Sequence[str]
+    comparison: Comparison,
+    say: Say,
+    before: Edition,
+    after: Edition,
+    names: Sequence[str],
 ) -> list[str]:
     """Return at most a dozen lines on the sections of these names, worst first."""
     settings = comparison.report.settings
     a, b = comparison.releases
     old, new = (
-        [chapter.results.record for name, chapter in side.chapters.items() if name in names]
+        [
+            chapter.results.record
+            for name, chapter in side.chapters.items()
+            if name in names
+        ]
         for side in (before, after)
     )
     others = []
     for record in (*old[:1], *new[:1]):
         versions = record.identity.packages.items()
-        others.append({name: each for name, each in versions if name != settings.edition})
+        others.append(
+            {name: each for name, each in versions if name != settings.edition}
+        )
     packages = ", ".join(package_changes(*others)) if old and new else ""
     machines = " and ".join(sorted({record.machine_text for record in new}))
     measured = f"{', '.join(record.section for record in new) or 'nothing'} on {machines or 'no machine'}"
@@ -207,8 +251,12 @@ def _advice(comparison: Comparison, before: Project, after: Project) -> str:
     if comparison.faults:
         return "look at what can't be trusted first; nothing else can be said"
     profile = "" if after.profile == "full" else f" PROFILE={after.profile}"
-    lists = f"make diff A={before.release} B={after.release} FORMAT=json{profile} lists it"
-    values = [f"VALUE={move.name}" for move in comparison.alarms if not move.is_gone]  # else there is no middle
+    lists = (
+        f"make diff A={before.release} B={after.release} FORMAT=json{profile} lists it"
+    )
+    values = [
+        f"VALUE={move.name}" for move in comparison.alarms if not move.is_gone
+    ]  # else there is no middle
     if queries := [*(f"CLAIM={flip.claim}" for flip in comparison.flips), *values]:
         ends = shlex.join([f"A={before.asked}", f"B={after.asked}"])
         return f"make bisect {queries[0]} {ends} finds which change did it; {lists}"

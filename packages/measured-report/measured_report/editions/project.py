@@ -19,7 +19,15 @@ from measured_report.files.errors import ReportError
 from measured_report.records.identity import full_version
 
 PROFILES = ("full", "quick")
-INPUTS = ("packages", "experiments", "report", "templates", "assets", "static", "results")
+INPUTS = (
+    "packages",
+    "experiments",
+    "report",
+    "templates",
+    "assets",
+    "static",
+    "results",
+)
 MANIFEST = "edition.toml"
 BYTE_LIMIT = 1 << 20
 
@@ -40,18 +48,32 @@ def read_manifest(results: Path, settings: Config | None = None) -> Manifest | N
     content = read_file(path, BYTE_LIMIT)
     try:
         fields = tomllib.loads(content.decode("utf-8"))
-        if any(name_problem(str(text)) for text in (*fields.values(), *fields.get("sections", ()))):
+        if any(
+            name_problem(str(text))
+            for text in (*fields.values(), *fields.get("sections", ()))
+        ):
             raise ValueError("it has a text with what can't be printed")
         package = (settings or current().settings).edition
         return convert({"asked": fields.pop(package), **fields}, Manifest)
     except (KeyError, ValueError, RecursionError) as error:
-        raise RecordError(f"{short_path(path)} is no whole manifest: {' '.join(str(error).split()):.200}") from None
+        raise RecordError(
+            f"{short_path(path)} is no whole manifest: {' '.join(str(error).split()):.200}"
+        ) from None
 
 
-def write_manifest(results: Path, manifest: Manifest, settings: Config | None = None) -> None:
+def write_manifest(
+    results: Path, manifest: Manifest, settings: Config | None = None
+) -> None:
     package = (settings or current().settings).edition
-    fields = {package: manifest.asked, "date": manifest.date, "sections": manifest.sections}
-    lines = [f"{name} = {json.dumps(value, ensure_ascii=False)}\n" for name, value in fields.items()]
+    fields = {
+        package: manifest.asked,
+        "date": manifest.date,
+        "sections": manifest.sections,
+    }
+    lines = [
+        f"{name} = {json.dumps(value, ensure_ascii=False)}\n"
+        for name, value in fields.items()
+    ]
     write_file(results / MANIFEST, "".join(lines))
 
 
@@ -62,7 +84,9 @@ class Project:
     release: str
     profile: str = "full"  # `full`, or `quick` for small grids and short runs, which are kept apart
     root: Path = field(default_factory=lambda: current().root)
-    own_release: str | None = None  # the release that is meant where none is named; None: this one
+    own_release: str | None = (
+        None  # the release that is meant where none is named; None: this one
+    )
     aside: str = ""  # the folder below `results` that has what was measured on the way to something else; empty: none
 
     @property
@@ -88,7 +112,9 @@ class Project:
         """Name the folder of the edition's records; only those of the full profile are tracked."""
         parts = [self.aside] if self.aside else []
         parts += [self.profile] if self.aside or self.profile != "full" else []
-        return self.root.joinpath("results", *parts, self.settings.edition_folder(self.release))
+        return self.root.joinpath(
+            "results", *parts, self.settings.edition_folder(self.release)
+        )
 
     @property
     def templates(self) -> Path:
@@ -111,9 +137,20 @@ class Project:
     @property
     def releases(self) -> list[str]:
         """List the editions that have results, and this one, by version and date."""
-        folders = {path.parent.name for path in self.results.parent.glob(self.settings.edition_folder("*/*.json"))}
-        labels = {label for label in map(self.settings.edition_in, folders) if read_label(label, self.settings)}
-        return sorted({self.release, *labels}, key=lambda release: self.of(release).order)
+        folders = {
+            path.parent.name
+            for path in self.results.parent.glob(
+                self.settings.edition_folder("*/*.json")
+            )
+        }
+        labels = {
+            label
+            for label in map(self.settings.edition_in, folders)
+            if read_label(label, self.settings)
+        }
+        return sorted(
+            {self.release, *labels}, key=lambda release: self.of(release).order
+        )
 
     @property
     def order(self) -> tuple[Any, ...]:
@@ -124,7 +161,9 @@ class Project:
         return named.order, date, named.source, named.pins, named.machine
 
     def of(self, release: str) -> "Project":
-        return replace(self, release=release, own_release=self.own_release or self.release)
+        return replace(
+            self, release=release, own_release=self.own_release or self.release
+        )
 
     def record_path(self, section: str) -> Path:
         return self.results / f"{section}.json"
@@ -134,8 +173,22 @@ class Project:
         device = device or ("cpu" if self.named.machine == "cpu" else "")
         edition = "" if self.is_own else self.asked
         profile = "" if self.profile == "full" else self.profile
-        options = {"SECTION": section, "DEVICE": device, self.settings.option: edition, "PROFILE": profile}
-        return " ".join(["make rerun", *(shlex.quote(f"{name}={value}") for name, value in options.items() if value)])
+        options = {
+            "SECTION": section,
+            "DEVICE": device,
+            self.settings.option: edition,
+            "PROFILE": profile,
+        }
+        return " ".join(
+            [
+                "make rerun",
+                *(
+                    shlex.quote(f"{name}={value}")
+                    for name, value in options.items()
+                    if value
+                ),
+            ]
+        )
 
     @property
     def asked(self) -> str:
@@ -150,6 +203,10 @@ def own_release(root: Path | None = None, report: Report | None = None) -> str:
     requirement = report.settings.requirement_of(report.settings.edition)
     text = ((root or report.root) / "pyproject.toml").read_text(encoding="utf-8")
     if not (match := re.search(rf'"{re.escape(requirement)}==([0-9.]+)"', text)):
-        line = f'"{requirement}==1.2.3"' if requirement else 'of its edition, and report.toml has no edition = "NAME"'
+        line = (
+            f'"{requirement}==1.2.3"'
+            if requirement
+            else 'of its edition, and report.toml has no edition = "NAME"'
+        )
         raise ReportError(f"pyproject.toml has no line {line}")
     return full_version(match[1])

@@ -36,15 +36,23 @@ class State:
     @property
     def summary(self) -> str:
         """Say the state in a few words: of a stale record, which parts of its identity changed."""
-        parts = dict.fromkeys(note.partition(":")[0] for note in self.notes) if self.kind == "stale" else ()
+        parts = (
+            dict.fromkeys(note.partition(":")[0] for note in self.notes)
+            if self.kind == "stale"
+            else ()
+        )
         return f"{self.kind}: {', '.join(parts)}" if parts else self.kind
 
     @property
     def words(self) -> str:
         """Write its notes in one line, with each kind, as code, said once."""
         kinds = grouped(note.partition(": ")[::2] for note in self.notes)
-        texts = {kind: ", ".join(filter(None, subjects)) for kind, subjects in kinds.items()}
-        return "; ".join(f"{kind}: {text}" if text else kind for kind, text in texts.items())
+        texts = {
+            kind: ", ".join(filter(None, subjects)) for kind, subjects in kinds.items()
+        }
+        return "; ".join(
+            f"{kind}: {text}" if text else kind for kind, text in texts.items()
+        )
 
 
 def states_of(project: Project, code: Code | None = None) -> list[State]:
@@ -58,24 +66,36 @@ def states_of(project: Project, code: Code | None = None) -> list[State]:
             states.append(State(section, "fresh" if record else "missing", record))
         except RecordError as error:
             states.append(State(section, "damaged", notes=(str(error),)))
-    packages = expected_packages(project, [state.record for state in states if state.record])
+    packages = expected_packages(
+        project, [state.record for state in states if state.record]
+    )
     for index, state in enumerate(states):
         if state.record:
-            now = identity_of(state.section, project.profile, project.root, packages, code)
+            now = identity_of(
+                state.section, project.profile, project.root, packages, code
+            )
             if changed := changes(state.record.identity, now):
                 states[index] = replace(state, kind="stale", notes=tuple(changed))
     return states
 
 
-def expected_packages(project: Project, records: Sequence[Record] = ()) -> Mapping[str, str]:
+def expected_packages(
+    project: Project, records: Sequence[Record] = ()
+) -> Mapping[str, str]:
     """Find the versions that an edition's records should have been measured with: of one not here, its newest's."""
     release, installed = project.named, package_versions(project.settings)
     if release.is_installed_with(installed):
         return installed
-    readable = [*(records or records_of(project))] or [*records_of(project.of(str(replace(release, machine=""))))]
+    readable = [*(records or records_of(project))] or [
+        *records_of(project.of(str(replace(release, machine=""))))
+    ]
     newest = max(readable, key=lambda record: record.time, default=None)
     packages = newest.identity.packages if newest else dict.fromkeys(installed, MISSING)
-    return {**packages, **dict(release.pins), project.settings.edition: package_version(project)}
+    return {
+        **packages,
+        **dict(release.pins),
+        project.settings.edition: package_version(project),
+    }
 
 
 def package_version(project: Project) -> str:
@@ -99,16 +119,38 @@ def records_of(project: Project) -> Iterator[Record]:
 
 def status_matrix(project: Project) -> str:
     code = Code(project.root)
-    states = {release: states_of(project.of(release), code) for release in project.releases}
-    rows = zip(*([state.summary for state in release_states] for release_states in states.values()), strict=True)
-    lines = [(name, *row) for name, row in zip(sections(project.root), rows, strict=True)]
-    return aligned([("section", *(f"{project.settings.edition} {release}" for release in states)), *lines])
+    states = {
+        release: states_of(project.of(release), code) for release in project.releases
+    }
+    rows = zip(
+        *(
+            [state.summary for state in release_states]
+            for release_states in states.values()
+        ),
+        strict=True,
+    )
+    lines = [
+        (name, *row) for name, row in zip(sections(project.root), rows, strict=True)
+    ]
+    return aligned(
+        [
+            (
+                "section",
+                *(f"{project.settings.edition} {release}" for release in states),
+            ),
+            *lines,
+        ]
+    )
 
 
 def changes_text(states: Sequence[State]) -> str:
     """Say each change since a measurement once, with the sections that it is of."""
-    sections_of = grouped((note, state.section) for state in states for note in state.notes)
-    return "\n".join(f"{note} ({', '.join(names)})" for note, names in sorted(sections_of.items()))
+    sections_of = grouped(
+        (note, state.section) for state in states for note in state.notes
+    )
+    return "\n".join(
+        f"{note} ({', '.join(names)})" for note, names in sorted(sections_of.items())
+    )
 
 
 def aligned(lines: Sequence[Sequence[str]]) -> str:

@@ -51,7 +51,11 @@ def locked(folder: Path, *, alone: bool = True) -> Iterator[None]:
             fcntl.flock(descriptor, mode | fcntl.LOCK_NB)
         except BlockingIOError:
             whose = _holder(os.fstat(descriptor).st_ino)
-            print(f"waiting for {whose} that is at work in {folder.name}/", file=sys.stderr, flush=True)
+            print(
+                f"waiting for {whose} that is at work in {folder.name}/",
+                file=sys.stderr,
+                flush=True,
+            )
             fcntl.flock(descriptor, mode)
         yield
     finally:
@@ -61,10 +65,18 @@ def locked(folder: Path, *, alone: bool = True) -> Iterator[None]:
 def _holder(inode: int) -> str:
     """Name the process that holds a lock, as far as Linux tells."""
     with suppress(OSError):
-        for fields in map(str.split, Path("/proc/locks").read_text(encoding="utf-8").splitlines()):
+        for fields in map(
+            str.split, Path("/proc/locks").read_text(encoding="utf-8").splitlines()
+        ):
             if fields[1] == "FLOCK" and fields[5].endswith(f":{inode}"):
-                command = Path(f"/proc/{fields[4]}/cmdline").read_text(encoding="utf-8").replace("\0", " ")
-                return f"process {fields[4]} ({UNPRINTABLE.sub('?', command).strip():.80})"
+                command = (
+                    Path(f"/proc/{fields[4]}/cmdline")
+                    .read_text(encoding="utf-8")
+                    .replace("\0", " ")
+                )
+                return (
+                    f"process {fields[4]} ({UNPRINTABLE.sub('?', command).strip():.80})"
+                )
     return "another process"
 
 
@@ -89,7 +101,9 @@ def atomic_file(path: Path) -> Iterator[Path]:
     """Name a path to write to, which takes the place of ``path`` once the block has ended well."""
     path.parent.mkdir(parents=True, exist_ok=True)
     temporary = path.with_name(f".{path.name}.part")
-    temporary.unlink(missing_ok=True)  # of a process that was killed, or a link that leads elsewhere
+    temporary.unlink(
+        missing_ok=True
+    )  # of a process that was killed, or a link that leads elsewhere
     try:
         yield temporary
         os.replace(temporary, path)
@@ -117,9 +131,13 @@ def sums(digests: Mapping[str, str]) -> str:
 def digests_below(folder: Path) -> dict[str, str]:
     """Digest the files below a folder, by their names there; a link, and what else is no file, has none."""
     digests = {}
-    for path in (path for path in folder.rglob("*") if path.is_symlink() or not path.is_dir()):
+    for path in (
+        path for path in folder.rglob("*") if path.is_symlink() or not path.is_dir()
+    ):
         is_file = stat.S_ISREG(path.lstat().st_mode)
-        digests[path.relative_to(folder).as_posix()] = sha256(path.read_bytes()).hexdigest() if is_file else ""
+        digests[path.relative_to(folder).as_posix()] = (
+            sha256(path.read_bytes()).hexdigest() if is_file else ""
+        )
     return digests
 
 

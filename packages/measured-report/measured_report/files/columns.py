@@ -10,15 +10,58 @@ from typing import Any, TypeGuard
 from measured_report.files.errors import UNPRINTABLE, ReportError
 from measured_report.files.settings import FILE, ColumnTraits, Config, module_named
 
-_LENGTHS = {"mm": "mm", "m": "m", "mm_s": "mm/s", "m_s": "m/s", "m_s2": "m/s²", "mm_per_cycle": "mm/cycle"}
-_TIMES = {"s": "s", "ms": "ms", "ms_per_s": "ms/s", "per_s": "1/s", "hz": "Hz", "mrad_s": "mrad/s"}
-_OTHERS = {"n": "N", "n_m": "N/m", "kg": "kg", "kg_m3": "kg/m³", "bytes": "B", "count": "1"}
-SYMBOL = re.compile(r"(?:[nµmkMGT]?(?:m|s|g|N|J|W|V|A|K|B|bit|Pa|Hz|rad|mol)|cm|min|h|°C?|%|1|dB)[²³]?")
+_LENGTHS = {
+    "mm": "mm",
+    "m": "m",
+    "mm_s": "mm/s",
+    "m_s": "m/s",
+    "m_s2": "m/s²",
+    "mm_per_cycle": "mm/cycle",
+}
+_TIMES = {
+    "s": "s",
+    "ms": "ms",
+    "ms_per_s": "ms/s",
+    "per_s": "1/s",
+    "hz": "Hz",
+    "mrad_s": "mrad/s",
+}
+_OTHERS = {
+    "n": "N",
+    "n_m": "N/m",
+    "kg": "kg",
+    "kg_m3": "kg/m³",
+    "bytes": "B",
+    "count": "1",
+}
+SYMBOL = re.compile(
+    r"(?:[nµmkMGT]?(?:m|s|g|N|J|W|V|A|K|B|bit|Pa|Hz|rad|mol)|cm|min|h|°C?|%|1|dB)[²³]?"
+)
 """A unit that nobody declares; several make one with ``/`` and ``·``. Numbers are never converted, so this is all."""
 PLAIN = "1"  # the unit of a number whose column names none
-LARGEST = {"mm": 1e10, "m": 1e7, "mm/s": 1e10, "m/s": 1e7, "s": 1e8, "ms": 1e9, "N": 1e12, "kg": 1e9, "Hz": 1e4}
+LARGEST = {
+    "mm": 1e10,
+    "m": 1e7,
+    "mm/s": 1e10,
+    "m/s": 1e7,
+    "s": 1e8,
+    "ms": 1e9,
+    "N": 1e12,
+    "kg": 1e9,
+    "Hz": 1e4,
+}
 """The largest number that is believed, by unit: what an exploding simulation gives lies below it."""
-NEVER_NEGATIVE = {"ms", "ms/s", "s", "1/s", "Hz", "kg", "kg/m³", "B", "mm/cycle"}  # units of numbers that have no sign
+NEVER_NEGATIVE = {
+    "ms",
+    "ms/s",
+    "s",
+    "1/s",
+    "Hz",
+    "kg",
+    "kg/m³",
+    "B",
+    "mm/cycle",
+}  # units of numbers that have no sign
 REASON = "_reason"
 UNBELIEVED = "the measurement gave "  # begins the reason of a number that no record may hold, as one that is not finite
 TEXT_LIMIT = 4096
@@ -66,7 +109,9 @@ class Schema:
         known = _LENGTHS | _TIMES | _OTHERS
         for end, unit in settings.units.items():
             if not unit or known.get(end, unit) != unit:
-                raise ReportError(f"{FILE}: units has {end}, which is {known.get(end, 'empty')}: take another end")
+                raise ReportError(
+                    f"{FILE}: units has {end}, which is {known.get(end, 'empty')}: take another end"
+                )
         self.units: Mapping[str, str] = known | dict(settings.units)
         """The unit by the end of a column's name; the longest end that fits counts."""
 
@@ -77,13 +122,20 @@ class Schema:
 
     def _column(self, name: str) -> Column:
         declared = [
-            table for table in self.settings.columns if name in table.names or re.fullmatch(table.pattern, name)
+            table
+            for table in self.settings.columns
+            if name in table.names or re.fullmatch(table.pattern, name)
         ]
         if len({table.better for table in declared if name in table.names} - {""}) > 1:
-            raise ReportError(f"{FILE}: column {name} is listed both as lower-is-better and as higher-is-better")
+            raise ReportError(
+                f"{FILE}: column {name} is listed both as lower-is-better and as higher-is-better"
+            )
         unit = self._unit(name)
         largest = LARGEST.get(unit, 1e18)
-        signed = next((table.signed for table in declared if table.signed is not None), unit not in NEVER_NEGATIVE)
+        signed = next(
+            (table.signed for table in declared if table.signed is not None),
+            unit not in NEVER_NEGATIVE,
+        )
         kinds = {table.kind for table in declared if table.kind}
         if name in self.parameters:
             kinds.add("parameter")
@@ -109,18 +161,34 @@ class Schema:
         return next((self.units[end] for end in ends if end in self.units), PLAIN)
 
     def _words(self, name: str, unit: str) -> str:
-        ends = [end for end in self.units if self.units[end] == unit != PLAIN and name.endswith(f"_{end}")]
-        return name.removesuffix(f"_{max(ends, key=len)}" if ends else "").replace("_", " ")
+        ends = [
+            end
+            for end in self.units
+            if self.units[end] == unit != PLAIN and name.endswith(f"_{end}")
+        ]
+        return name.removesuffix(f"_{max(ends, key=len)}" if ends else "").replace(
+            "_", " "
+        )
 
     def is_unit(self, text: str) -> bool:
         """Tell whether a text is a unit: a known one, or known ones with ``/`` and ``·`` between them."""
-        unknown = {factor for factor in re.split("[/·]", text) if not SYMBOL.fullmatch(factor)}
-        declared = {factor for unit in self.units.values() for factor in (unit, *re.split("[/·]", unit))}
+        unknown = {
+            factor for factor in re.split("[/·]", text) if not SYMBOL.fullmatch(factor)
+        }
+        declared = {
+            factor
+            for unit in self.units.values()
+            for factor in (unit, *re.split("[/·]", unit))
+        }
         return unknown <= declared
 
     def changed_parameters(self, row: Mapping[str, Any]) -> dict[str, Any]:
         """Return the parameters of a row's case that differ from their defaults."""
-        return {name: cell for name, cell in row.items() if self.parameters.get(name, MISSING) not in (MISSING, cell)}
+        return {
+            name: cell
+            for name, cell in row.items()
+            if self.parameters.get(name, MISSING) not in (MISSING, cell)
+        }
 
     def number_of(self, column: str, row: Mapping[str, Any]) -> Any:
         """Return a cell of a row, None for a number that does not exist because the run failed."""
@@ -129,9 +197,13 @@ class Schema:
     def units_of(self, rows: Sequence[Mapping[str, Any]]) -> dict[str, str]:
         """Return the units of the columns that hold numbers, missing ones included."""
         columns = columns_of(rows)
-        numeric = {name for row in rows for name, cell in row.items() if is_number(cell)}
+        numeric = {
+            name for row in rows for name, cell in row.items() if is_number(cell)
+        }
         names = [name for name in columns if name in numeric]
-        names += [name.removesuffix(REASON) for name in columns if name.endswith(REASON)]
+        names += [
+            name.removesuffix(REASON) for name in columns if name.endswith(REASON)
+        ]
         return {name: self[name].unit for name in names}
 
     def number_problem(self, name: str, value: int | float) -> str:
@@ -141,7 +213,9 @@ class Schema:
             return ""
         return f"is {value!r:.20}, and no number from {column.least:g} to {column.largest:g}"
 
-    def refuse_mixed(self, rows: Sequence[Mapping[str, Any]], noted: Mapping[str, str]) -> None:
+    def refuse_mixed(
+        self, rows: Sequence[Mapping[str, Any]], noted: Mapping[str, str]
+    ) -> None:
         """Raise ValueError unless units are those of the columns' names, and a column holds one kind of thing."""
         units = self.units_of(rows)
         for name in sorted({*units, *noted}):
@@ -173,7 +247,9 @@ def case_parameters(settings: Config) -> Mapping[str, Any]:
     module, _, name = settings.case.partition(":")
     case = getattr(module_named("case", module), name, None)
     if not is_dataclass(case):
-        raise ReportError(f"{FILE}: case = {settings.case!r}: there is no such dataclass")
+        raise ReportError(
+            f"{FILE}: case = {settings.case!r}: there is no such dataclass"
+        )
     return {field.name: field.default for field in fields(case)}
 
 
@@ -181,7 +257,11 @@ def unlike(units: Iterable[str]) -> list[str]:
     """Return two units of one kind that are not the same, as ms and s are; nothing where there are none."""
     kinds: dict[str, str] = {}
     for unit in units:
-        kind = re.sub(r"(?<![^/·])[nµmkMGT](?=(?:m|s|g|N|J|W|V|A|K|B|bit|Pa|Hz|rad|mol)(?![a-zA-Z]))", "", unit)
+        kind = re.sub(
+            r"(?<![^/·])[nµmkMGT](?=(?:m|s|g|N|J|W|V|A|K|B|bit|Pa|Hz|rad|mol)(?![a-zA-Z]))",
+            "",
+            unit,
+        )
         if kinds.setdefault(kind, unit) != unit:
             return [kinds[kind], unit]
     return []
@@ -215,12 +295,16 @@ def plain(cell: Any, name: str) -> Any:
     value = cell.item() if getattr(cell, "ndim", None) == 0 else cell
     if value is None or isinstance(value, bool | int | float | str):
         return value
-    raise ReportError(f"the column {name} has {value!r:.80}, which is no number, text, yes or no")
+    raise ReportError(
+        f"the column {name} has {value!r:.80}, which is no number, text, yes or no"
+    )
 
 
 def name_problem(text: str) -> str:
     """Say what is wrong with a text that is printed as a part of a line; empty when nothing is."""
-    return text_problem(text) or ("has a tab or more than one line" if re.search(r"[\n\t]", text) else "")
+    return text_problem(text) or (
+        "has a tab or more than one line" if re.search(r"[\n\t]", text) else ""
+    )
 
 
 @cache
@@ -228,4 +312,6 @@ def text_problem(text: str) -> str:
     if len(text) > TEXT_LIMIT:
         return f"is a text of more than {TEXT_LIMIT} characters"
     match = UNPRINTABLE.search(text)
-    return f"has the character U+{ord(match[0][0]):04X}, which is no text" if match else ""
+    return (
+        f"has the character U+{ord(match[0][0]):04X}, which is no text" if match else ""
+    )

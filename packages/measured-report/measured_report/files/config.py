@@ -22,8 +22,20 @@ from measured_report.files.settings import (
     tomllib,
 )
 
-__all__ = ["FILE", "ColumnTraits", "Config", "Page", "Report", "module_named", "read_toml", "tomllib"]
-ROOMS = ("experiments", "report")  # packages that every report has of its own, by the same names
+__all__ = [
+    "FILE",
+    "ColumnTraits",
+    "Config",
+    "Page",
+    "Report",
+    "module_named",
+    "read_toml",
+    "tomllib",
+]
+ROOMS = (
+    "experiments",
+    "report",
+)  # packages that every report has of its own, by the same names
 T = TypeVar("T")
 
 
@@ -74,10 +86,17 @@ class Report:
         if self is former:
             return
         names = [name for name in sys.modules if name.partition(".")[0] in ROOMS]
-        former._path, former._modules = sys.path[:], {name: sys.modules.pop(name) for name in names}
+        former._path, former._modules = (
+            sys.path[:],
+            {name: sys.modules.pop(name) for name in names},
+        )
         # The other's root would be found first, where a package here has no __init__.py.
         paths = (path for path in sys.path if Path(path).resolve() != former.root)
-        sys.path[:] = self._path or [str(self.root), *map(str, sorted(self.root.glob("packages/*"))), *paths]
+        sys.path[:] = self._path or [
+            str(self.root),
+            *map(str, sorted(self.root.glob("packages/*"))),
+            *paths,
+        ]
         sys.modules.update(self._modules)
         root.ROOT = self.root
         for function in _cached:

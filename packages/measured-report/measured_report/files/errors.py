@@ -44,19 +44,34 @@ def suggestion(name: str, names: Iterable[str]) -> str:
 
 def bug_of(error: BaseException) -> str:
     """Write an error of a report's own code in one line: file and line of what raised it there, kind and text."""
-    frames = [(Path(frame.filename), frame.lineno) for frame in extract_tb(error.__traceback__)]
+    frames = [
+        (Path(frame.filename), frame.lineno)
+        for frame in extract_tb(error.__traceback__)
+    ]
     installed = (Path(__file__).parents[1], Path(sys.base_prefix), Path(sys.prefix))
-    files = [(file, line) for file, line in frames if file.suffix == ".py"]  # a dataclass is made in a <string>
-    own_frames = [(file, line) for file, line in files if not any(map(file.is_relative_to, installed))]
+    files = [
+        (file, line) for file, line in frames if file.suffix == ".py"
+    ]  # a dataclass is made in a <string>
+    own_frames = [
+        (file, line)
+        for file, line in files
+        if not any(map(file.is_relative_to, installed))
+    ]
     kind = "" if isinstance(error, ReportError) else f"{type(error).__name__}: "
     text = f"{kind}{' '.join(str(error).split())}"
     for file, line in own_frames[-1:]:
-        rooms = [index for index, folder in enumerate(file.parts) if folder in ("report", "experiments")]
+        rooms = [
+            index
+            for index, folder in enumerate(file.parts)
+            if folder in ("report", "experiments")
+        ]
         return f"{'/'.join(file.parts[max(rooms, default=-1) :])}:{line}: {text}"
     return text
 
 
-def _say(kind: type[BaseException], error: BaseException, trace: TracebackType | None) -> None:
+def _say(
+    kind: type[BaseException], error: BaseException, trace: TracebackType | None
+) -> None:
     if issubclass(kind, ReportError):
         print(" ".join(str(error).split()), file=sys.stderr)
     else:

@@ -7,13 +7,21 @@ from pathlib import Path
 
 from measured_report.files.errors import UsageError
 
-KEPT = ("GIT_SSH", "GIT_SSH_COMMAND", "GIT_ASKPASS", "GIT_CONFIG_GLOBAL", "GIT_CONFIG_NOSYSTEM")
+KEPT = (
+    "GIT_SSH",
+    "GIT_SSH_COMMAND",
+    "GIT_ASKPASS",
+    "GIT_CONFIG_GLOBAL",
+    "GIT_CONFIG_NOSYSTEM",
+)
 """Variables that say how a user reaches other hosts. All others that begin with GIT_ name a repository or its index."""
 ALONE = ("core.hooksPath=/dev/null", "core.fsmonitor=false")
 QUIET = {"GIT_OPTIONAL_LOCKS": "0", "GIT_TERMINAL_PROMPT": "0", "LC_ALL": "C"}
 
 
-ORIGIN = re.compile(r"(?:(?:https?|ssh)://(?:[^@/]*@)?|[\w.-]+@)([\w.-]+)(?::\d+(?=/))?[:/]([^?#]+?)(?:\.git)?/?")
+ORIGIN = re.compile(
+    r"(?:(?:https?|ssh)://(?:[^@/]*@)?|[\w.-]+@)([\w.-]+)(?::\d+(?=/))?[:/]([^?#]+?)(?:\.git)?/?"
+)
 """An address of git's origin that is one on the web too: host and path."""
 
 
@@ -23,7 +31,11 @@ class GitError(UsageError):
 
 def environment(**settings: str) -> dict[str, str]:
     """Return the environment for git and for programs that call it."""
-    kept = {name: value for name, value in os.environ.items() if name in KEPT or not name.startswith("GIT_")}
+    kept = {
+        name: value
+        for name, value in os.environ.items()
+        if name in KEPT or not name.startswith("GIT_")
+    }
     return kept | QUIET | settings
 
 

@@ -17,4 +17,6 @@ def grouped(pairs: Iterable[tuple[K, T]]) -> dict[K, list[T]]:
 
 def single(pairs: Iterable[tuple[K, T]]) -> dict[K, T]:
     """Return things by their keys, those that share one left out."""
-    return {key: things[0] for key, things in grouped(pairs).items() if len(things) == 1}
+    return {
+        key: things[0] for key, things in grouped(pairs).items() if len(things) == 1
+    }

@@ -20,7 +20,9 @@ PR_SET_PDEATHSIG = 1  # from linux/prctl.h: which signal a process gets when the
 
 
 @contextmanager
-def workers(count: int, method: str, then: Callable[[], None] | None = None) -> Iterator[ProcessPoolExecutor]:
+def workers(
+    count: int, method: str, then: Callable[[], None] | None = None
+) -> Iterator[ProcessPoolExecutor]:
     """Open a pool of ``count`` processes, started by ``method``, that call ``then``; ReportError if one is killed."""
     pool = ProcessPoolExecutor(count, get_context(method), begin, (then,))
     try:
@@ -35,16 +37,24 @@ def workers(count: int, method: str, then: Callable[[], None] | None = None) -> 
         pool.shutdown(cancel_futures=True)
 
 
-_task: list[Callable[[int], Any]] = []  # what forks of this process are asked to make: it need not be pickled
+_task: list[
+    Callable[[int], Any]
+] = []  # what forks of this process are asked to make: it need not be pickled
 
 
 def forked(make: Callable[[int], T], count: int) -> list[T]:
     """Return what ``make`` makes of each number below ``count``, on every processor that there is."""
     # A fork is safe on Linux alone, and a single piece is made here.
-    if (process_count := min(len(os.sched_getaffinity(0)), count) if sys.platform == "linux" else 1) < 2:
+    if (
+        process_count := min(len(os.sched_getaffinity(0)), count)
+        if sys.platform == "linux"
+        else 1
+    ) < 2:
         return [*map(make, range(count))]
     _task[:] = [make]
-    with workers(process_count, "fork", gc.disable) as pool:  # all that a process makes fits into memory together
+    with workers(
+        process_count, "fork", gc.disable
+    ) as pool:  # all that a process makes fits into memory together
         return [*pool.map(_make, range(count))]
 
 

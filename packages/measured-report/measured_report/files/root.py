@@ -5,5 +5,7 @@ from pathlib import Path
 
 _starts = (Path(sys.path[0] or ".").resolve(), Path.cwd())
 _folders = (folder for start in _starts for folder in (start, *start.parents))
-ROOT = next((folder for folder in _folders if (folder / "report.toml").is_file()), Path.cwd())
+ROOT = next(
+    (folder for folder in _folders if (folder / "report.toml").is_file()), Path.cwd()
+)
 """The first with a ``report.toml`` above the program, or else above where it was started; records name paths in it."""

@@ -163,7 +163,9 @@ class Edition:
     def derive(self, releases: Releases | None = None) -> None:
         """Derive the sections that compare releases where these are given, else all others."""
         if releases is None:
-            records = {name: each.results.record for name, each in self.chapters.items()}
+            records = {
+                name: each.results.record for name, each in self.chapters.items()
+            }
             self.measurements = measurements_of(self.project, records, self.cache)
             for fault in self.measurements.damaged:
                 self.left_out.append(State(FOLDER, Kind.DAMAGED, notes=(fault,)))

@@ -26,7 +26,9 @@ class Measurements:
     """Hold what all measurements of an edition say, by section."""
 
     evidence: Mapping[str, Evidence] = field(default_factory=dict)
-    kinds: Mapping[str, str] = field(default_factory=dict)  # on how many kinds of processor, in words; empty for one
+    kinds: Mapping[str, str] = field(
+        default_factory=dict
+    )  # on how many kinds of processor, in words; empty for one
     digest: str = ""  # covers the replicas
     damaged: Sequence[str] = ()  # what is wrong with each replica that can't be read
     names: Sequence[str] = ()  # of the others
@@ -39,13 +41,17 @@ class Measurements:
         claims = []
         for claim in section.claims:
             pointers = map(Pointer, claim.outcome.reads)
-            has_traces = any(pointer.is_trace for pointer in pointers)  # which replicas lack
+            has_traces = any(
+                pointer.is_trace for pointer in pointers
+            )  # which replicas lack
             is_decided = claim.outcome.name != "unknown" and not has_traces
             claims.append(replace(claim, confirmed=text) if is_decided else claim)
         return replace(section, claims=claims)
 
 
-def measurements_of(project: Project, tracked: Records, cache: DerivedCache) -> Measurements:
+def measurements_of(
+    project: Project, tracked: Records, cache: DerivedCache
+) -> Measurements:
     """Return what all measurements of an edition say, kept from before."""
     columns = project.report.columns
 
@@ -58,7 +64,9 @@ def measurements_of(project: Project, tracked: Records, cache: DerivedCache) -> 
         kinds = {}
         for name, record in tracked.items():
             measured[name] = [record, *(records.get(name) for records in replicas)]
-            kinds[name] = _kinds([each for each in measured[name] if each], project.report)
+            kinds[name] = _kinds(
+                [each for each in measured[name] if each], project.report
+            )
         evidence = evidence_of(measured, repeats, columns)
         digest = files_digest(replica_files(project), project.results)
         return Measurements(evidence, kinds, digest, damaged, [*read])
@@ -69,7 +77,12 @@ def measurements_of(project: Project, tracked: Records, cache: DerivedCache) -> 
     name = f"{project.profile}.{project.release}.evidence"
     module = outline_of(next(iter(tracked))).file
     # What is no file has a name and no digest, and is named as damaged while it is there.
-    return cache.value(name, module, [files_digest(files, project.results), *(path.name for path in files)], find)
+    return cache.value(
+        name,
+        module,
+        [files_digest(files, project.results), *(path.name for path in files)],
+        find,
+    )
 
 
 def _kinds(records: Sequence[Record], report: Report) -> str:
@@ -109,7 +122,11 @@ def replicas_text(project: Project) -> list[str]:
 
 
 def alike(tracked: Records, records: Records) -> Records:
-    return {name: record for name, record in records.items() if name in tracked and not mismatch(tracked[name], record)}
+    return {
+        name: record
+        for name, record in records.items()
+        if name in tracked and not mismatch(tracked[name], record)
+    }
 
 
 def refused(project: Project, records: Records) -> Mapping[str, str]:
@@ -117,7 +134,9 @@ def refused(project: Project, records: Records) -> Mapping[str, str]:
     tracked = {record.section: record for record in records_of(project)}
     reasons = {}
     for name, record in records.items():
-        reason = mismatch(tracked[name], record) if name in tracked else "not measured here"
+        reason = (
+            mismatch(tracked[name], record) if name in tracked else "not measured here"
+        )
         if reason:
             reasons[name] = reason
     if len(reasons) == len(records):
@@ -128,4 +147,6 @@ def refused(project: Project, records: Records) -> Mapping[str, str]:
 def reasons_text(reasons: Mapping[str, str]) -> str:
     """Name sections by why they are left out."""
     names = grouped((reason, name) for name, reason in reasons.items())
-    return "; ".join(f"{reason} ({', '.join(sections)})" for reason, sections in names.items())
+    return "; ".join(
+        f"{reason} ({', '.join(sections)})" for reason, sections in names.items()
+    )

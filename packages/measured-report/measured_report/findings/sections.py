@@ -51,14 +51,18 @@ def outline_of(section: str, report: Report | None = None) -> Outline:
                 "write it out, and work nothing out"
             )
     if not isinstance(facts.get("order"), int):
-        raise ReportError(f"{name} has no line such as order = 125, its place on the page")
+        raise ReportError(
+            f"{name} has no line such as order = 125, its place on the page"
+        )
     if "derive" not in facts:
         raise ReportError(f"{name} has no function derive(results)")
     settings = (report or current_report()).settings
     pages = {page.name: page for page in settings.pages[1:]}
     page = facts.get("page", next(iter(pages), ""))
     if page not in pages:
-        raise ReportError(f"{name} names the page {page!r}; there are: {', '.join(pages)}")
+        raise ReportError(
+            f"{name} names the page {page!r}; there are: {', '.join(pages)}"
+        )
     label = facts.get("label", section.replace("_", " "))
     labels = facts.get("labels", {})
     reads = facts.get("reads", ())

@@ -10,7 +10,9 @@ from measured_report.files.errors import UsageError
 
 KIND, NOUN = "", ""  # what DEVICE calls one beside `cpu`, and people do
 NONE: Mapping[str, str] = {}  # environment of a process that may use none
-ALONE: Mapping[str, str] = {}  # environment of a process that measures times, past what lets others share one
+ALONE: Mapping[
+    str, str
+] = {}  # environment of a process that measures times, past what lets others share one
 
 
 class Accelerator(NamedTuple):
@@ -46,7 +48,9 @@ def kinds(report: Report | None = None) -> list[str]:
 def read_device(kind: str, report: Report | None = None) -> str:
     """Return a kind of device; UsageError if there is none of that name."""
     if kind not in kinds(report):
-        raise UsageError(f"DEVICE={kind:.80} is no device; use one of: {', '.join(kinds(report))}")
+        raise UsageError(
+            f"DEVICE={kind:.80} is no device; use one of: {', '.join(kinds(report))}"
+        )
     return kind
 
 

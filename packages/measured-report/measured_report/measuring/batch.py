@@ -26,8 +26,12 @@ from measured_report.files.errors import ReportError, bug_of
 from measured_report.measuring.machine import machine
 from measured_report.measuring.measurement import Measurement
 
-OUT_OF_MEMORY = re.compile("out of memory|failed to allocate|cannot allocate|bad_alloc", re.IGNORECASE)
-LOCK = Path(tempfile.gettempdir()) / f"measured-report-{os.getuid()}"  # by which two runs of `make` spoil no times
+OUT_OF_MEMORY = re.compile(
+    "out of memory|failed to allocate|cannot allocate|bad_alloc", re.IGNORECASE
+)
+LOCK = (
+    Path(tempfile.gettempdir()) / f"measured-report-{os.getuid()}"
+)  # by which two runs of `make` spoil no times
 
 
 @dataclass(frozen=True)
@@ -35,9 +39,13 @@ class Batch:
     """Describe a call that a process of its own can make."""
 
     name: str  # name that no other of its section has: lower-case words, numbers and hyphens
-    function: Callable[..., Any]  # function of a module. It and what it returns travel as bytes
+    function: Callable[
+        ..., Any
+    ]  # function of a module. It and what it returns travel as bytes
     arguments: tuple[Any, ...] = ()
-    exclusive: bool = False  # measures times, so that nothing else is measured on its host meanwhile
+    exclusive: bool = (
+        False  # measures times, so that nothing else is measured on its host meanwhile
+    )
 
 
 Plan: TypeAlias = Generator[Sequence[Batch], Sequence[Any], Measurement]
@@ -72,10 +80,16 @@ def measure_batch(batch: Batch, device: str) -> Result:
             started, start = now(), time.perf_counter()
             value = batch.function(*batch.arguments)
             seconds = time.perf_counter() - start
-        ended = started + timedelta(seconds=seconds)  # whatever the clock does meanwhile
+        ended = started + timedelta(
+            seconds=seconds
+        )  # whatever the clock does meanwhile
         times = [time.isoformat(timespec="seconds") for time in (started, ended)]
-        return Result(pickle.dumps(value), description, times[0], times[1], round(seconds, 1))
-    except BaseException as error:  # sys.exit too: a fault of a section must not end the process
+        return Result(
+            pickle.dumps(value), description, times[0], times[1], round(seconds, 1)
+        )
+    except (
+        BaseException
+    ) as error:  # sys.exit too: a fault of a section must not end the process
         raise BatchError(reason_of(error, report)) from None
 
 

@@ -23,7 +23,10 @@ from measured_report.measuring.machine import slug
 from measured_report.records.code import digest_of
 from measured_report.records.identity import files_digest, package_versions
 
-SHARED, EXCLUSIVE = "shared", "exclusive"  # resources: of a worker that shares its device, of one that measures times
+SHARED, EXCLUSIVE = (
+    "shared",
+    "exclusive",
+)  # resources: of a worker that shares its device, of one that measures times
 SETTINGS = {
     "distributed.scheduler.allowed-failures": 2,  # a batch is tried three times
     "distributed.scheduler.no-workers-timeout": "120s",
@@ -32,19 +35,28 @@ SETTINGS = {
     # Its web servers can't be left out; they listen on the host alone, and have nothing to say.
     **{f"distributed.{side}.http.routes": [] for side in ("scheduler", "worker")},
 }
-LOCAL = {"host": "127.0.0.1", "protocol": "tls", "dashboard": False, "dashboard_address": "127.0.0.1:0"}
+LOCAL = {
+    "host": "127.0.0.1",
+    "protocol": "tls",
+    "dashboard": False,
+    "dashboard_address": "127.0.0.1:0",
+}
 OTHER_CODE = "has other code or packages"
 
 
 @contextmanager
-def connected(cluster: str, device: str, report: Report, count: int = 1) -> Iterator[Client]:
+def connected(
+    cluster: str, device: str, report: Report, count: int = 1
+) -> Iterator[Client]:
     """Connect to the scheduler that ``CLUSTER`` names, or start one here; ReportError where that can't be."""
     for name in ("distributed", "distributed.client"):  # whose level Dask sets as well
         logging.getLogger(name).setLevel(logging.CRITICAL)  # errors are printed here
     with dask.config.set(SETTINGS), ExitStack() as stack:
         try:
             if cluster == "local":
-                client = Client(stack.enter_context(_on_this_host(device, report, count)))
+                client = Client(
+                    stack.enter_context(_on_this_host(device, report, count))
+                )
             else:
                 if cluster.startswith("tcp:"):
                     message = "whoever reaches that port may run code on its workers and here (docs/cluster.md)"
@@ -55,7 +67,9 @@ def connected(cluster: str, device: str, report: Report, count: int = 1) -> Iter
         except (MemoryError, OSError, TypeError, ValueError, RuntimeError) as error:
             # MemoryError: what is no scheduler may name any size. TypeError: no certificate is configured.
             message = " ".join(str(error).split()) or type(error).__name__
-            raise ReportError(f"CLUSTER={cluster}: no workers could be started or reached: {message:.200}") from None
+            raise ReportError(
+                f"CLUSTER={cluster}: no workers could be started or reached: {message:.200}"
+            ) from None
         yield client
 
 
@@ -64,19 +78,35 @@ def _on_this_host(device: str, report: Report, count: int) -> SpecCluster:
     security = Security.temporary()  # others on this host are not let in
     accelerator = report.accelerator
     cards = [] if device == "cpu" else accelerator.accelerators()
-    workers: dict[Any, dict[str, Any]] = {number: _worker(SHARED, security) for number in range(0 if cards else count)}
+    workers: dict[Any, dict[str, Any]] = {
+        number: _worker(SHARED, security) for number in range(0 if cards else count)
+    }
     for index, card in enumerate(cards):
         for number in range(accelerator.share_count(card, len(cards))):
             workers[f"{index}/{number}"] = _worker(SHARED, security, **card.settings)
     alone = {**cards[0].settings, **accelerator.ALONE} if cards else {}
     workers[EXCLUSIVE] = _worker(EXCLUSIVE, security, **alone)
     scheduler = {"cls": Scheduler, "options": {**LOCAL, "security": security}}
-    return SpecCluster(workers, scheduler, security=security, silence_logs=logging.CRITICAL, name="local")
+    return SpecCluster(
+        workers,
+        scheduler,
+        security=security,
+        silence_logs=logging.CRITICAL,
+        name="local",
+    )
 
 
 def _worker(resource: str, security: Security, **settings: str) -> dict[str, Any]:
-    options = {"nthreads": 1, "resources": {resource: 1}, "memory_limit": 0, "silence_logs": logging.CRITICAL}
-    return {"cls": Nanny, "options": {**LOCAL, **options, "env": settings, "security": security}}
+    options = {
+        "nthreads": 1,
+        "resources": {resource: 1},
+        "memory_limit": 0,
+        "silence_logs": logging.CRITICAL,
+    }
+    return {
+        "cls": Nanny,
+        "options": {**LOCAL, **options, "env": settings, "security": security},
+    }
 
 
 @contextmanager
@@ -88,16 +118,26 @@ def cluster_pools(
         workers = client.scheduler_info(n_workers=-1)["workers"].values()
         for resource in (SHARED, EXCLUSIVE):
             if not any(resource in worker["resources"] for worker in workers):
-                raise ReportError(f"CLUSTER={cluster}: no worker was started with --resources {resource}=1")
+                raise ReportError(
+                    f"CLUSTER={cluster}: no worker was started with --resources {resource}=1"
+                )
         digest = digest_here(report)
         try:
             nodes = client.run(introduce, device, processor, digest)
             firsts = {node: address for address, node in nodes.items()}.values()
             prepare = report.host.prepare
-            client.gather([client.submit(prepare, device, workers=[worker], pure=False) for worker in firsts])
+            client.gather(
+                [
+                    client.submit(prepare, device, workers=[worker], pure=False)
+                    for worker in firsts
+                ]
+            )
         except (KilledWorker, OSError):
             raise ReportError(f"CLUSTER={cluster}: {KILLED}") from None
-        yield ClusterPool(client, SHARED, digest), ClusterPool(client, EXCLUSIVE, digest)
+        yield (
+            ClusterPool(client, SHARED, digest),
+            ClusterPool(client, EXCLUSIVE, digest),
+        )
 
 
 class ClusterPool:
@@ -148,15 +188,27 @@ def introduce(device: str, processor: str | None, digest: str) -> str:
         raise ReportError(f"{node}: {error}") from None
     if processor and slug(card or "") != processor:
         kind = report.accelerator.KIND.upper()
-        raise ReportError(f"{node} has {card or f'no {kind} device'}, and this is of {processor}")
+        raise ReportError(
+            f"{node} has {card or f'no {kind} device'}, and this is of {processor}"
+        )
     return node
 
 
 def digest_here(report: Report) -> str:
     """Digest the files that measuring may read, and the versions of packages."""
     root = report.root
-    folders = [root / "experiments", root / "assets", *root.glob("packages/*"), Path(__file__).parents[1]]
-    code = [files_digest((path for path in folder.rglob("*.*") if path.suffix != ".pyc"), folder) for folder in folders]
+    folders = [
+        root / "experiments",
+        root / "assets",
+        *root.glob("packages/*"),
+        Path(__file__).parents[1],
+    ]
+    code = [
+        files_digest(
+            (path for path in folder.rglob("*.*") if path.suffix != ".pyc"), folder
+        )
+        for folder in folders
+    ]
     return digest_of([*code, package_versions(report.settings)])
 
 
@@ -164,8 +216,12 @@ def card_of(cluster: str, report: Report) -> str:
     """Return what the card that most workers of a cluster have is called in a label; UsageError where there is none."""
     kind = report.accelerator.KIND
     with connected(cluster, kind, report) as client:
-        names = sorted(card.name for cards in client.run(accelerators).values() for card in cards)
+        names = sorted(
+            card.name for cards in client.run(accelerators).values() for card in cards
+        )
     if not names:
         of_cpu = "DEVICE=cpu measures on their CPUs"
-        raise UsageError(f"CLUSTER={cluster}: its workers have no {kind.upper()} device; {of_cpu}")
+        raise UsageError(
+            f"CLUSTER={cluster}: its workers have no {kind.upper()} device; {of_cpu}"
+        )
     return slug(max(names, key=names.count))

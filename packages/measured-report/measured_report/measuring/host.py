@@ -16,7 +16,9 @@ __all__ = ["Conditions", "be_quiet", "card", "explained", "host", "prepare"]
 def card(kind: str) -> tuple[str | None, str | None]:
     """Return name and uuid of the accelerator to measure on, nothing of a CPU; ReportError where there is none."""
     if kind != "cpu":
-        raise ReportError(f"DEVICE={kind}: this report measures on the CPU; DEVICE=cpu does")
+        raise ReportError(
+            f"DEVICE={kind}: this report measures on the CPU; DEVICE=cpu does"
+        )
     return None, None
 
 

@@ -17,7 +17,13 @@ from measured_report.measuring.accelerator import lacks
 from measured_report.records.code import Code
 from measured_report.records.record import Record
 
-KIND = ("device", "gpu", "driver", "cpu", "cores")  # what of a machine is the same for all batches of a section
+KIND = (
+    "device",
+    "gpu",
+    "driver",
+    "cpu",
+    "cores",
+)  # what of a machine is the same for all batches of a section
 
 
 @cache
@@ -27,7 +33,13 @@ def machine(kind: str, report: Report | None = None) -> dict[str, str | None]:
     card, uuid = report.host.card(kind)
     driver = None if kind == "cpu" else report.accelerator.driver()
     system = f"{platform.system()} {platform.machine()}"
-    devices = {"device": kind, "gpu": card, "driver": driver, "cpu": cpu_name(), "cores": str(os.cpu_count())}
+    devices = {
+        "device": kind,
+        "gpu": card,
+        "driver": driver,
+        "cpu": cpu_name(),
+        "cores": str(os.cpu_count()),
+    }
     return {
         **devices,
         "python": platform.python_version(),
@@ -40,14 +52,20 @@ def machine(kind: str, report: Report | None = None) -> dict[str, str | None]:
 def host_digest(edition: str) -> str | None:
     """Return a digest of a number drawn by chance when this host was set up, or begun; a name would be guessed."""
     for path in map(Path, ("/etc/machine-id", "/proc/sys/kernel/random/boot_id")):
-        if os.access(path, os.R_OK) and (number := path.read_text(encoding="utf-8").strip()):
+        if os.access(path, os.R_OK) and (
+            number := path.read_text(encoding="utf-8").strip()
+        ):
             return hashlib.sha256(f"{edition} {number}".encode()).hexdigest()[:12]
     return None
 
 
 def cpu_name() -> str:
     path = Path("/proc/cpuinfo")
-    named = re.search(r"^model name\s*:(.*)", path.read_text(encoding="utf-8") if path.exists() else "", re.MULTILINE)
+    named = re.search(
+        r"^model name\s*:(.*)",
+        path.read_text(encoding="utf-8") if path.exists() else "",
+        re.MULTILINE,
+    )
     return named[1].strip() if named else platform.processor() or platform.machine()
 
 
@@ -57,14 +75,20 @@ def commit(root: Path | None = None) -> str | None:
         return name
     root = root or current().root
     name = git(root, "describe", "--always", "--abbrev=12", "--exclude=*", "--dirty")
-    untracked = git(root, "ls-files", "--others", "--exclude-standard", "experiments", "assets")
-    return f"{name.removesuffix('-dirty')}-dirty" if name and untracked else name or None
+    untracked = git(
+        root, "ls-files", "--others", "--exclude-standard", "experiments", "assets"
+    )
+    return (
+        f"{name.removesuffix('-dirty')}-dirty" if name and untracked else name or None
+    )
 
 
 def said(*command: str) -> str:
     """Return what a command prints; nothing when it fails or is not there."""
     try:
-        return subprocess.run(command, cwd=current().root, capture_output=True, text=True, check=False).stdout.strip()
+        return subprocess.run(
+            command, cwd=current().root, capture_output=True, text=True, check=False
+        ).stdout.strip()
     except OSError:
         return ""
 
@@ -72,11 +96,16 @@ def said(*command: str) -> str:
 def needs_device(section: str, project: Project) -> bool:
     """Tell whether numbers depend on the device: a section with ``NEEDS_GPU = False`` stands with any."""
     code = Code(project.root)
-    file = code.module(f"experiments.{section}") or f"{project.root}/experiments/{section}.py"
+    file = (
+        code.module(f"experiments.{section}")
+        or f"{project.root}/experiments/{section}.py"
+    )
     return bool(code.source(file).top.get("NEEDS_GPU", project.settings.needs_device))
 
 
-def measuring_device(device: str | None, profile: str, report: Report | None = None) -> str | None:
+def measuring_device(
+    device: str | None, profile: str, report: Report | None = None
+) -> str | None:
     """Choose the device to measure on; None where it has to be asked for: full measurements take hours on a CPU."""
     report = report or current()
     if device == "cpu" or not (device or report.settings.needs_device):
@@ -92,7 +121,11 @@ def machine_name(device: str, report: Report | None = None) -> str:
     """Name this machine for a label when it measures on ``device``: by its accelerator, or ``cpu``."""
     if device == "cpu":
         return device
-    return slug(next((card.name for card in (report or current()).accelerator.accelerators()), ""))
+    return slug(
+        next(
+            (card.name for card in (report or current()).accelerator.accelerators()), ""
+        )
+    )
 
 
 def machine_of(record: Record) -> str:

@@ -27,16 +27,31 @@ from measured_report.records.identity import sections as all_sections
 
 T = TypeVar("T")
 MODULE = "measured_report.measuring.run"
-FAILED, UNFIT = 1, 2  # exit statuses of a measurement that failed, or could not begin, which has said why
+FAILED, UNFIT = (
+    1,
+    2,
+)  # exit statuses of a measurement that failed, or could not begin, which has said why
 
 
 def measure(
-    project: Project, release: Release, sections: Sequence[str], device: str, cluster: str | None = None
+    project: Project,
+    release: Release,
+    sections: Sequence[str],
+    device: str,
+    cluster: str | None = None,
 ) -> Project:
     """Measure the sections; return the report that has them, which is apart from that of another machine."""
-    machine, options = machine_name(device, project.report), ["--profile", project.profile, "--aside", project.aside]
+    machine, options = (
+        machine_name(device, project.report),
+        ["--profile", project.profile, "--aside", project.aside],
+    )
     if cluster:
-        add_group("cluster", project.root, python_of(release, expected_packages(project), project.root), "extra")
+        add_group(
+            "cluster",
+            project.root,
+            python_of(release, expected_packages(project), project.root),
+            "extra",
+        )
         options += ["--cluster", cluster]
     if device != "cpu":
         if cluster not in (None, "local"):
@@ -50,7 +65,16 @@ def measure(
     if not os.access(edition.results, os.W_OK):
         raise ReportError(f"what is measured could not be kept in {edition.results}")
     try:
-        _run(edition, release, MODULE, device, *sections, *options, "--edition", edition.release)
+        _run(
+            edition,
+            release,
+            MODULE,
+            device,
+            *sections,
+            *options,
+            "--edition",
+            edition.release,
+        )
     finally:
         _note_measured(edition, release)
         with suppress(OSError):
@@ -59,12 +83,18 @@ def measure(
 
 
 def measure_headline(
-    project: Project, release: Release, device: str, program: str, beside: Callable[[], T]
+    project: Project,
+    release: Release,
+    device: str,
+    program: str,
+    beside: Callable[[], T],
 ) -> tuple[T | None, Mapping[str, Any]]:
     """Measure the headline and keep nothing of it; return what is done ``beside``, and what ``program`` writes."""
     with TemporaryDirectory() as folder:
         path = Path(folder) / "headline.json"
-        done = _run(project, release, program, device, "--json", str(path), beside=beside)
+        done = _run(
+            project, release, program, device, "--json", str(path), beside=beside
+        )
         return done, json.loads(path.read_text(encoding="utf-8"))
 
 
@@ -72,18 +102,38 @@ def batches_at_once(project: Project, device: str) -> int:
     """Return how many batches are measured at once: on a CPU quick ones and any that need no more."""
     if device != "cpu":
         accelerator = project.report.accelerator
-        return next((accelerator.share_count(card) for card in accelerator.accelerators()), 1)
-    return (os.cpu_count() or 1) if project.profile == "quick" or not project.settings.needs_device else 1
+        return next(
+            (accelerator.share_count(card) for card in accelerator.accelerators()), 1
+        )
+    return (
+        (os.cpu_count() or 1)
+        if project.profile == "quick" or not project.settings.needs_device
+        else 1
+    )
 
 
 def _run(
-    project: Project, release: Release, module: str, device: str, *options: str, beside: Callable[[], T] | None = None
+    project: Project,
+    release: Release,
+    module: str,
+    device: str,
+    *options: str,
+    beside: Callable[[], T] | None = None,
 ) -> T | None:
     python = python_of(release, expected_packages(project), project.root)
     command = [str(python), "-m", module, "--device", device, *options]
-    env = {**os.environ, "TQDM_DISABLE": "1"}  # a log has a line for each section, a terminal one line for all
+    env = {
+        **os.environ,
+        "TQDM_DISABLE": "1",
+    }  # a log has a line for each section, a terminal one line for all
     env |= project.report.accelerator.NONE if device == "cpu" else {}
-    process = subprocess.Popen(command, cwd=project.root, env=env, preexec_fn=end_with_parent, start_new_session=True)
+    process = subprocess.Popen(
+        command,
+        cwd=project.root,
+        env=env,
+        preexec_fn=end_with_parent,
+        start_new_session=True,
+    )
     try:
         done = beside() if beside else None
         status = process.wait()
@@ -104,25 +154,46 @@ def kept_by(project: Project, machine: str, sections: Sequence[str]) -> Project:
     if not any(needs_device(section, project) for section in sections):
         return project
     if named.machine not in ("", machine):
-        raise UsageError(f"{option} has the results of {named.machine}, and this is {machine}")
-    if not (machines := dict.fromkeys(machines_besides(project, machine))) or named.machine:
+        raise UsageError(
+            f"{option} has the results of {named.machine}, and this is {machine}"
+        )
+    if (
+        not (machines := dict.fromkeys(machines_besides(project, machine)))
+        or named.machine
+    ):
         return project
     edition = project.of(str(replace(named, machine=machine)))
-    print(f"{option} has results of {', '.join(machines)}; those of this machine are {edition.release}")
+    print(
+        f"{option} has results of {', '.join(machines)}; those of this machine are {edition.release}"
+    )
     return edition
 
 
 def machines_besides(project: Project, machine: str) -> Iterator[str]:
     """Yield the other machines that the report has results of, which those of ``machine`` never replace, by section."""
-    records = (record for record in records_of(project) if needs_device(record.section, project))
+    records = (
+        record
+        for record in records_of(project)
+        if needs_device(record.section, project)
+    )
     return filter(machine.__ne__, map(machine_of, records))
 
 
 def _note_measured(project: Project, release: Release) -> None:
     """Note which sections have been measured, so that one that goes is missed."""
     with locked(project.results.parent):
-        present = {section for section in all_sections(project.root) if project.record_path(section).exists()}
-        manifest = read_manifest(project.results, project.settings)  # of a damaged one what it said is not lost unseen
+        present = {
+            section
+            for section in all_sections(project.root)
+            if project.record_path(section).exists()
+        }
+        manifest = read_manifest(
+            project.results, project.settings
+        )  # of a damaged one what it said is not lost unseen
         day = manifest.date if manifest else release_date(release)
         if names := sorted({*present, *(manifest.sections if manifest else ())}):
-            write_manifest(project.results, Manifest(release.asked, day, tuple(names)), project.settings)
+            write_manifest(
+                project.results,
+                Manifest(release.asked, day, tuple(names)),
+                project.settings,
+            )

@@ -33,11 +33,15 @@ class HostPool:
             return self.pool.submit(function, *arguments)
 
     def _opened(self) -> Executor:
-        return ProcessPoolExecutor(self.limit, get_context("fork"), begin, (self._begin,))
+        return ProcessPoolExecutor(
+            self.limit, get_context("fork"), begin, (self._begin,)
+        )
 
 
 @contextmanager
-def host_pools(count: int, alone: Mapping[str, str]) -> Iterator[tuple[HostPool, HostPool]]:
+def host_pools(
+    count: int, alone: Mapping[str, str]
+) -> Iterator[tuple[HostPool, HostPool]]:
     """Open a pool for ``count`` batches that share this host, and one for exclusive ones, with ``alone`` set."""
     shared, exclusive = HostPool(count, {}), HostPool(1, alone)
     try:
@@ -45,22 +49,32 @@ def host_pools(count: int, alone: Mapping[str, str]) -> Iterator[tuple[HostPool,
     finally:
         for process in active_children():
             process.kill()
-        for opened in (shared, exclusive):  # the thread that leads the processes must not meet the end of the program
+        for opened in (
+            shared,
+            exclusive,
+        ):  # the thread that leads the processes must not meet the end of the program
             opened.pool.shutdown(cancel_futures=True)
 
 
 def processes(count: int) -> AbstractContextManager[Executor]:
     """Open a pool for ``count`` calls, of functions of modules, as many at once as there are cores; time nothing."""
-    return workers(max(1, min(count, os.cpu_count() or 1)), "spawn", partial(_begin, {}))
+    return workers(
+        max(1, min(count, os.cpu_count() or 1)), "spawn", partial(_begin, {})
+    )
 
 
-def start(pool: Executor, function: Callable[..., Any], calls: Sequence[tuple[Any, ...]]) -> list[Future[Any]]:
+def start(
+    pool: Executor, function: Callable[..., Any], calls: Sequence[tuple[Any, ...]]
+) -> list[Future[Any]]:
     return [pool.submit(function, *arguments) for arguments in calls]
 
 
 def gather(waiting: Iterable[Future[Any]], title: str) -> list[Any]:
     """Wait for what was started, in that order."""
-    return [result.result() for result in tqdm(list(waiting), desc=title, unit="run", delay=3.0)]
+    return [
+        result.result()
+        for result in tqdm(list(waiting), desc=title, unit="run", delay=3.0)
+    ]
 
 
 def _begin(settings: Mapping[str, str]) -> None:

@@ -36,7 +36,9 @@ def references(templates: Path) -> References:
         addresses = tables.pop("packages", {})
         for name, table in tables.items():
             if unknown := sorted(table.keys() - FIELDS.keys()):
-                raise ValueError(f"{name} has {unknown[0]}, which is no part of a source")
+                raise ValueError(
+                    f"{name} has {unknown[0]}, which is no part of a source"
+                )
             if table.get("package") in addresses and all(map(table.get, LINE)):
                 table["url"] = addresses[table["package"]].format(**table)
             tables[name] = FIELDS | table

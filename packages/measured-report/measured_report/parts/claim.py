@@ -25,7 +25,9 @@ from measured_report.values.quantities import (
 NEAR_NOISE = 2.0  # chosen: up to so many times the noise a difference can't tell: some other pair may differ more
 
 
-Number = Quantity | float  # a test compares quantities, and numbers that were chosen in their unit, `why` in words
+Number = (
+    Quantity | float
+)  # a test compares quantities, and numbers that were chosen in their unit, `why` in words
 
 
 @dataclass(frozen=True)
@@ -35,9 +37,15 @@ class Outcome:
     name: str
     reason: str = ""
     is_inconclusive: bool = False  # unknown for being near the noise, so that the same measured again may be decided
-    is_opposite: bool = field(default=False, compare=False)  # fails because the opposite is shown
-    reads: frozenset[str] = field(default=frozenset(), compare=False, repr=False)  # pointers to all that it stands on
-    bounds: tuple[str, ...] = field(default=(), compare=False, repr=False)  # chosen for it alone, with unit and why
+    is_opposite: bool = field(
+        default=False, compare=False
+    )  # fails because the opposite is shown
+    reads: frozenset[str] = field(
+        default=frozenset(), compare=False, repr=False
+    )  # pointers to all that it stands on
+    bounds: tuple[str, ...] = field(
+        default=(), compare=False, repr=False
+    )  # chosen for it alone, with unit and why
 
     def having_read(self, *quantities: Quantity) -> "Outcome":
         """Return the same, for a test that looked at these as well."""
@@ -47,7 +55,9 @@ class Outcome:
     @property
     def answer(self) -> str:
         """Say one of four: holds, the opposite, fails, cannot tell."""
-        return {"unknown": "cannot tell"}.get(self.name, "the opposite" if self.is_opposite else self.name)
+        return {"unknown": "cannot tell"}.get(
+            self.name, "the opposite" if self.is_opposite else self.name
+        )
 
 
 WITHIN = Outcome("unknown", "the difference is within the noise")
@@ -69,25 +79,47 @@ class Claim:
     effect: Outcome = HOLDS  # whether there is what its `because` explains; where that fails it is not explained
 
     def __post_init__(self) -> None:
-        assert isinstance(self.outcome, Outcome), f"the claim {self.name} takes what a test returns, as at_most(…)"
-        assert isinstance(self.numbers, Mapping), f"the claim {self.name} takes numbers by name, as {{'gain': gain}}"
+        assert isinstance(self.outcome, Outcome), (
+            f"the claim {self.name} takes what a test returns, as at_most(…)"
+        )
+        assert isinstance(self.numbers, Mapping), (
+            f"the claim {self.name} takes numbers by name, as {{'gain': gain}}"
+        )
 
     @cached_property
     def sentence(self) -> Markup:
         """Word the outcome; one that is unknown, or fails without words for that, by what the claim asks."""
-        parts = ["opposite", "fails"] if self.outcome.is_opposite else [self.outcome.name]
+        parts = (
+            ["opposite", "fails"] if self.outcome.is_opposite else [self.outcome.name]
+        )
         if sentence := next(filter(None, map(self.render, parts)), Markup("")):
             return sentence
-        question, verdict = self.render("asks"), "cannot be told" if self.outcome.name == "unknown" else "is not shown"
+        question, verdict = (
+            self.render("asks"),
+            "cannot be told" if self.outcome.name == "unknown" else "is not shown",
+        )
         sentence = Markup("{}{} {}").format(question[:1].upper(), question[1:], verdict)
-        return sentence + (Markup(" ({}).").format(self.outcome.reason) if self.outcome.reason else ".")
+        return sentence + (
+            Markup(" ({}).").format(self.outcome.reason) if self.outcome.reason else "."
+        )
 
     def checked(self) -> "Claim":
         """Return the same; where a number that its sentence names is not there, it can't tell, and says why."""
-        lost = _absent(*(number for number in self.numbers.values() if isinstance(number, Quantity)))
+        lost = _absent(
+            *(
+                number
+                for number in self.numbers.values()
+                if isinstance(number, Quantity)
+            )
+        )
         if not lost or self.outcome.name == "unknown":
             return self
-        return replace(self, outcome=replace(self.outcome, name="unknown", reason=lost.reason, is_opposite=False))
+        return replace(
+            self,
+            outcome=replace(
+                self.outcome, name="unknown", reason=lost.reason, is_opposite=False
+            ),
+        )
 
     def unread(self, columns: Schema) -> Iterator[str]:
         """Yield the numbers it may print of which its test read neither themselves nor all that makes them."""
@@ -107,7 +139,11 @@ class Claim:
         return self.sentence.striptags().replace("\xa0", " ")
 
     def html(self, section: str) -> Markup:
-        return macros().claim(self, section, self.render("because") if self.outcome == self.effect == HOLDS else "")
+        return macros().claim(
+            self,
+            section,
+            self.render("because") if self.outcome == self.effect == HOLDS else "",
+        )
 
     def render(self, part: str) -> Markup:
         """Render one part of its wording."""
@@ -117,7 +153,9 @@ class Claim:
 
 def decided(is_so: bool, *quantities: Quantity) -> Outcome:
     """Hold or fail by a condition that was computed from these; cannot tell where one of them is missing."""
-    assert not (is_so and isinstance(is_so, Quantity | str)), f"{is_so} is no yes or no: test it, as x.value == 0"
+    assert not (is_so and isinstance(is_so, Quantity | str)), (
+        f"{is_so} is no yes or no: test it, as x.value == 0"
+    )
     return _judged(lambda *_: HOLDS if is_so else FAILS, *quantities, compares=False)
 
 
@@ -131,11 +169,17 @@ def at_most(a: Quantity, bound: Number, why: str = "") -> Outcome:
     return _bounded(a, bound, why, operator.le)
 
 
-def _bounded(a: Quantity, bound: Number, why: str, keeps: Callable[[float, float], bool]) -> Outcome:
+def _bounded(
+    a: Quantity, bound: Number, why: str, keeps: Callable[[float, float], bool]
+) -> Outcome:
     def judge(a: Quantity, bound: Quantity) -> Outcome:
         # Where they are less apart than their noise, measured again it may be on the other side.
-        if abs(a.number - bound.number) < math.hypot(a.noise or 0.0, bound.noise or 0.0):
-            reason = Markup("what was measured is nearer to the bound of {} than its noise").format(_said(bound))
+        if abs(a.number - bound.number) < math.hypot(
+            a.noise or 0.0, bound.noise or 0.0
+        ):
+            reason = Markup(
+                "what was measured is nearer to the bound of {} than its noise"
+            ).format(_said(bound))
             return Outcome("unknown", reason, is_inconclusive=True)
         return HOLDS if keeps(a.number, bound.number) else FAILS
 
@@ -147,15 +191,23 @@ def contiguous(flags: Sequence[bool], *quantities: Quantity) -> Outcome:
     return decided(sum(flag for flag, _ in groupby(flags)) == 1, *quantities)
 
 
-def greater(a: Number, b: Number, *, noise: Number | None = None, why: str = "") -> Outcome:
+def greater(
+    a: Number, b: Number, *, noise: Number | None = None, why: str = ""
+) -> Outcome:
     """Test whether ``a`` is greater than ``b``; less is the opposite, and within the noise it can't tell."""
     if a is b:
         raise ReportError(f"a test compares {a} with itself")
     if noise is None:
         quantities = [number for number in (a, b) if isinstance(number, Quantity)]
         measured = [number for number in quantities if number.value is not None]
-        spread = combined(lambda a, *b: a - sum(b), *measured, unit=quantities[0].unit).noise if measured else None
-        noise = Quantity(spread, quantities[0].unit, "", "nobody measured its noise", noise=0.0)
+        spread = (
+            combined(lambda a, *b: a - sum(b), *measured, unit=quantities[0].unit).noise
+            if measured
+            else None
+        )
+        noise = Quantity(
+            spread, quantities[0].unit, "", "nobody measured its noise", noise=0.0
+        )
     return decreases([a, b], noise=noise, why=why)
 
 
@@ -177,23 +229,34 @@ def decreases(sequence: Sequence[Number], *, noise: Number, why: str = "") -> Ou
 
 
 def _rises(values: Sequence[float], noise: float) -> bool:
-    falls = [top - value for top, value in zip(accumulate(values, max), values, strict=True)]
+    falls = [
+        top - value for top, value in zip(accumulate(values, max), values, strict=True)
+    ]
     return values[-1] - values[0] > noise >= max(falls)
 
 
-def equal_within(sequence: Sequence[Quantity], *, noise: Number, why: str = "") -> Outcome:
+def equal_within(
+    sequence: Sequence[Quantity], *, noise: Number, why: str = ""
+) -> Outcome:
     """Test whether the largest and the smallest are no farther apart than noise; little more can't tell."""
 
     def judge(*quantities: Quantity) -> Outcome:
         *values, _ = (quantity.number for quantity in quantities)
-        return within(replace(quantities[0], value=max(values) - min(values)), quantities[-1])
+        return within(
+            replace(quantities[0], value=max(values) - min(values)), quantities[-1]
+        )
 
     return _judged(judge, *sequence, noise, why=why)
 
 
 def within(difference: Quantity, noise: Number, why: str = "") -> Outcome:
     """Test whether a difference is no more than noise; one that is little more can't tell."""
-    return _judged(lambda a, noise: HOLDS if a.number <= noise.number else beyond(a, noise), difference, noise, why=why)
+    return _judged(
+        lambda a, noise: HOLDS if a.number <= noise.number else beyond(a, noise),
+        difference,
+        noise,
+        why=why,
+    )
 
 
 def beyond(difference: Quantity, noise: Quantity) -> Outcome:
@@ -202,9 +265,15 @@ def beyond(difference: Quantity, noise: Quantity) -> Outcome:
     if not (outcome := _absent(difference, noise)):
         assert noise.number >= 0, f"{noise} is no noise, which is never below 0"
         # The difference itself is not written: its digits end where the noise begins, and it could read as the smaller.
-        reason = Markup("the difference is more than the noise of {}, but less than {:g} times that")
-        near = Outcome("unknown", reason.format(_said(noise), NEAR_NOISE), is_inconclusive=True)
-        outcome = OPPOSITE if abs(difference.number) > NEAR_NOISE * noise.number else near
+        reason = Markup(
+            "the difference is more than the noise of {}, but less than {:g} times that"
+        )
+        near = Outcome(
+            "unknown", reason.format(_said(noise), NEAR_NOISE), is_inconclusive=True
+        )
+        outcome = (
+            OPPOSITE if abs(difference.number) > NEAR_NOISE * noise.number else near
+        )
     return outcome.having_read(difference, noise)
 
 
@@ -245,18 +314,33 @@ def _said(bound: Quantity) -> Quantity | str:
 
 def _refuse_units(*quantities: Quantity) -> None:
     measured = [quantity for quantity in quantities if quantity.value is not None]
-    if differing := next((quantity for quantity in measured if quantity.unit != measured[0].unit), None):
-        raise ReportError(f"a test compares {measured[0]} with {differing}: derive them in one unit")
+    if differing := next(
+        (quantity for quantity in measured if quantity.unit != measured[0].unit), None
+    ):
+        raise ReportError(
+            f"a test compares {measured[0]} with {differing}: derive them in one unit"
+        )
 
 
 def _absent(*quantities: Quantity) -> Outcome | None:
-    return next((Outcome("unknown", quantity.reason) for quantity in quantities if quantity.value is None), None)
+    return next(
+        (
+            Outcome("unknown", quantity.reason)
+            for quantity in quantities
+            if quantity.value is None
+        ),
+        None,
+    )
 
 
 def all_of(*outcomes: Outcome) -> Outcome:
     """Hold when all hold; one that is not shown decides, then one whose opposite is, then one that can't tell."""
     reads: frozenset[str] = frozenset().union(*(outcome.reads for outcome in outcomes))
-    bounds = tuple(dict.fromkeys(bound for outcome in outcomes for bound in outcome.bounds))
+    bounds = tuple(
+        dict.fromkeys(bound for outcome in outcomes for bound in outcome.bounds)
+    )
     order = ("fails", "the opposite", "cannot tell", "holds")
-    decisive = min(outcomes, key=lambda outcome: order.index(outcome.answer), default=HOLDS)
+    decisive = min(
+        outcomes, key=lambda outcome: order.index(outcome.answer), default=HOLDS
+    )
     return replace(decisive, reads=reads, bounds=bounds)

@@ -35,17 +35,31 @@ FAINT = "#c9ced4"
 MAP_INK = "#101418"  # for what is drawn on a map: a map keeps its colours on a dark page, and so does this
 # Colours that are told apart by colour-blind readers; the stylesheet has a lighter set for dark pages.
 SERIES = ("#0b62a8", "#b8480c", "#0a7a5c", "#8b3d91", "#8a6400", "#4a5560")
-PAGE_COLOURS = {colour: f"var(--series-{number})" for number, colour in enumerate(SERIES, start=1)}
+PAGE_COLOURS = {
+    colour: f"var(--series-{number})" for number, colour in enumerate(SERIES, start=1)
+}
 PAGE_COLOURS |= {INK: "currentColor", FAINT: "var(--faint)"}
 STYLE: dict[str, Any] = {
-    **dict.fromkeys(("svg.fonttype", "figure.facecolor", "axes.facecolor", "savefig.facecolor"), "none"),
-    **dict.fromkeys(("axes.edgecolor", "axes.labelcolor", "axes.titlecolor", "text.color"), INK),
+    **dict.fromkeys(
+        ("svg.fonttype", "figure.facecolor", "axes.facecolor", "savefig.facecolor"),
+        "none",
+    ),
+    **dict.fromkeys(
+        ("axes.edgecolor", "axes.labelcolor", "axes.titlecolor", "text.color"), INK
+    ),
     **dict.fromkeys(("xtick.color", "ytick.color", "hatch.color"), INK),
-    **dict.fromkeys(("text.parse_math", "axes.formatter.useoffset", "legend.frameon"), False),
+    **dict.fromkeys(
+        ("text.parse_math", "axes.formatter.useoffset", "legend.frameon"), False
+    ),
     **dict.fromkeys(("axes.spines.top", "axes.spines.right"), False),
-    **dict.fromkeys(("axes.grid", "axes.axisbelow", "figure.constrained_layout.use"), True),
+    **dict.fromkeys(
+        ("axes.grid", "axes.axisbelow", "figure.constrained_layout.use"), True
+    ),
     **dict.fromkeys(("axes.titlesize", "font.size"), 10),
-    "axes.formatter.limits": (-99, 99),  # a factor aside of an axis is read as a number of its own
+    "axes.formatter.limits": (
+        -99,
+        99,
+    ),  # a factor aside of an axis is read as a number of its own
     "axes.titley": 1.0,  # otherwise all that stands above the axes is laid out to find the title's place
     "axes.titlelocation": "left",
     "grid.color": FAINT,
@@ -61,15 +75,22 @@ STYLE: dict[str, Any] = {
 
 NARROW_WIDTH = 3.6  # width of a figure on a narrow screen [in]; at 390 px a point of it is more than 1.3 px
 LEAST_SIZE = 7.0  # size of the smallest text of a narrow figure [pt], which is 9 px on a screen of 390 px
-LONGEST_NAME, LONGEST_LINE = 18, 36  # characters of a name beside a narrow figure, and along it, before it is folded
+LONGEST_NAME, LONGEST_LINE = (
+    18,
+    36,
+)  # characters of a name beside a narrow figure, and along it, before it is folded
 PIECE = re.compile(
     r'(?P<tick><g id="[xy]tick_\d+">)|(?P<open><g\b(?: id="(?P<id>[a-z]+)[^"]*")?[^>]*(?<!/)>)|(?P<close></g>)'
     r'|(?P<mark><use\b[^>]* x="(?P<x>[^"]*)" y="(?P<y>[^"]*)"[^>]*)/>|<text\b[^>]*>[^<]*</text>'
 )  # pieces that tell where a drawn text or mark stands: a tick's group, another group, the end of one, and either
 REFERENCE = re.compile(r'(?:xlink:href="#|url\(#)([^")]+)')
 PLACES = re.compile(r'(?<= )(?:d|x|y)="[^"]*"')
-DECIMALS = re.compile(r"(\.\d\d)\d+")  # a hundredth of a point is enough for anything that is drawn
-UNWANTED = re.compile(r'(?s)<metadata>.*?</metadata>|<style.*?</style>|^.*?(?=<svg )|<!--.*?-->| font-family: [^;"]*;')
+DECIMALS = re.compile(
+    r"(\.\d\d)\d+"
+)  # a hundredth of a point is enough for anything that is drawn
+UNWANTED = re.compile(
+    r'(?s)<metadata>.*?</metadata>|<style.*?</style>|^.*?(?=<svg )|<!--.*?-->| font-family: [^;"]*;'
+)
 OPENING = re.compile(r'<svg [^>]*?viewBox="([^"]*)"[^>]*>')
 
 
@@ -117,14 +138,18 @@ def tick_at(axis: Axis, places: Sequence[float], *, digits: int = 6) -> None:
     axis.set_major_formatter(plain_labels(digits=digits))
 
 
-def new_figure(width: float = 7.2, height: float = 3.4, **subplots: Any) -> tuple[Drawing, Any]:
+def new_figure(
+    width: float = 7.2, height: float = 3.4, **subplots: Any
+) -> tuple[Drawing, Any]:
     """Make a figure of ``width`` × ``height`` inches and its axes; for a narrow screen panels stand on each other."""
     if not is_narrow():
         drawing = _Drawing(figsize=(width, height))
         return drawing, drawing.subplots(**subplots)
     rows, columns = subplots.get("nrows", 1), subplots.get("ncols", 1)
     drawing = _Drawing(figsize=(min(width, NARROW_WIDTH), height * columns))
-    axes = drawing.subplots(**{**subplots, "nrows": rows * columns, "ncols": 1, "squeeze": False})
+    axes = drawing.subplots(
+        **{**subplots, "nrows": rows * columns, "ncols": 1, "squeeze": False}
+    )
     for panel in axes[:, 0]:
         panel.tick_params(labelbottom=True)
     grid = axes.reshape(rows, columns)
@@ -133,7 +158,15 @@ def new_figure(width: float = 7.2, height: float = 3.4, **subplots: Any) -> tupl
 
 def say_value(axes: Axes, x: float, y: float, text: str, *, gap: float = 6.0) -> None:
     """Write the value of a mark or a bar, ``gap`` points to the right of it."""
-    axes.annotate(text, (x, y), xytext=(gap, 0), textcoords="offset points", fontsize=8.5, va="center", zorder=6)
+    axes.annotate(
+        text,
+        (x, y),
+        xytext=(gap, 0),
+        textcoords="offset points",
+        fontsize=8.5,
+        va="center",
+        zorder=6,
+    )
 
 
 def is_narrow() -> bool:
@@ -143,14 +176,18 @@ def is_narrow() -> bool:
 class _Drawing(Drawing):
     """Keep legends of a figure no wider than a narrow screen."""
 
-    def legend(self, *args: Any, loc: str = "best", ncols: int = 1, **keywords: Any) -> Any:
+    def legend(
+        self, *args: Any, loc: str = "best", ncols: int = 1, **keywords: Any
+    ) -> Any:
         if not is_narrow():
             return super().legend(*args, loc=loc, ncols=ncols, **keywords)
         if loc.startswith("outside"):
             loc = "outside upper left" if "upper" in loc else "outside lower left"
         keywords |= {"loc": loc, "fontsize": 8, "columnspacing": 1.0}
         legend = super().legend(*args, ncols=min(ncols, 2), **keywords)
-        if ncols > 1 and any(len(text.get_text()) > LONGEST_NAME for text in legend.get_texts()):
+        if ncols > 1 and any(
+            len(text.get_text()) > LONGEST_NAME for text in legend.get_texts()
+        ):
             legend.remove()
             legend = super().legend(*args, ncols=1, **keywords)
         return legend
@@ -160,14 +197,22 @@ def _fit_narrow(drawing: Drawing) -> None:
     """Make texts large enough to be read and short enough to leave room, and no more ticks than help."""
     for axes in drawing.axes:
         # To ask for labels lays the axis out, which takes long; those of numbers are never long.
-        is_named = not isinstance(axes.yaxis.get_major_formatter(), ticker.ScalarFormatter)
-        names = [label.get_text() for label in axes.get_yticklabels()] if is_named else []
+        is_named = not isinstance(
+            axes.yaxis.get_major_formatter(), ticker.ScalarFormatter
+        )
+        names = (
+            [label.get_text() for label in axes.get_yticklabels()] if is_named else []
+        )
         if is_long := any(len(name) > LONGEST_NAME for name in names):
-            axes.set_yticks(axes.get_yticks(), [fold(name, LONGEST_NAME) for name in names])
+            axes.set_yticks(
+                axes.get_yticks(), [fold(name, LONGEST_NAME) for name in names]
+            )
         axes.tick_params(labelsize=LEAST_SIZE if is_long else 8)
         axes.set_title(fold(axes.get_title("left")), fontsize=9)
         if isinstance(axes.xaxis.get_major_locator(), ticker.AutoLocator):
-            axes.xaxis.set_major_locator(ticker.MaxNLocator(nbins=5, steps=(1, 2, 2.5, 5, 10)))
+            axes.xaxis.set_major_locator(
+                ticker.MaxNLocator(nbins=5, steps=(1, 2, 2.5, 5, 10))
+            )
         for axis in (axes.xaxis, axes.yaxis):
             axis.label.set(text=fold(axis.label.get_text()), fontsize=9)
     if drawing.get_supxlabel():
@@ -179,7 +224,9 @@ def _fit_narrow(drawing: Drawing) -> None:
 def fold(text: str, longest: int = LONGEST_LINE) -> str:
     """Fold a text for a narrow figure: its own breaks stay, and a number stays with the word before it."""
     unbroken = re.sub(r" (?=\d)", "\u00a0", text)
-    return "\n".join(textwrap.fill(line, longest) for line in unbroken.split("\n")).replace("\u00a0", " ")
+    return "\n".join(
+        textwrap.fill(line, longest) for line in unbroken.split("\n")
+    ).replace("\u00a0", " ")
 
 
 def draw_svgs(draw: Callable[[], Drawing], *, name: str) -> list[Picture]:
@@ -204,7 +251,9 @@ def _picture(draw: Callable[[], Drawing], kind: str, name: str) -> Picture:
 class _Vectors(RendererSVG):
     """Measure a text and a font once for all figures: every step of a layout asks for them anew."""
 
-    get_text_width_height_descent = staticmethod(cache(TextToPath().get_text_width_height_descent))
+    get_text_width_height_descent = staticmethod(
+        cache(TextToPath().get_text_width_height_descent)
+    )
 
     @staticmethod
     @cache
@@ -213,7 +262,11 @@ class _Vectors(RendererSVG):
         if not (metrics := table("OS/2")):
             return None, None, None  # Matplotlib then finds them
         scale = font.get_size_in_points() / table("head")["unitsPerEm"]
-        return scale * metrics["sTypoAscender"], -scale * metrics["sTypoDescender"], scale * metrics["sTypoLineGap"]
+        return (
+            scale * metrics["sTypoAscender"],
+            -scale * metrics["sTypoDescender"],
+            scale * metrics["sTypoLineGap"],
+        )
 
 
 def _svg(drawing: Drawing, name: str) -> Picture:
@@ -227,9 +280,15 @@ def _svg(drawing: Drawing, name: str) -> Picture:
     drawing.draw(renderer)
     renderer.finalize()
     svg = _linked(UNWANTED.sub("", buffer.getvalue()), drawing)
-    used = set(REFERENCE.findall(svg))  # names that nothing refers to, and digits that nobody sees, are left out
-    svg = re.sub(r' id="([^"]+)"', lambda match: match[0] if match[1] in used else "", svg)
-    svg = re.sub(r"\s*\n\s*", "\n", PLACES.sub(lambda match: DECIMALS.sub(r"\1", match[0]), svg))
+    used = set(
+        REFERENCE.findall(svg)
+    )  # names that nothing refers to, and digits that nobody sees, are left out
+    svg = re.sub(
+        r' id="([^"]+)"', lambda match: match[0] if match[1] in used else "", svg
+    )
+    svg = re.sub(
+        r"\s*\n\s*", "\n", PLACES.sub(lambda match: DECIMALS.sub(r"\1", match[0]), svg)
+    )
     svg = re.sub(r'( id="|xlink:href="#|url\(#)', rf"\g<1>{name}-", svg)
     for colour, replacement in PAGE_COLOURS.items():
         svg = svg.replace(colour, replacement)
@@ -246,11 +305,15 @@ def _trimmed(drawing: Drawing) -> Drawing:
             if not axis.get_label_text():
                 axis.set_label_coords(0.0, 0.0)
             low, high = axis.get_view_interval()
-            if axis.get_scale() == "log" and high > 10 * low:  # of less than a decade they have the labels
+            if (
+                axis.get_scale() == "log" and high > 10 * low
+            ):  # of less than a decade they have the labels
                 axis.set_minor_locator(ticker.NullLocator())
             if isinstance(axis.get_major_formatter(), ticker.LogFormatterMathtext):
                 axis.set_major_formatter(LogLabels())
-            if isinstance(minor := axis.get_minor_formatter(), ticker.LogFormatterMathtext):
+            if isinstance(
+                minor := axis.get_minor_formatter(), ticker.LogFormatterMathtext
+            ):
                 axis.set_minor_formatter(LogLabels(labelOnlyBase=minor.labelOnlyBase))
     return drawing
 
@@ -304,7 +367,9 @@ def _linked(svg: str, drawing: Drawing) -> str:
     return PIECE.sub(piece, svg)
 
 
-Scale = tuple[Mapping[float, str], str, str]  # the names of an axis's ticks, and what its numbers are of, with the unit
+Scale = tuple[
+    Mapping[float, str], str, str
+]  # the names of an axis's ticks, and what its numbers are of, with the unit
 
 
 def _scales(axes: Axes) -> list[Scale]:
@@ -313,7 +378,10 @@ def _scales(axes: Axes) -> list[Scale]:
     for axis in (axes.xaxis, axes.yaxis):
         labels = (tick.get_text() for tick in axis.get_majorticklabels())
         names = dict(zip(axis.get_majorticklocs(), labels, strict=False))
-        titles = (getattr(panel, f"{axis.axis_name}axis").get_label_text() for panel in (axes, *axes.figure.axes))
+        titles = (
+            getattr(panel, f"{axis.axis_name}axis").get_label_text()
+            for panel in (axes, *axes.figure.axes)
+        )
         above = getattr(axes.figure, f"get_sup{axis.axis_name}label")()
         called = next(filter(None, titles), above).removesuffix("]").partition("[")
         is_named = all(any(map(str.isalpha, name)) for name in names.values())
@@ -323,8 +391,15 @@ def _scales(axes: Axes) -> list[Scale]:
 
 def _title(axes: Axes, scales: Sequence[Scale], mark: re.Match[str]) -> Markup:
     """Say where a mark stands: by the nearest of the names of an axis, or else by the number there."""
-    point, readings = (float(mark["x"]), 72 * axes.figure.get_figheight() - float(mark["y"])), []
-    for value, (names, label, unit) in zip(axes.transData.inverted().transform(point), scales, strict=True):
+    point, readings = (
+        (float(mark["x"]), 72 * axes.figure.get_figheight() - float(mark["y"])),
+        [],
+    )
+    for value, (names, label, unit) in zip(
+        axes.transData.inverted().transform(point), scales, strict=True
+    ):
         nearest = min(names, key=lambda tick: abs(tick - value), default=None)
-        readings.append(f"{label} {value:.4g} {unit}".strip() if nearest is None else names[nearest])
+        readings.append(
+            f"{label} {value:.4g} {unit}".strip() if nearest is None else names[nearest]
+        )
     return escape(" ".join(", ".join(readings).split()))

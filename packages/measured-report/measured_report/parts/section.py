@@ -99,8 +99,12 @@ class Figure:
     """Show a figure, which is drawn once its section is derived."""
 
     draw: "Callable[[], Drawing] | None"  # None where it is kept as it was drawn
-    sources: Sequence[Quantity | Series]  # all that it draws; when none of it exists the page says why in its place
-    numbers: Mapping[str, Any] = field(default_factory=dict)  # named by its caption and its alternative text
+    sources: Sequence[
+        Quantity | Series
+    ]  # all that it draws; when none of it exists the page says why in its place
+    numbers: Mapping[str, Any] = field(
+        default_factory=dict
+    )  # named by its caption and its alternative text
     wording: Wording | None = None
     anchor: str = ""
     pictures: Sequence[Picture] = ()  # for broad screens and for narrow ones
@@ -248,15 +252,21 @@ class Download:
 class Section:
     """Hold all that a section's template can name, besides what all of them can."""
 
-    tables: Mapping[str, Any] = field(default_factory=dict)  # tables, and other things that print themselves
+    tables: Mapping[str, Any] = field(
+        default_factory=dict
+    )  # tables, and other things that print themselves
     figures: Mapping[str, Figure] = field(default_factory=dict)
     claims: Sequence[Claim] = ()
     downloads: Sequence[Download] = ()
-    unmeasured: Collection[str] = ()  # names that only other records have, so that the words for them stay unsaid
+    unmeasured: Collection[
+        str
+    ] = ()  # names that only other records have, so that the words for them stay unsaid
 
     def __post_init__(self) -> None:
         names = [claim.name for claim in self.claims]
-        assert len(set(names)) == len(names), f"two claims have one name: {', '.join(names)}"
+        assert len(set(names)) == len(names), (
+            f"two claims have one name: {', '.join(names)}"
+        )
         for name, item in (*self.tables.items(), *self.figures.items()):
             is_shown = hasattr(item, "__html__") or hasattr(item, "draw")
             assert is_shown, f"{name} is no Table(frame), or Figure(draw, …)"

@@ -36,9 +36,7 @@ PARTS = {
     "figure": ("caption", "alt"),
     "table": ("caption",),
 }
-TAGS = re.compile(
-    r"\{\{.*?\}\}|\{%.*?%\}|\{#.*?#\}|```.*?```|`[^`]*`", re.DOTALL
-)
+TAGS = re.compile(r"\{\{.*?\}\}|\{%.*?%\}|\{#.*?#\}|```.*?```|`[^`]*`", re.DOTALL)
 TYPED = re.compile(
     r"""
     (?<![\w.])\d[\d.,]*(?:e[+-]?\d+)?(?:\s|&nbsp;)?
@@ -132,9 +130,7 @@ def parse_words(parser: Parser, environment: Environment) -> list[nodes.Node]:
     # The line behind the last tag ends there, and no sentence runs into the next.
     output = nodes.Output([call, nodes.TemplateData("\n")], lineno=tag.lineno)
     # Jinja keeps every block of a template, those as well that are never reached.
-    never = nodes.If(
-        nodes.Const(False), [*blocks.values()], [], [], lineno=tag.lineno
-    )
+    never = nodes.If(nodes.Const(False), [*blocks.values()], [], [], lineno=tag.lineno)
     return [never, output]
 
 

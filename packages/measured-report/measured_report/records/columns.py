@@ -27,7 +27,9 @@ def is_cost(column: str) -> bool:
 
 def is_unit(text: str) -> bool:
     is_known = all(SYMBOL.fullmatch(factor) for factor in re.split("[/·]", text))
-    return is_known or report().columns.is_unit(text)  # constants are made while modules are imported
+    return is_known or report().columns.is_unit(
+        text
+    )  # constants are made while modules are imported
 
 
 def changed_parameters(row: Mapping[str, Any]) -> dict[str, Any]:

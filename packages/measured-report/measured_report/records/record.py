@@ -40,7 +40,9 @@ if TYPE_CHECKING:
     from typing import Any as Noted
 else:
     Noted, Cell = Line | int | float | None, bool | int | float | str | None
-Time = Annotated[str, Meta(pattern=r"\A20\d\d-\d\d-\d\dT\d\d:\d\d:\d\d(\.\d{6})?[+-]\d\d:\d\d\Z")]
+Time = Annotated[
+    str, Meta(pattern=r"\A20\d\d-\d\d-\d\dT\d\d:\d\d:\d\d(\.\d{6})?[+-]\d\d:\d\d\Z")
+]
 """As every Python reads it, in a year of a clock that goes."""
 
 
@@ -64,13 +66,17 @@ class Carried(Struct, frozen=True, forbid_unknown_fields=True):
     """Describes a change of code over which a record was carried."""
 
     code: Digest  # of the identity that the record had before
-    old: Line = renamed(name="from")  # the commit with that code, as the next with the code of the identity after it
+    old: Line = renamed(
+        name="from"
+    )  # the commit with that code, as the next with the code of the identity after it
     new: Line = renamed(name="to")
     date: Time
     cells: Annotated[int, Meta(ge=1)]  # so many were compared
 
     def __str__(self) -> str:
-        change = f"from the code of {self.old} to that of {self.new} on {self.date[:10]}"
+        change = (
+            f"from the code of {self.old} to that of {self.new} on {self.date[:10]}"
+        )
         same = f"{self.cells} cells, same bits in the quick profile"
         return f"{change}: {same}; the full profile was not run again"
 
@@ -112,26 +118,46 @@ class Record:
     @property
     def codes(self) -> frozenset[str]:
         """Return digests of the codes that are known to measure the same."""
-        return frozenset({self.identity.code, *(carried.code for carried in self.carried)})
+        return frozenset(
+            {self.identity.code, *(carried.code for carried in self.carried)}
+        )
 
     @property
     def processor(self) -> str:
-        return self.machine.get("cpu" if self.machine.get("device") == "cpu" else "gpu") or "an unknown processor"
+        return (
+            self.machine.get("cpu" if self.machine.get("device") == "cpu" else "gpu")
+            or "an unknown processor"
+        )
 
     @property
     def machine_text(self) -> str:
-        return self.processor + (f" (driver {self.machine['driver']})" if self.machine.get("driver") else "")
+        return self.processor + (
+            f" (driver {self.machine['driver']})" if self.machine.get("driver") else ""
+        )
 
     @property
     def machine_in_full(self) -> str:
         """Name all that must be the same for two times to be compared."""
         cores = f"{self.machine_text}, {self.machine.get('cores') or 'an unknown number of'} cores"
-        load = f", {self.machine['sections_at_once']} sections at once" if "sections_at_once" in self.machine else ""
-        return f"{cores}{load}" if self.machine.get("device") == "cpu" else f"{cores} of {self.machine.get('cpu')}"
+        load = (
+            f", {self.machine['sections_at_once']} sections at once"
+            if "sections_at_once" in self.machine
+            else ""
+        )
+        return (
+            f"{cores}{load}"
+            if self.machine.get("device") == "cpu"
+            else f"{cores} of {self.machine.get('cpu')}"
+        )
 
     @property
     def machine_for_speed(self) -> tuple[str | None, ...]:
-        return tuple(map(self.machine.get, ("device", "gpu", "driver", "cpu", "cores", "sections_at_once")))
+        return tuple(
+            map(
+                self.machine.get,
+                ("device", "gpu", "driver", "cpu", "cores", "sections_at_once"),
+            )
+        )
 
     @cached_property
     def number_count(self) -> int:
@@ -140,7 +166,9 @@ class Record:
     @property
     def card(self) -> str:
         """Name the one card, or else the host, that it was measured on, as far as its record tells."""
-        return str(self.machine.get("gpu_uuid") or (self.machine.get("host"), self.processor))
+        return str(
+            self.machine.get("gpu_uuid") or (self.machine.get("host"), self.processor)
+        )
 
     @property
     def time(self) -> datetime:
@@ -148,7 +176,9 @@ class Record:
 
     @property
     def started(self) -> datetime:
-        return datetime.fromisoformat(self.measured.get("started") or self.measured["date"])
+        return datetime.fromisoformat(
+            self.measured.get("started") or self.measured["date"]
+        )
 
     @property
     def time_text(self) -> str:
@@ -156,12 +186,16 @@ class Record:
 
     @property
     def origin(self) -> Origin:
-        return Origin(next(iter(self.identity.packages.values()), MISSING), self.processor)
+        return Origin(
+            next(iter(self.identity.packages.values()), MISSING), self.processor
+        )
 
 
 def trace_path(record: Path, case: str) -> Path:
     if not CASE.fullmatch(str(case)):
-        raise RecordError(f"a trace needs a case name that can be part of a file name, not {case!r}")
+        raise RecordError(
+            f"a trace needs a case name that can be part of a file name, not {case!r}"
+        )
     return record.with_name(f"{record.stem}.{case}.csv.gz")
 
 
@@ -170,26 +204,37 @@ def traces_of(path: Path, record: Record) -> list[Path]:
 
 
 def write_record(
-    path: Path, record: Record, traces: Mapping[str, tuple[Seal, bytes]] | None = None, replacing: str | None = None
+    path: Path,
+    record: Record,
+    traces: Mapping[str, tuple[Seal, bytes]] | None = None,
+    replacing: str | None = None,
 ) -> None:
     """Write a record and its traces, by case, at ``path``; None: the traces there stay.
 
     ``replacing`` is the digest of the file that may be replaced, as ``file_digest`` gives it; None: any file.
     """
     if traces is not None:
-        record = replace(record, traces={case: seal for case, (seal, _) in traces.items()})
+        record = replace(
+            record, traces={case: seal for case, (seal, _) in traces.items()}
+        )
     try:
         content = record_text(record).encode()
     except (TypeError, ValueError) as error:
         raise RecordError(f"{short_path(path)} cannot be written: {error}") from None
     read_record(content, path)
-    packed = {trace_path(path, case): content for case, (_, content) in (traces or {}).items()}
+    packed = {
+        trace_path(path, case): content for case, (_, content) in (traces or {}).items()
+    }
     path.parent.mkdir(parents=True, exist_ok=True)
     with locked(path.parent.parent):
         if replacing not in (None, file_digest(path)):
-            raise RecordError(f"{short_path(path)} was written by another command meanwhile: nothing was changed")
+            raise RecordError(
+                f"{short_path(path)} was written by another command meanwhile: nothing was changed"
+            )
         write_files({path: content, **packed})
-        for trace in path.parent.glob(f"{path.stem}.*.csv.gz") if traces is not None else ():
+        for trace in (
+            path.parent.glob(f"{path.stem}.*.csv.gz") if traces is not None else ()
+        ):
             if trace not in packed:  # of a case that is gone
                 trace.unlink()
 
@@ -212,29 +257,51 @@ class Basis:
     identity: Identity
     replacing: str  # digest of the record's file; empty if there was none
 
-    def write(self, record: Record, traces: Mapping[str, tuple[Seal, bytes]] | None = None) -> None:
+    def write(
+        self, record: Record, traces: Mapping[str, tuple[Seal, bytes]] | None = None
+    ) -> None:
         """Write a record unless the code or the record changed meanwhile, which is a RecordError."""
         if self.identify() != self.identity:
-            raise RecordError(f"the code of {self.section} changed meanwhile: nothing was written")
+            raise RecordError(
+                f"the code of {self.section} changed meanwhile: nothing was written"
+            )
         write_record(self.path, record, traces, self.replacing)
 
 
-def basis_of(section: str, path: Path, profile: str, root: Path, packages: Mapping[str, str] | None = None) -> Basis:
+def basis_of(
+    section: str,
+    path: Path,
+    profile: str,
+    root: Path,
+    packages: Mapping[str, str] | None = None,
+) -> Basis:
     """Return the basis of a measurement, whose modules may be imported after this."""
     identify = partial(identity_of, section, profile, root, packages)
     return Basis(section, path, identify, identify(), file_digest(path))
 
 
 def record_text(record: Record) -> str:
-    data = {"schema": SCHEMA, **to_builtins(replace(record, rows=[]))}  # which would copy every cell
+    data = {
+        "schema": SCHEMA,
+        **to_builtins(replace(record, rows=[])),
+    }  # which would copy every cell
     for name in ("rows",) if record.carried else ("rows", "carried"):
         del data[name]
     head = json.dumps(data, indent=1, ensure_ascii=False, allow_nan=False)
     lines = []
     for row in record.rows:
-        rounded = {name: float(f"{cell:{DIGITS}}") if isinstance(cell, float) else cell for name, cell in row.items()}
-        lines.append(json.dumps(rounded, ensure_ascii=False, allow_nan=False, separators=(",", ":")))
-    return _sealed(head.removesuffix("\n}") + ',\n "rows": [\n  ' + ",\n  ".join(lines) + "\n ]")
+        rounded = {
+            name: float(f"{cell:{DIGITS}}") if isinstance(cell, float) else cell
+            for name, cell in row.items()
+        }
+        lines.append(
+            json.dumps(
+                rounded, ensure_ascii=False, allow_nan=False, separators=(",", ":")
+            )
+        )
+    return _sealed(
+        head.removesuffix("\n}") + ',\n "rows": [\n  ' + ",\n  ".join(lines) + "\n ]"
+    )
 
 
 def _sealed(text: str) -> str:
@@ -248,7 +315,9 @@ def load_record(path: Path, report: Report | None = None) -> Record:
     for case, seal in record.traces.items():
         trace = trace_path(path, case)
         if sha256(read_file(trace, BYTE_LIMIT)).hexdigest() != seal.digest:
-            raise RecordError(f"{short_path(trace)} is not the trace that was measured with {path.name}")
+            raise RecordError(
+                f"{short_path(trace)} is not the trace that was measured with {path.name}"
+            )
     return record
 
 
@@ -261,18 +330,32 @@ def read_record(content: bytes, path: Path, report: Report | None = None) -> Rec
         schema = data.pop("schema", None) if isinstance(data, dict) else None
         if type(schema) is not int or schema != SCHEMA:
             raise ValueError(f"it has schema {schema!r:.40}, not {SCHEMA}")
-        if data.pop("seal", None) is not None and text != _sealed(text[: text.rfind(',\n "seal": ')]):
-            raise ValueError("it is not as it was sealed")  # one of before there were seals has none
+        if data.pop("seal", None) is not None and text != _sealed(
+            text[: text.rfind(',\n "seal": ')]
+        ):
+            raise ValueError(
+                "it is not as it was sealed"
+            )  # one of before there were seals has none
         record = convert(data, Record)
         identity = data["identity"]
-        names = {*Record.__match_args__}, {*Identity.__match_args__}, {*report.settings.packages}
-        for table, allowed in zip((data, identity, identity["packages"]), names, strict=True):
+        names = (
+            {*Record.__match_args__},
+            {*Identity.__match_args__},
+            {*report.settings.packages},
+        )
+        for table, allowed in zip(
+            (data, identity, identity["packages"]), names, strict=True
+        ):
             if unknown := table.keys() - allowed:
                 raise ValueError(f"nothing here is called {min(unknown)!r:.80}")
         convert(record.machine, _Machine)
         measured = convert(record.measured, _Measured)
         convert(record.rows, list[_Row])
-        ends = (measured.started or measured.date, measured.ended or measured.date, measured.date)
+        ends = (
+            measured.started or measured.date,
+            measured.ended or measured.date,
+            measured.date,
+        )
         began, ended, _ = times = [*map(datetime.fromisoformat, ends)]
         if began > ended or max(times) > datetime.now(timezone.utc) + timedelta(days=1):
             raise ValueError("it ended before it began, or will on a day to come")
@@ -281,8 +364,12 @@ def read_record(content: bytes, path: Path, report: Report | None = None) -> Rec
         report.columns.refuse_mixed(record.rows, record.units)
     except (ValueError, OverflowError, RecursionError) as error:
         # In one line, without characters that could do anything to whoever reads it.
-        message = UNPRINTABLE.sub("?", " ".join(str(error).split())) or type(error).__name__
-        raise RecordError(f"{short_path(path)} is no whole record: {message:.300}") from None
+        message = (
+            UNPRINTABLE.sub("?", " ".join(str(error).split())) or type(error).__name__
+        )
+        raise RecordError(
+            f"{short_path(path)} is no whole record: {message:.300}"
+        ) from None
     return record
 
 

@@ -20,9 +20,14 @@ Records = Mapping[str, Record]
 
 def archive_of(records: Iterable[Record]) -> bytes:
     """Pack records without their traces; the same records are the same bytes."""
-    files = {f"{record.section}.json": record_text(replace(record, traces={})).encode() for record in records}
+    files = {
+        f"{record.section}.json": record_text(replace(record, traces={})).encode()
+        for record in records
+    }
     content = io.BytesIO()
-    with tarfile.open(fileobj=content, mode="w", format=tarfile.USTAR_FORMAT) as archive:
+    with tarfile.open(
+        fileobj=content, mode="w", format=tarfile.USTAR_FORMAT
+    ) as archive:
         for name, text in sorted({**files, SUMS: _sums(files)}.items()):
             about = tarfile.TarInfo(name)
             about.size = len(text)
@@ -31,7 +36,9 @@ def archive_of(records: Iterable[Record]) -> bytes:
 
 
 def _sums(files: Mapping[str, bytes]) -> bytes:
-    return sums({name: sha256(text).hexdigest() for name, text in files.items()}).encode()
+    return sums(
+        {name: sha256(text).hexdigest() for name, text in files.items()}
+    ).encode()
 
 
 def read_replica(path: Path) -> Records:
@@ -41,13 +48,18 @@ def read_replica(path: Path) -> Records:
         with gzip.open(io.BytesIO(read_file(path, BYTE_LIMIT))) as file:
             content = file.read(BYTE_LIMIT + 1)
         if len(content) > BYTE_LIMIT:
-            raise RecordError(f"{short_path(path)} holds more than {BYTE_LIMIT >> 20} MiB")
+            raise RecordError(
+                f"{short_path(path)} holds more than {BYTE_LIMIT >> 20} MiB"
+            )
         start = 0
         while any(header := content[start : start + tarfile.BLOCKSIZE]):
             # Header by header: a reader of archives believes what goes before one, as a sparse file's size.
             member = tarfile.TarInfo.frombuf(header, "utf-8", "strict")
             start += tarfile.BLOCKSIZE
-            if member.type != tarfile.REGTYPE or not 0 <= member.size <= len(content) - start:
+            if (
+                member.type != tarfile.REGTYPE
+                or not 0 <= member.size <= len(content) - start
+            ):
                 raise RecordError(f"{short_path(path)} is no archive of plain files")
             files[member.name] = content[start : start + member.size]
             start += -(-member.size // tarfile.BLOCKSIZE) * tarfile.BLOCKSIZE
@@ -55,13 +67,19 @@ def read_replica(path: Path) -> Records:
             raise RecordError(f"{short_path(path)} is not as it was sealed")
     except (OSError, EOFError, ValueError, zlib.error, tarfile.TarError) as error:
         raise RecordError(f"{short_path(path)} is no whole replica: {error}") from None
-    return {Path(name).stem: read_record(text, path.parent / name) for name, text in sorted(files.items())}
+    return {
+        Path(name).stem: read_record(text, path.parent / name)
+        for name, text in sorted(files.items())
+    }
 
 
 def measurements_beside(path: Path, read: Callable[[Path], Records]) -> list[Record]:
     """Return the record at ``path``, and those of the replicas beside it, as ``read``, that measured the same."""
     tracked = read_record(read_file(path, BYTE_LIMIT), path)
-    replicas = (read(file).get(path.stem) for file in sorted((path.parent / FOLDER).glob("*.tgz")))
+    replicas = (
+        read(file).get(path.stem)
+        for file in sorted((path.parent / FOLDER).glob("*.tgz"))
+    )
     alike = [record for record in replicas if record and not mismatch(tracked, record)]
     return [tracked, *alike]
 
@@ -70,7 +88,14 @@ def mismatch(tracked: Record, replica: Record) -> str:
     """Say what keeps a record from being a replica of the tracked one; empty where nothing does."""
     if tracked.identity.packages != replica.identity.packages:
         return "other packages"
-    sides = [(identity.config, identity.profile) for identity in (tracked.identity, replica.identity)]
+    sides = [
+        (identity.config, identity.profile)
+        for identity in (tracked.identity, replica.identity)
+    ]
     if sides[0] != sides[1] or tracked.codes.isdisjoint(replica.codes):
         return "other code"
-    return "" if replica.number_count >= WHOLE * tracked.number_count else "not all of it could be measured there"
+    return (
+        ""
+        if replica.number_count >= WHOLE * tracked.number_count
+        else "not all of it could be measured there"
+    )

@@ -83,7 +83,9 @@ def _check_safety(page: PageReader, scripts: Collection[str]) -> Iterator[str]:
         yield "a style fetches something"
 
 
-def _check_links(page: PageReader, path: Path, pages: Pages, site: Path) -> Iterator[str]:
+def _check_links(
+    page: PageReader, path: Path, pages: Pages, site: Path
+) -> Iterator[str]:
     for name in sorted(set(page.ids)):
         if page.ids.count(name) > 1:
             yield f"the id {name} is not unique"
@@ -98,7 +100,9 @@ def _check_links(page: PageReader, path: Path, pages: Pages, site: Path) -> Iter
         fragment = unquote(parts.fragment)
         if parts.path.startswith("/") or not target.is_relative_to(site):
             yield f"{address} leaves the site"
-        elif not target.exists() or (target in pages and fragment and fragment not in pages[target].ids):
+        elif not target.exists() or (
+            target in pages and fragment and fragment not in pages[target].ids
+        ):
             yield f"{address} leads nowhere"
 
 

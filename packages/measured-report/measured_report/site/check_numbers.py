@@ -25,11 +25,45 @@ from measured_report.values.format import (
 from measured_report.values.quantities import VALUES_FILE
 
 SCRIPT = "page.js"  # the one script that pages run: the project's own, beside them
-FETCHING = {"src", "srcset", "poster", "data", "xlink:href", "background", "action", "formaction", "ping", "manifest"}
+FETCHING = {
+    "src",
+    "srcset",
+    "poster",
+    "data",
+    "xlink:href",
+    "background",
+    "action",
+    "formaction",
+    "ping",
+    "manifest",
+}
 """Attributes whose address a browser fetches or sends to, as it does every href but that of ``a``."""
-ACTIVE = {"script", "iframe", "frame", "object", "embed", "applet", "base", "form", "portal", "set", "animate"}
+ACTIVE = {
+    "script",
+    "iframe",
+    "frame",
+    "object",
+    "embed",
+    "applet",
+    "base",
+    "form",
+    "portal",
+    "set",
+    "animate",
+}
 """Elements that run, hold another page, or change where links lead."""
-INLINE = ("a", "abbr", "b", "code", "em", "i", "span", "strong", "sub", "sup")  # none of which a browser closes itself
+INLINE = (
+    "a",
+    "abbr",
+    "b",
+    "code",
+    "em",
+    "i",
+    "span",
+    "strong",
+    "sub",
+    "sup",
+)  # none of which a browser closes itself
 DOUBLED = re.compile(r"</data>&nbsp;(\S+)\s+\1(?!\w)")
 
 
@@ -37,7 +71,9 @@ DOUBLED = re.compile(r"</data>&nbsp;(\S+)\s+\1(?!\w)")
 class Element:
     tag: str
     attributes: dict[str, str]
-    around: list[str]  # tags of the elements that it is in; `tick` for one at an axis, where numbers are places
+    around: list[
+        str
+    ]  # tags of the elements that it is in; `tick` for one at an axis, where numbers are places
     text: str = ""  # its own; of a cell all in it but numbers and code
 
     @property
@@ -92,7 +128,9 @@ class PageReader(HTMLParser):
     def of(self, tag: str) -> list[Element]:
         return [element for element in self.elements if element.tag == tag]
 
-    def handle_starttag(self, tag: str, attrs: Sequence[tuple[str, str | None]]) -> None:
+    def handle_starttag(
+        self, tag: str, attrs: Sequence[tuple[str, str | None]]
+    ) -> None:
         around = [
             "tick" if element.attributes.get("class") == "tick" else element.tag
             for element in self._open
@@ -121,7 +159,11 @@ class Data:
 
     def __init__(self, folder: Path, report: Report):
         self.folder, self.report = folder, report
-        self.file, self._evidence, self._repeats = cache(self._read), cache(self._evidence_of), cache(self._repeats_in)
+        self.file, self._evidence, self._repeats = (
+            cache(self._read),
+            cache(self._evidence_of),
+            cache(self._repeats_in),
+        )
         self._replica = cache(read_replica)  # which is of all sections
 
     def _read(self, name: str) -> Any:
@@ -143,7 +185,9 @@ class Data:
 
     def _evidence_of(self, name: str) -> Evidence:
         records = measurements_beside(self.folder / name, self._replica)
-        return evidence_of({name: records}, self._repeats(Path(name).parent), self.report.columns)[name]
+        return evidence_of(
+            {name: records}, self._repeats(Path(name).parent), self.report.columns
+        )[name]
 
     def _repeats_in(self, folder: Path) -> Repeated:
         noise = folder / f"{self.report.settings.noise_section}.json"
@@ -155,7 +199,11 @@ class Data:
     def typed(self) -> re.Pattern[str]:
         """Match numbers in drawings and in their words that are names and formulas."""
         settings = self.report.settings
-        edition = [re.escape(settings.edition_name) + RELEASE] if settings.edition_name else []
+        edition = (
+            [re.escape(settings.edition_name) + RELEASE]
+            if settings.edition_name
+            else []
+        )
         return re.compile("|".join([*settings.formulas, *edition]) or "(?!)")
 
     @cached_property
@@ -165,18 +213,37 @@ class Data:
         for path in self.folder.glob("*/*.json"):
             if path.name != VALUES_FILE:
                 rows = self.file(str(path.relative_to(self.folder)))["rows"]
-                labels = outline_of(path.stem, self.report).labels if file_of("report.sections", path.stem) else {}
-                names |= {" ".join(cell.split()) for row in rows for cell in row.values() if isinstance(cell, str)}
-                for label in (label_of(row["case"], labels) for row in rows if "case" in row):
+                labels = (
+                    outline_of(path.stem, self.report).labels
+                    if file_of("report.sections", path.stem)
+                    else {}
+                )
+                names |= {
+                    " ".join(cell.split())
+                    for row in rows
+                    for cell in row.values()
+                    if isinstance(cell, str)
+                }
+                for label in (
+                    label_of(row["case"], labels) for row in rows if "case" in row
+                ):
                     names |= {label, *label.split(", ")}
-        longest_first = sorted((name for name in names if re.search(r"\d", name)), key=len, reverse=True)
-        return re.compile(rf"(?<![\w.])(?:{'|'.join(map(re.escape, longest_first))})(?![\w.]*\d)")
+        longest_first = sorted(
+            (name for name in names if re.search(r"\d", name)), key=len, reverse=True
+        )
+        return re.compile(
+            rf"(?<![\w.])(?:{'|'.join(map(re.escape, longest_first))})(?![\w.]*\d)"
+        )
 
 
 def check_numbers(page: PageReader, data: Data) -> list[str]:
     """Say what is wrong with the numbers of a page, a line each."""
     cells = ((cell.text.strip(), _unnamed(cell.text, data)) for cell in page.of("td"))
-    unnamed = [f"the number {number} leads nowhere in the cell: {text}" for text, number in cells if number]
+    unnamed = [
+        f"the number {number} leads nowhere in the cell: {text}"
+        for text, number in cells
+        if number
+    ]
     return [*_check_written(page, data), *_check_drawn(page, data), *unnamed]
 
 
@@ -186,14 +253,23 @@ def _check_written(page: PageReader, data: Data) -> Iterator[str]:
         try:
             value, noise = data.number(source)
             write = WRITES[element.attributes.get("data-as", "")]
-            text = format_code(value) if "code" in element.around else write(value, noise=noise)
+            text = (
+                format_code(value)
+                if "code" in element.around
+                else write(value, noise=noise)
+            )
         except UNRESOLVED:
             yield f"{source} resolves to nothing"
             continue
         stated = json.loads(element.attributes.get("value") or "null")
         if stated != value or printed != text:
             yield f"{source} is {value}, but {printed} ({stated}) is shown"
-        elif value and noise and (rounded := read_number(text)) is not None and abs(float(rounded) - value) > noise:
+        elif (
+            value
+            and noise
+            and (rounded := read_number(text)) is not None
+            and abs(float(rounded) - value) > noise
+        ):
             yield f"{source} is {value} within {noise}, and rounded to {text}"
 
 
@@ -201,7 +277,9 @@ def _check_drawn(page: PageReader, data: Data) -> Iterator[str]:
     """Check the texts of drawings, and what pictures say to whoever can't see them."""
     for element in page.elements:
         label = element.attributes.get("aria-label") or element.attributes.get("alt")
-        if element.tag != "text" and not (element.tag in ("svg", "img", "video", "canvas") and label):
+        if element.tag != "text" and not (
+            element.tag in ("svg", "img", "video", "canvas") and label
+        ):
             continue
         remaining = text = element.text if element.tag == "text" else str(label)
         for source in element.attributes.get("data-src", "").split():
@@ -212,17 +290,29 @@ def _check_drawn(page: PageReader, data: Data) -> Iterator[str]:
             except UNRESOLVED:
                 yield f"{source} resolves to nothing"
                 continue
-            if pattern := next((form for form in map(number_pattern, written) if form.search(remaining)), None):
+            if pattern := next(
+                (
+                    form
+                    for form in map(number_pattern, written)
+                    if form.search(remaining)
+                ),
+                None,
+            ):
                 remaining = pattern.sub("", remaining, count=1)
             else:
                 yield f"{source} is {value}, which is not said by: {text}"
-        if not (element.tag == "text" and "tick" in element.around) and (number := _unnamed(remaining, data)):
+        if not (element.tag == "text" and "tick" in element.around) and (
+            number := _unnamed(remaining, data)
+        ):
             yield f"the number {number} leads nowhere in: {text}"
 
 
 def _unnamed(text: str, data: Data) -> str:
     """Return the first number in a text that is no part of a name or a formula; empty where there is none."""
-    number = re.search(r"\d\S*", data.names.sub("", data.typed.sub("", text)) if re.search(r"\d", text) else "")
+    number = re.search(
+        r"\d\S*",
+        data.names.sub("", data.typed.sub("", text)) if re.search(r"\d", text) else "",
+    )
     return number[0] if number else ""
 
 

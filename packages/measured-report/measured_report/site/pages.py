@@ -32,7 +32,10 @@ from measured_report.site.series import series_page
 from measured_report.values.quantities import VALUES_FILE, local
 from measured_report.values.results import MEANS
 
-FORMULA = (*"=+-@\t\r\n", *"＝＋－＠")  # begins a formula in a spreadsheet, as OWASP has it
+FORMULA = (
+    *"=+-@\t\r\n",
+    *"＝＋－＠",
+)  # begins a formula in a spreadsheet, as OWASP has it
 POINTERS = re.compile(' data-src="([^"]+)"')
 IDS = re.compile(r' id="([^"]+)"')
 ICON = "favicon.svg"  # a report's own, in its ``assets/``, which need not be there

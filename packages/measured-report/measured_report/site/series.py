@@ -58,4 +58,10 @@ def _series(
         place = WIDTH * (names.index(point.release) + 0.5) / len(names)
         dots.append((point, round(place, 1), *heights))
     changes = [pair for pair in pairwise(answered) if pair[1].mark]
-    return {"name": name, "points": answered, "numbers": numbers, "dots": dots, "changes": changes}
+    return {
+        "name": name,
+        "points": answered,
+        "numbers": numbers,
+        "dots": dots,
+        "changes": changes,
+    }

@@ -3,7 +3,9 @@
 import signal
 import sys
 
-signal.signal(signal.SIGINT, signal.SIG_DFL)  # while this is being imported there is nothing to say about a Ctrl-C
+signal.signal(
+    signal.SIGINT, signal.SIG_DFL
+)  # while this is being imported there is nothing to say about a Ctrl-C
 
 from measured_report.commands.command_line import main
 

@@ -177,7 +177,9 @@ def _fit_cards(group: Group, cards: Sequence[str]) -> bool:
         of_card = samples[:, [name == card for name in cards]]
         if not np.isnan(of_card).all():
             is_one = of_card.shape[1] == 1
-            means_by_card.append(of_card[:, 0] if is_one else np.nanmean(of_card, axis=1))
+            means_by_card.append(
+                of_card[:, 0] if is_one else np.nanmean(of_card, axis=1)
+            )
     by_card = np.stack(means_by_card, axis=1)
     means = by_card.mean(axis=1)
     whole = ~np.isnan(means)
@@ -242,12 +244,18 @@ def _evidence(samples: Samples, repeats: Repeated) -> Evidence:
     edges = samples.edges | {key for key, _ in events}
     estimates = {}
     for group in samples.groups.values():
-        scatter = group.variances.tolist(), group.freedoms.tolist(), group.counts.tolist()
+        scatter = (
+            group.variances.tolist(),
+            group.freedoms.tolist(),
+            group.counts.tolist(),
+        )
         lines = zip(group.numbers, group.samples, *scatter, strict=True)
         is_of_cards = group.means is not None
         for number, of_number, variance, freedom, count in lines:
             if variance == variance:
-                known = Estimate(0.0, variance, freedom, count, 0.0, of_number, is_of_cards)
+                known = Estimate(
+                    0.0, variance, freedom, count, 0.0, of_number, is_of_cards
+                )
                 estimates[number] = _estimate(known, number[0] in edges)
     count = len(samples.cards) - samples.cards.count("")
     changed = []
@@ -278,7 +286,10 @@ def _estimate(known: Estimate, is_edge: bool) -> Estimate:
 
 
 def _changed(
-    off: Mapping[Number, Sequence[float]], edges: set[Key], edge_share: float, index: int
+    off: Mapping[Number, Sequence[float]],
+    edges: set[Key],
+    edge_share: float,
+    index: int,
 ) -> tuple[int, int]:
     """Return how many numbers a measurement has, and how many differ from the others."""
     chances = [

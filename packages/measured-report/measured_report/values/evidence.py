@@ -145,7 +145,9 @@ class Evidence:
         """Return an estimate with the noise of the noisiest runs of one case."""
         value = row[column.name]
         length = row.get(column.grows_with)
-        runs = [each[column.name] for each in self.repeats.values() if column.name in each]
+        runs = [
+            each[column.name] for each in self.repeats.values() if column.name in each
+        ]
         if not runs:
             return None
         noisiest = max(runs, key=lambda run: run.variance_at(value, length))

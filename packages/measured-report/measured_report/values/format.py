@@ -9,10 +9,17 @@ MINUS = "\u2212"
 THIN_SPACE = "\u202f"  # narrow and no-break, so that a number never wraps
 ABSENT = "n/a"
 BELOW = "<"  # begins what is below its noise
-DIGITS_KNOWN, DIGITS_UNKNOWN = 3, 2  # the most significant digits: with a noise, which may allow fewer, and without
+DIGITS_KNOWN, DIGITS_UNKNOWN = (
+    3,
+    2,
+)  # the most significant digits: with a noise, which may allow fewer, and without
 DIGITS_TYPED = 6  # the most significant digits of what was chosen; what has more was computed, and gets `DIGITS_KNOWN`
-DIGITS_EXACT = 12  # so many significant digits of what was computed are those of its numbers
-PLAIN_EXPONENTS = range(-4, 7)  # powers of ten that are written plainly; anything smaller or larger gets a power of ten
+DIGITS_EXACT = (
+    12  # so many significant digits of what was computed are those of its numbers
+)
+PLAIN_EXPONENTS = range(
+    -4, 7
+)  # powers of ten that are written plainly; anything smaller or larger gets a power of ten
 SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 DIGITS = {power: digit for digit, power in SUPERSCRIPTS.items()}
 NAMED = r"(\d[\d.]*(?:e[+-]?\d+)?)"
@@ -24,7 +31,12 @@ def unit_label(unit: str) -> str:
     return "" if unit == "1" else unit
 
 
-def format_number(value: float | int | None, *, noise: float | None = None, rounding: str = ROUND_HALF_UP) -> str:
+def format_number(
+    value: float | int | None,
+    *,
+    noise: float | None = None,
+    rounding: str = ROUND_HALF_UP,
+) -> str:
     """Write ``value`` as people do, an integer in full, to what its ``noise`` carries: None where nobody knows it."""
     if value is None:
         return ABSENT
@@ -36,7 +48,11 @@ def format_number(value: float | int | None, *, noise: float | None = None, roun
     if noise == 0:
         exact = Decimal(repr(value)).normalize()
         is_computed = len(exact.as_tuple().digits) > DIGITS_TYPED
-        return _format_rounded(exact, DIGITS_KNOWN, rounding) if is_computed else _format_decimal(exact)
+        return (
+            _format_rounded(exact, DIGITS_KNOWN, rounding)
+            if is_computed
+            else _format_decimal(exact)
+        )
     if noise and abs(value) <= noise:
         return f"{BELOW}{THIN_SPACE}{_format_noise(noise, value)}"
     return _format_decimal(rounded(value, noise, rounding))
@@ -45,7 +61,9 @@ def format_number(value: float | int | None, *, noise: float | None = None, roun
 def format_most(value: float | int | None, *, noise: float | None = None) -> str:
     """Write ``value`` as what something is at most, or what it is within: rounded up, and never below the noise."""
     least_said = noise if noise and value == 0.0 else undusted(value)
-    return format_number(least_said, noise=noise, rounding=ROUND_CEILING).removeprefix(f"{BELOW}{THIN_SPACE}")
+    return format_number(least_said, noise=noise, rounding=ROUND_CEILING).removeprefix(
+        f"{BELOW}{THIN_SPACE}"
+    )
 
 
 def format_least(value: float | int | None, *, noise: float | None = None) -> str:
@@ -54,8 +72,15 @@ def format_least(value: float | int | None, *, noise: float | None = None) -> st
     return "0" if text.startswith(BELOW) else text
 
 
-MOST, LEAST = "most", "least"  # said on the page of a number that is a bound from above or below
-WRITES = {"": format_number, MOST: format_most, LEAST: format_least}  # by what the page says of a number
+MOST, LEAST = (
+    "most",
+    "least",
+)  # said on the page of a number that is a bound from above or below
+WRITES = {
+    "": format_number,
+    MOST: format_most,
+    LEAST: format_least,
+}  # by what the page says of a number
 
 
 def undusted(value: float | int | None) -> float | int | None:
@@ -66,19 +91,29 @@ def undusted(value: float | int | None) -> float | int | None:
 def read_number(text: str) -> Decimal | None:
     """Read the number that was written so; None for what is none."""
     match = WRITTEN.fullmatch(text.replace(THIN_SPACE, "").replace(MINUS, "-"))
-    return Decimal(match[1] or 1).scaleb(int((match[2] or "⁰").translate(DIGITS))) if match else None
+    return (
+        Decimal(match[1] or 1).scaleb(int((match[2] or "⁰").translate(DIGITS)))
+        if match
+        else None
+    )
 
 
-def rounded(value: float, noise: float | None, rounding: str = ROUND_HALF_UP) -> Decimal:
+def rounded(
+    value: float, noise: float | None, rounding: str = ROUND_HALF_UP
+) -> Decimal:
     """Round ``value`` to the last digit that it carries; halves, as its shortest decimal has them, away from zero.
 
     Two runs are apart by the noise, so that one is off by half of it: the last digit is worth at least that, but where
     rounding itself would move the value by more, there is a digit more. What is beyond the noise has one in any case.
     """
     exact = Decimal(repr(value))
-    exponent = exact.adjusted() + 1 - (DIGITS_UNKNOWN if noise is None else DIGITS_KNOWN)
+    exponent = (
+        exact.adjusted() + 1 - (DIGITS_UNKNOWN if noise is None else DIGITS_KNOWN)
+    )
     if noise:
-        exponent = min(max(exponent, math.ceil(math.log10(noise / 2))), exact.adjusted())
+        exponent = min(
+            max(exponent, math.ceil(math.log10(noise / 2))), exact.adjusted()
+        )
     decimal = exact.quantize(Decimal(1).scaleb(exponent), rounding)
     while noise and abs(decimal - exact) > Decimal(repr(noise)) / 2:
         exponent -= 1
@@ -98,13 +133,24 @@ def format_short(value: float) -> str:
     if value < 0.005:
         return "<.01"
     exact = Decimal(repr(float(value)))
-    places = next((places for places, limit in ((2, "0.095"), (1, "9.95")) if exact < Decimal(limit)), 0)
-    return str(exact.quantize(Decimal(1).scaleb(-places), ROUND_HALF_UP)).removeprefix("0" if places == 2 else "")
+    places = next(
+        (
+            places
+            for places, limit in ((2, "0.095"), (1, "9.95"))
+            if exact < Decimal(limit)
+        ),
+        0,
+    )
+    return str(exact.quantize(Decimal(1).scaleb(-places), ROUND_HALF_UP)).removeprefix(
+        "0" if places == 2 else ""
+    )
 
 
 def number_pattern(text: str) -> re.Pattern[str]:
     """Match a number as it is written, and not as a part of another one."""
-    return re.compile(rf"(?<![\d.{THIN_SPACE}]){re.escape(text)}(?!\d|[.{THIN_SPACE}]\d)")
+    return re.compile(
+        rf"(?<![\d.{THIN_SPACE}]){re.escape(text)}(?!\d|[.{THIN_SPACE}]\d)"
+    )
 
 
 def format_share(share: float, sign: str = "") -> str:
@@ -140,13 +186,22 @@ def number_of(text: str) -> str:
 
 
 def _format_noise(noise: float, value: float) -> str:
-    texts = [_format_rounded(Decimal(repr(noise)), digits, ROUND_CEILING) for digits in range(1, DIGITS_KNOWN + 1)]
+    texts = [
+        _format_rounded(Decimal(repr(noise)), digits, ROUND_CEILING)
+        for digits in range(1, DIGITS_KNOWN + 1)
+    ]
     most = Decimal(repr(noise + abs(value)))
-    return next((text for text in texts if (read_number(text) or most) <= most), texts[-1])
+    return next(
+        (text for text in texts if (read_number(text) or most) <= most), texts[-1]
+    )
 
 
 def _format_rounded(exact: Decimal, digits: int, rounding: str) -> str:
-    return _format_decimal(exact.quantize(Decimal(1).scaleb(exact.adjusted() + 1 - digits), rounding).normalize())
+    return _format_decimal(
+        exact.quantize(
+            Decimal(1).scaleb(exact.adjusted() + 1 - digits), rounding
+        ).normalize()
+    )
 
 
 def _format_decimal(number: Decimal) -> str:

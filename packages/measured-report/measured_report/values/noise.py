@@ -12,11 +12,19 @@ from typing import Any, NamedTuple
 
 SURE = 0.95  # chosen: so often the truth is within a printed number's noise
 FALSE_SHARE = 0.01  # chosen: so large a share of the changes that are told may be none
-PAIRS, CONFIDENCE = 0.999, 0.95  # chosen: so many pairs of runs of one case are within the tolerance, and how surely
+PAIRS, CONFIDENCE = (
+    0.999,
+    0.95,
+)  # chosen: so many pairs of runs of one case are within the tolerance, and how surely
 LEAST_RUNS = 4  # with fewer their spread says too little of a tolerance
-OUTLIER, LEAST_FENCED = 5.0, 6  # chosen: an outlier is so many deviations from the median, and of no fewer numbers
+OUTLIER, LEAST_FENCED = (
+    5.0,
+    6,
+)  # chosen: an outlier is so many deviations from the median, and of no fewer numbers
 NORMAL = NormalDist()
-Z = NORMAL.inv_cdf((1 + SURE) / 2)  # deviations that `SURE` of a normal distribution is within
+Z = NORMAL.inv_cdf(
+    (1 + SURE) / 2
+)  # deviations that `SURE` of a normal distribution is within
 MOST_T, MOST_FREEDOM, TINY = 1e6, 1e9, 1e-300
 WRITTEN_SHARE = 5e-4  # chosen: no number is written to a smaller share of it, however well it is known
 ROUNDED_SHARE = 1e-6  # chosen: no difference is a smaller share of a number, as single precision makes of a few sums
@@ -29,7 +37,9 @@ def t_quantile(share: float, freedom: float) -> float:
     low, high = z, MOST_T  # it is never less than that of the normal distribution
     while high - low > 1e-7 * high:
         middle = math.sqrt(low * high)
-        low, high = (middle, high) if deviations_of(middle, freedom) < z else (low, middle)
+        low, high = (
+            (middle, high) if deviations_of(middle, freedom) < z else (low, middle)
+        )
     return high
 
 
@@ -68,13 +78,23 @@ def chance_of(difference: Any, error: Any, freedom: Any) -> list[float]:
     import numpy as np
 
     t = np.minimum(difference / np.maximum(error, difference / MOST_T + TINY), MOST_T)
-    return [math.erfc(deviation) for deviation in (deviations_of(t, freedom) / math.sqrt(2)).tolist()]
+    return [
+        math.erfc(deviation)
+        for deviation in (deviations_of(t, freedom) / math.sqrt(2)).tolist()
+    ]
 
 
 def discoveries(chances: Sequence[float]) -> float:
     """Return the largest chance that counts as none, by Benjamini and Hochberg (1995), J. R. Stat. Soc. B 57, 289."""
     ranked = enumerate(sorted(chances), 1)
-    return max((chance for rank, chance in ranked if chance <= FALSE_SHARE * rank / len(chances)), default=0.0)
+    return max(
+        (
+            chance
+            for rank, chance in ranked
+            if chance <= FALSE_SHARE * rank / len(chances)
+        ),
+        default=0.0,
+    )
 
 
 def fenced(numbers: Sequence[float]) -> list[float]:
@@ -106,7 +126,9 @@ def tolerance(numbers: Sequence[float]) -> float:
         return max(numbers) - min(numbers)
     freedom = len(numbers) - 1
     term = 2 / (9 * freedom)
-    chi_squared = freedom * (1 - term + NORMAL.inv_cdf(1 - CONFIDENCE) * math.sqrt(term)) ** 3
+    chi_squared = (
+        freedom * (1 - term + NORMAL.inv_cdf(1 - CONFIDENCE) * math.sqrt(term)) ** 3
+    )
     deviation = math.sqrt(variance_of(fenced(numbers)) * freedom / chi_squared)
     return math.sqrt(2) * NORMAL.inv_cdf((1 + PAIRS) / 2) * deviation
 
@@ -117,7 +139,11 @@ def binomial_noise(share: float, trials: float) -> float:
     The interval is Wilson's (1927), Journal of the American Statistical Association 22, 209-212.
     """
     middle = (share + Z**2 / (2 * trials)) / (1 + Z**2 / trials)
-    half = Z * math.sqrt(share * (1 - share) / trials + Z**2 / (4 * trials**2)) / (1 + Z**2 / trials)
+    half = (
+        Z
+        * math.sqrt(share * (1 - share) / trials + Z**2 / (4 * trials**2))
+        / (1 + Z**2 / trials)
+    )
     return abs(share - middle) + half
 
 
@@ -138,7 +164,10 @@ class Estimate(NamedTuple):
     @property
     def note(self) -> str:
         """Say what it is the mean of; nothing where it was measured once."""
-        if len(present := [sample for sample in self.samples if sample is not None]) < 2:
+        if (
+            len(present := [sample for sample in self.samples if sample is not None])
+            < 2
+        ):
             return ""
         least = min(present)
         largest = max(present)
@@ -150,7 +179,11 @@ class Estimate(NamedTuple):
     def noise(self) -> float:
         """Bound how far the truth may be from the value: ``SURE``, by Student's t of the mean."""
         error = math.sqrt(self.variance / self.count)
-        return max(t_quantile(SURE, self.freedom) * error, self.least) if error else self.least
+        return (
+            max(t_quantile(SURE, self.freedom) * error, self.least)
+            if error
+            else self.least
+        )
 
     @property
     def written_noise(self) -> float:
@@ -167,4 +200,6 @@ def welch(variances: Any, freedoms: Any) -> tuple[Any, Any]:
 
     total = variances.sum(axis=1)
     squared = (variances**2 / freedoms).sum(axis=1)
-    return np.sqrt(total), np.where(squared > 0, total**2 / np.maximum(squared, TINY), math.inf)
+    return np.sqrt(total), np.where(
+        squared > 0, total**2 / np.maximum(squared, TINY), math.inf
+    )

@@ -89,14 +89,18 @@ class Quantity:
     unit: str
     source: str  # pointer below the site's ``data/``, see ``Pointer``; empty for a number that no file has a place for
     reason: str = ""  # why there is no number, where there is none
-    origins: frozenset[Origin] = frozenset()  # releases and machines that measured it; none for what was not measured
+    origins: frozenset[Origin] = (
+        frozenset()
+    )  # releases and machines that measured it; none for what was not measured
     noise: float | None = None
     """How far the truth may be from it, in its unit; None where nobody knows, 0 for what is exact."""
     formula: str = ""  # words for how it is computed; of what was measured more than once between what
     samples: Sequence[float | None] = field(default=(), compare=False, repr=False)
     """The number in each measurement of its edition, None where it was not measured; empty where it is exact."""
 
-    def _with(self, function: Callable[..., Any], *operands: "Quantity | float") -> "Term":
+    def _with(
+        self, function: Callable[..., Any], *operands: "Quantity | float"
+    ) -> "Term":
         return combined(function, self, *operands)
 
     def _after(self, function: Callable[..., Any], number: float) -> "Term":
@@ -153,13 +157,24 @@ class Quantity:
 
     def _written(self, text: str, written_as: str = "") -> Markup:
         if not self.source:
-            absent = Markup('<span title="{}">{}</span>').format(self.reason, format_number(None))
+            absent = Markup('<span title="{}">{}</span>').format(
+                self.reason, format_number(None)
+            )
             return Lost.because(absent, self.reason)
-        attributes = {"value": "" if self.value is None else json.dumps(self.value), "data-src": self.source}
+        attributes = {
+            "value": "" if self.value is None else json.dumps(self.value),
+            "data-src": self.source,
+        }
         hint = self.reason or "; ".join(filter(None, (self.formula, self._uncertainty)))
-        attributes |= {name: text for name, text in (("data-as", written_as), ("title", hint)) if text}
+        attributes |= {
+            name: text
+            for name, text in (("data-as", written_as), ("title", hint))
+            if text
+        }
         # Not with Markup's own format, which takes many times as long, and there are tens of thousands of numbers.
-        written = "".join(f' {name}="{escape(value)}"' for name, value in attributes.items())
+        written = "".join(
+            f' {name}="{escape(value)}"' for name, value in attributes.items()
+        )
         html = Markup(f"<data{written}>{escape(text)}</data>")
         return Lost.because(html, self.reason) if self.value is None else html
 
@@ -170,7 +185,9 @@ class Quantity:
             return ""
         present = [sample for sample in self.samples if sample is not None]
         several = f", in {len(present)} measurements {', '.join(f'{sample:.4g}' for sample in present)}"
-        return f"±{self.noise:.2g}" + (several if len(present) > 1 and isinstance(self, Value) else "")
+        return f"±{self.noise:.2g}" + (
+            several if len(present) > 1 and isinstance(self, Value) else ""
+        )
 
     def __html__(self) -> Markup:
         return self._in_words()
@@ -205,7 +222,9 @@ class Value(Quantity):
     """Holds a number derived from others, which says how."""
 
     sources: Sequence[str] = ()  # pointers to what it is computed from
-    roots: frozenset[str] = frozenset()  # the same, and pointers to what those are computed from, down to the records
+    roots: frozenset[str] = (
+        frozenset()
+    )  # the same, and pointers to what those are computed from, down to the records
 
     @property
     def reads(self) -> frozenset[str]:
@@ -214,7 +233,9 @@ class Value(Quantity):
     @property
     def entry(self) -> dict[str, Any]:
         """Return what the site's values file says of it."""
-        entry: dict[str, Any] = {name: getattr(self, name) for name in ("value", "unit", "noise", "formula")}
+        entry: dict[str, Any] = {
+            name: getattr(self, name) for name in ("value", "unit", "noise", "formula")
+        }
         entry["sources"] = list(self.sources)
         return entry | ({"reason": self.reason} if self.reason else {})
 
@@ -226,7 +247,9 @@ def mixed(*origins: frozenset[Origin]) -> str:
     return f"it would compare {' with '.join(map(str, sorted(frozenset().union(*origins))))}"
 
 
-def samples_of(function: Callable[..., float], sources: Sequence[Any]) -> list[float | None]:
+def samples_of(
+    function: Callable[..., float], sources: Sequence[Any]
+) -> list[float | None]:
     """Return what each measurement by itself makes of the function; nothing where all sources are exact."""
     rows = _measurements(sources)
     return [None if None in row else _evaluated(function, row)[0] for row in rows]
@@ -234,11 +257,16 @@ def samples_of(function: Callable[..., float], sources: Sequence[Any]) -> list[f
 
 def _measurements(sources: Sequence[Any]) -> list[tuple[Any, ...]]:
     """Return what each measurement has of all sources; none where all of them are exact, or one is no number."""
-    sampled = [source.samples if isinstance(source, Quantity) else None for source in sources]
+    sampled = [
+        source.samples if isinstance(source, Quantity) else None for source in sources
+    ]
     count = max((len(samples) for samples in sampled if samples), default=0)
     if None in sampled or not count:
         return []
-    ways = [samples or count * (source.value,) for samples, source in zip(sampled, sources, strict=True)]
+    ways = [
+        samples or count * (source.value,)
+        for samples, source in zip(sampled, sources, strict=True)
+    ]
     return [*zip_longest(*(way[:count] for way in ways))]
 
 
@@ -251,31 +279,53 @@ def noise_of(function: Callable[..., float], sources: Sequence[Any]) -> float | 
     are from one measurement to the next, by Student's t of their mean.
     """
     values: list[Any] = [source.value for source in sources]
-    noises = [source.noise if isinstance(source, Quantity) else None for source in sources]
+    noises = [
+        source.noise if isinstance(source, Quantity) else None for source in sources
+    ]
     if None in noises:
         return None
     noisy = [(at, by) for at, by in enumerate(noises) if by]
-    alone = ([[*values[:at], values[at] + way, *values[at + 1 :]] for way in (by, -by)] for at, by in noisy)
+    alone = (
+        [[*values[:at], values[at] + way, *values[at + 1 :]] for way in (by, -by)]
+        for at, by in noisy
+    )
     middle = function(*values)
     noise = _moved(function, middle, alone)
     rows = [row for row in _measurements(sources) if None not in row]
     by_source = [*zip(*rows, strict=True)]
-    agrees = any(noise and len(set(numbers)) == 1 for noise, numbers in zip(noises, by_source, strict=False))
+    agrees = any(
+        noise and len(set(numbers)) == 1
+        for noise, numbers in zip(noises, by_source, strict=False)
+    )
     if len(rows) > 2 or (len(rows) > 1 and not agrees):  # that two agree may be chance
         scale = t_quantile(SURE, len(rows) - 1) / math.sqrt(len(rows) * (len(rows) - 1))
         means = [*map(fmean, by_source)]
-        offs = [[scale * (number - mean) for number, mean in zip(row, means, strict=True)] for row in rows]
-        together = ([[*map(way, values, off)] for way in (operator.add, operator.sub)] for off in offs)
+        offs = [
+            [scale * (number - mean) for number, mean in zip(row, means, strict=True)]
+            for row in rows
+        ]
+        together = (
+            [[*map(way, values, off)] for way in (operator.add, operator.sub)]
+            for off in offs
+        )
         noise = min(noise, _moved(function, middle, together))
     if not math.isfinite(noise):
         return None
     return max(float(noise), WRITTEN_SHARE * abs(middle)) if any(noises) else 0.0
 
 
-def _moved(function: Callable[..., float], middle: float, moves: Iterable[Sequence[Sequence[Any]]]) -> float:
+def _moved(
+    function: Callable[..., float],
+    middle: float,
+    moves: Iterable[Sequence[Sequence[Any]]],
+) -> float:
     """Return how far moves of its values take a function, each the farther of its ways; infinite where one fails."""
-    with suppress(ArithmeticError, ValueError, LookupError):  # a number that can't be changed by its noise
-        return math.hypot(*(max(abs(function(*way) - middle) for way in ways) for ways in moves))
+    with suppress(
+        ArithmeticError, ValueError, LookupError
+    ):  # a number that can't be changed by its noise
+        return math.hypot(
+            *(max(abs(function(*way) - middle) for way in ways) for ways in moves)
+        )
     return math.inf
 
 
@@ -286,7 +336,13 @@ class Term(Value):
     operands: Sequence[Any]
     source = ""
 
-    def __init__(self, function: Callable[..., float], operands: Sequence[Any], unit: str, across: bool):
+    def __init__(
+        self,
+        function: Callable[..., float],
+        operands: Sequence[Any],
+        unit: str,
+        across: bool,
+    ):
         origins = [operand.origins for operand in operands]
         refusal = "" if across else mixed(*origins)
         lost = [operand.reason for operand in operands if operand.value is None]
@@ -294,9 +350,17 @@ class Term(Value):
             value = None
             reason = refusal or lost[0]
         else:
-            value, reason = _evaluated(function, [operand.value for operand in operands])
-        vars(self).update(value=value, unit=unit, reason=reason, origins=frozenset().union(*origins))
-        vars(self).update(function=function, operands=operands, roots=frozenset().union(*(o.reads for o in operands)))
+            value, reason = _evaluated(
+                function, [operand.value for operand in operands]
+            )
+        vars(self).update(
+            value=value, unit=unit, reason=reason, origins=frozenset().union(*origins)
+        )
+        vars(self).update(
+            function=function,
+            operands=operands,
+            roots=frozenset().union(*(o.reads for o in operands)),
+        )
 
     @cached_property
     def samples(self) -> Sequence[float | None]:
@@ -307,32 +371,62 @@ class Term(Value):
         return None if self.value is None else noise_of(self.function, self.operands)
 
     def _written(self, text: str, written_as: str = "") -> Markup:
-        raise ReportError(f"{self} has no name to be shown by: give it one with results.value(name, formula, …)")
+        raise ReportError(
+            f"{self} has no name to be shown by: give it one with results.value(name, formula, …)"
+        )
 
     def __reduce__(self) -> tuple[type, tuple[Any, ...]]:  # kept without its function
-        return Quantity, (self.value, self.unit, "", self.reason, self.origins, self.noise)
+        return Quantity, (
+            self.value,
+            self.unit,
+            "",
+            self.reason,
+            self.origins,
+            self.noise,
+        )
 
 
-def combined(function: Callable[..., float], *sources: Any, unit: str = "", across: bool = False) -> Term:
+def combined(
+    function: Callable[..., float], *sources: Any, unit: str = "", across: bool = False
+) -> Term:
     """Return what a function makes of quantities, series and plain numbers, in ``unit`` or else in theirs.
 
     What it takes twice changes in both places at once. ReportError for quantities of unlike units.
     """
-    if plain := [source for source in sources if not (hasattr(source, "reads") or hasattr(source, "__float__"))]:
-        raise ReportError(f"{plain[0]!r:.80} is no number to compute with, nor a series")
-    sources = tuple(source if hasattr(source, "reads") else constant(source) for source in sources)
-    groups = [source.operands if isinstance(source, Term) else (source,) for source in sources]
+    if plain := [
+        source
+        for source in sources
+        if not (hasattr(source, "reads") or hasattr(source, "__float__"))
+    ]:
+        raise ReportError(
+            f"{plain[0]!r:.80} is no number to compute with, nor a series"
+        )
+    sources = tuple(
+        source if hasattr(source, "reads") else constant(source) for source in sources
+    )
+    groups = [
+        source.operands if isinstance(source, Term) else (source,) for source in sources
+    ]
     operands = {id(operand): operand for group in groups for operand in group}
     places = {key: place for place, key in enumerate(operands)}
     # Found once: to find the noise of a count of a thousand numbers, each of them is moved in turn.
-    ways = [_way(source, [places[id(part)] for part in group]) for source, group in zip(sources, groups, strict=True)]
+    ways = [
+        _way(source, [places[id(part)] for part in group])
+        for source, group in zip(sources, groups, strict=True)
+    ]
 
     def composed(*values: Any) -> float:
         arguments = [way(values) for way in ways]
         # The largest or smallest of none is no number.
-        return function(arguments, default=math.nan) if function in (max, min) else function(*arguments)
+        return (
+            function(arguments, default=math.nan)
+            if function in (max, min)
+            else function(*arguments)
+        )
 
-    return Term(composed, tuple(operands.values()), unit or _unit_of(function, sources), across)
+    return Term(
+        composed, tuple(operands.values()), unit or _unit_of(function, sources), across
+    )
 
 
 def _way(source: Any, places: Sequence[int]) -> Callable[[Sequence[Any]], Any]:
@@ -347,8 +441,21 @@ def _unit_of(function: Callable[..., float], quantities: Sequence[Quantity]) -> 
     if function in (operator.mul, operator.truediv):
         a, b = (quantity.unit for quantity in quantities)
         return _product_unit(a, b, 1 if function is operator.mul else -1)
-    if len(units := {quantity.unit: quantity for quantity in quantities if quantity.value is not None}) > 1:
-        raise ReportError("{} and {} have no unit in common: derive them in one".format(*units.values()))
+    if (
+        len(
+            units := {
+                quantity.unit: quantity
+                for quantity in quantities
+                if quantity.value is not None
+            }
+        )
+        > 1
+    ):
+        raise ReportError(
+            "{} and {} have no unit in common: derive them in one".format(
+                *units.values()
+            )
+        )
     return next(iter(units), quantities[0].unit if quantities else PLAIN)
 
 
@@ -358,11 +465,16 @@ def _product_unit(a: str, b: str, power: int) -> str:
         for below, symbol, exponent in FACTOR.findall(unit):
             powers[symbol] += (-sign if below else sign) * max(1, POWERS.find(exponent))
     del powers[PLAIN]
-    above, below = ([n + POWERS[k] * (k > 1) for n, k in sorted((+side).items())] for side in (powers, -powers))
+    above, below = (
+        [n + POWERS[k] * (k > 1) for n, k in sorted((+side).items())]
+        for side in (powers, -powers)
+    )
     return "/".join(["·".join(above) or PLAIN, *below])
 
 
-def _evaluated(function: Callable[..., float], values: Sequence[Any]) -> tuple[float | None, str]:
+def _evaluated(
+    function: Callable[..., float], values: Sequence[Any]
+) -> tuple[float | None, str]:
     """Return what a function makes of values, and why that is no number if it is none."""
     try:
         value = function(*values)
@@ -370,7 +482,10 @@ def _evaluated(function: Callable[..., float], values: Sequence[Any]) -> tuple[f
         return None, "it would be a division by zero"
     except (ArithmeticError, ValueError, LookupError) as error:
         # A damaged record may hold what no measurement gives, such as a coordinate twice.
-        return None, f"it cannot be computed from what was measured: {' '.join(str(error).split())}"
+        return (
+            None,
+            f"it cannot be computed from what was measured: {' '.join(str(error).split())}",
+        )
     if isinstance(value, complex):
         return None, "it has no finite value"
     value = getattr(value, "item", lambda: value)()

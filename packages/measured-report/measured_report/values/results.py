@@ -26,10 +26,14 @@ from measured_report.values.quantities import (
     combined,
 )
 
-if TYPE_CHECKING:  # it takes long to import, and what is kept from before needs none of it
+if (
+    TYPE_CHECKING
+):  # it takes long to import, and what is kept from before needs none of it
     import pandas as pd
 
-MEANS = "rows"  # begins the names of values that are means of several measurements of a row
+MEANS = (
+    "rows"  # begins the names of values that are means of several measurements of a row
+)
 
 
 class ResultsError(ReportError):
@@ -61,9 +65,19 @@ class Row:
         self._results = results
         self._record = results.record
         self._index = index
-        self.plain: Mapping[str, Any] = {"case": case} if index is None else self._record.rows[index]
-        count = sum(row["case"] == case for row in self._record.rows) if index is None else 0
-        lack = f"there are {count} rows of case {case}" if count > 1 else f"there is no single row of case {case}"
+        self.plain: Mapping[str, Any] = (
+            {"case": case} if index is None else self._record.rows[index]
+        )
+        count = (
+            sum(row["case"] == case for row in self._record.rows)
+            if index is None
+            else 0
+        )
+        lack = (
+            f"there are {count} rows of case {case}"
+            if count > 1
+            else f"there is no single row of case {case}"
+        )
         self._lack = lack if index is None else ""
         self.source = f"{results.source}#/rows/{index}"
         self._origins = frozenset({self._record.origin})
@@ -78,8 +92,13 @@ class Row:
         if column not in self.plain:
             if column in units:
                 return absent(units[column], self._lack or f"{case} has no {column}")
-            if not any(column in row for row in self._record.rows):  # what nobody has is neither yes nor no
-                lack = self._lack or f"{case} has no column {column}{suggestion(column, units)}"
+            if not any(
+                column in row for row in self._record.rows
+            ):  # what nobody has is neither yes nor no
+                lack = (
+                    self._lack
+                    or f"{case} has no column {column}{suggestion(column, units)}"
+                )
                 raise ResultsError(f"{self._record.section}: {lack}")
             return ""
         value = self._results.columns.number_of(column, self.plain)
@@ -89,7 +108,9 @@ class Row:
         origins = self._origins
         pointer = f"{self.source}/{column}"
         if value is None:
-            reason = ": ".join(filter(None, (self.label, self.plain.get(f"{column}_reason") or "lost")))
+            reason = ": ".join(
+                filter(None, (self.label, self.plain.get(f"{column}_reason") or "lost"))
+            )
             return Quantity(None, unit, pointer, reason, origins)
         if not (estimate := self.estimate(column)):
             return Quantity(value, unit, pointer, "", origins)
@@ -97,7 +118,16 @@ class Row:
         if estimate.value == value:
             return Quantity(value, unit, pointer, "", origins, *details)
         mean = f"{self._results.values_file}/{MEANS}.{self._index}.{column}"
-        return Value(estimate.value, unit, mean, "", origins, *details, sources=(pointer,), roots=frozenset({pointer}))
+        return Value(
+            estimate.value,
+            unit,
+            mean,
+            "",
+            origins,
+            *details,
+            sources=(pointer,),
+            roots=frozenset({pointer}),
+        )
 
     def __getattr__(self, column: str) -> Any:
         if column.startswith("_"):
@@ -139,9 +169,15 @@ class Results:
 
     record: Record
     path: Path
-    others: Mapping[str, "Results"] = field(default_factory=dict, repr=False)  # of sections before this one on the page
-    derived: dict[str, Value] = field(default_factory=dict)  # every derived value by name, for the site's values file
-    evidence: Evidence = field(default_factory=Evidence, repr=False)  # what all measurements of it say of its numbers
+    others: Mapping[str, "Results"] = field(
+        default_factory=dict, repr=False
+    )  # of sections before this one on the page
+    derived: dict[str, Value] = field(
+        default_factory=dict
+    )  # every derived value by name, for the site's values file
+    evidence: Evidence = field(
+        default_factory=Evidence, repr=False
+    )  # what all measurements of it say of its numbers
     label: str = ""  # name of the section in figures and tables
     labels: Mapping[str, str] = field(default_factory=dict, repr=False)
     """What people call its cases, see ``label_of``; a number that is not there says of which run it is."""
@@ -165,11 +201,22 @@ class Results:
     @cached_property
     def rows(self) -> list[Row]:
         """Return all rows but those that say of a setting, or of a text, why it is not there."""
-        return [Row(self, index) for index, row in enumerate(self.record.rows) if not self._lacks_setting(row)]
+        return [
+            Row(self, index)
+            for index, row in enumerate(self.record.rows)
+            if not self._lacks_setting(row)
+        ]
 
     def _lacks_setting(self, row: Mapping[str, Any]) -> bool:
-        names = (name for name, cell in row.items() if cell is None and row.get(name + REASON))
-        return any(name not in self.record.units or "parameter" in self.columns[name].kinds for name in names)
+        names = (
+            name
+            for name, cell in row.items()
+            if cell is None and row.get(name + REASON)
+        )
+        return any(
+            name not in self.record.units or "parameter" in self.columns[name].kinds
+            for name in names
+        )
 
     @cached_property
     def row(self) -> Rows:
@@ -179,7 +226,10 @@ class Results:
     def means(self, names: Iterable[str]) -> dict[str, Value]:
         """Return those of its numbers that are means of measurements and have these names among its values."""
         places = {name: name.split(".") for name in sorted(names)}
-        return {name: Row(self, int(index))[column] for name, (_, index, column) in places.items()}
+        return {
+            name: Row(self, int(index))[column]
+            for name, (_, index, column) in places.items()
+        }
 
     def trace(self, case: str) -> Series:
         """Return the trace of a case, ``.value`` a table; None, and the reason, where there is none."""
@@ -188,7 +238,9 @@ class Results:
         if not (seal := self.record.traces.get(case)):
             return Series(None, source, f"there is no {path.name}")
         if len(table := self.loaded(path)) != seal.row_count:
-            raise RecordError(f"{source} has {len(table)} rows, and its record says {seal.row_count}")
+            raise RecordError(
+                f"{source} has {len(table)} rows, and its record says {seal.row_count}"
+            )
         return Series(table, source, origins=frozenset({self.record.origin}))
 
     def loaded(self, path: Path) -> "pd.DataFrame":
@@ -211,23 +263,47 @@ class Results:
         ``across``. Its noise is what theirs make of it, unless it ``is_noise``.
         """
         if name in self.derived:
-            raise ResultsError(f"{self.record.section}: the value {name} is derived twice")
+            raise ResultsError(
+                f"{self.record.section}: the value {name} is derived twice"
+            )
         if isinstance(function, Quantity):
             unit = function.unit
             sources = (function,)
             function = operator.pos
         if re.search(r"[\s/~#]", name):
-            raise ResultsError(f"the value {name!r} has a blank or one of / ~ #, which no pointer to it can have")
-        assert formula.strip(), f"the value {name} has no words for how it is computed, or why it was chosen"
+            raise ResultsError(
+                f"the value {name!r} has a blank or one of / ~ #, which no pointer to it can have"
+            )
+        assert formula.strip(), (
+            f"the value {name} has no words for how it is computed, or why it was chosen"
+        )
         if not self.columns.is_unit(unit):
-            raise ResultsError(f"the value {name} has the unit {unit}, not known here; units in report.toml adds it")
+            raise ResultsError(
+                f"the value {name} has the unit {unit}, not known here; units in report.toml adds it"
+            )
         term = combined(function, *sources, unit=unit, across=across)
-        names = "value", "unit", "reason", "origins", *(() if is_noise else ("noise", "samples")), "roots"
+        names = (
+            "value",
+            "unit",
+            "reason",
+            "origins",
+            *(() if is_noise else ("noise", "samples")),
+            "roots",
+        )
         sources = tuple(operand.source for operand in term.operands if operand.source)
-        fields = {name: getattr(term, name) for name in names} | {"sources": sources, "formula": formula}
+        fields = {name: getattr(term, name) for name in names} | {
+            "sources": sources,
+            "formula": formula,
+        }
         self.derived[name] = Value(source=f"{self.values_file}/{name}", **fields)
         return self.derived[name]
 
     def chosen(self, name: str, why: str, value: float, unit: str = PLAIN) -> Value:
         """Set the value ``name``, which nobody measured: a bound, and ``why`` in words."""
-        return self.value(name, f"chosen: {why}" if why.strip() else "", operator.pos, value, unit=unit)
+        return self.value(
+            name,
+            f"chosen: {why}" if why.strip() else "",
+            operator.pos,
+            value,
+            unit=unit,
+        )

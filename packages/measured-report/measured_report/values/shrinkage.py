@@ -27,7 +27,12 @@ def digamma(x: Array | float) -> Array:
         below = below + 1 / x
         x = x + 1
     square = 1 / x**2
-    return np.log(x) - 1 / (2 * x) - square * (1 / 12 - square * (1 / 120 - square / 252)) - below
+    return (
+        np.log(x)
+        - 1 / (2 * x)
+        - square * (1 / 12 - square * (1 / 120 - square / 252))
+        - below
+    )
 
 
 def trigamma(x: Array | float) -> Array:
@@ -38,7 +43,12 @@ def trigamma(x: Array | float) -> Array:
         below = below + 1 / x**2
         x = x + 1
     square = 1 / x**2
-    return 1 / x + square / 2 + square / x * (1 / 6 - square * (1 / 30 - square / 42)) + below
+    return (
+        1 / x
+        + square / 2
+        + square / x * (1 / 6 - square * (1 / 30 - square / 42))
+        + below
+    )
 
 
 def trigamma_inverse(y: float) -> float:
@@ -63,14 +73,26 @@ def prior_of(variances: Array, freedoms: Array, sizes: Array) -> Prior:
     """Fit a column's variances, all above 0: their logarithms less what the degrees of freedom alone make of them."""
     logs = np.log(variances) - digamma(freedoms / 2) + np.log(freedoms / 2)
     fits = ((slope, logs - slope * np.log(sizes)) for slope in (2.0, 1.0, 0.0))
-    slope, residuals = min(fits, key=lambda fit: np.ptp(np.quantile(fit[1], [0.25, 0.75])))
+    slope, residuals = min(
+        fits, key=lambda fit: np.ptp(np.quantile(fit[1], [0.25, 0.75]))
+    )
     low, high = np.quantile(residuals, [0.25, 0.75])
     residuals = np.minimum(residuals, high + 1.5 * (high - low))  # Tukey's fence
     by_chance = trigamma(freedoms / 2).mean()
     usual = USUAL_ROWS * (by_chance + trigamma(USUAL_FREEDOM / 2))
-    unlike = (((residuals - residuals.mean()) ** 2).sum() + usual) / (len(residuals) - 1 + USUAL_ROWS) - by_chance
-    freedom = MOST_FREEDOM if unlike <= trigamma(MOST_FREEDOM / 2) else 2 * trigamma_inverse(unlike)
-    return Prior(float(np.exp(residuals.mean() + digamma(freedom / 2) - np.log(freedom / 2))), slope, freedom)
+    unlike = (((residuals - residuals.mean()) ** 2).sum() + usual) / (
+        len(residuals) - 1 + USUAL_ROWS
+    ) - by_chance
+    freedom = (
+        MOST_FREEDOM
+        if unlike <= trigamma(MOST_FREEDOM / 2)
+        else 2 * trigamma_inverse(unlike)
+    )
+    return Prior(
+        float(np.exp(residuals.mean() + digamma(freedom / 2) - np.log(freedom / 2))),
+        slope,
+        freedom,
+    )
 
 
 class Moderated(NamedTuple):
@@ -82,7 +104,9 @@ class Moderated(NamedTuple):
     common: Array  # the column's variance on the scale of each number
 
 
-def moderated(variances: Array, freedoms: Array, sizes: Array, usual: float = 0.0) -> Moderated:
+def moderated(
+    variances: Array, freedoms: Array, sizes: Array, usual: float = 0.0
+) -> Moderated:
     """Shrink variances towards their column's; those of few rows towards the ``usual`` one, where there is such."""
     floors = (ROUNDED_SHARE * sizes) ** 2 / 12
     clipped = np.maximum(variances, floors)
@@ -90,11 +114,22 @@ def moderated(variances: Array, freedoms: Array, sizes: Array, usual: float = 0.
     if scatters.sum() < LEAST_ROWS:
         lent = np.full_like(clipped, USUAL_FREEDOM * bool(usual))
         common = np.full_like(clipped, usual) if usual else clipped
-        return Moderated((lent * common + freedoms * clipped) / (lent + freedoms), lent + freedoms, lent, common)
+        return Moderated(
+            (lent * common + freedoms * clipped) / (lent + freedoms),
+            lent + freedoms,
+            lent,
+            common,
+        )
     prior = prior_of(clipped[scatters], freedoms[scatters], sizes[scatters])
     # Where most agree to the last bit, those that do are not of the few that don't.
-    common = np.where(~scatters & (scatters.mean() < 0.5), floors, prior.level * sizes**prior.slope)
-    lent = np.where(_deviations(clipped / common, freedoms, prior.freedom) > WILD, 0.0, prior.freedom)
+    common = np.where(
+        ~scatters & (scatters.mean() < 0.5), floors, prior.level * sizes**prior.slope
+    )
+    lent = np.where(
+        _deviations(clipped / common, freedoms, prior.freedom) > WILD,
+        0.0,
+        prior.freedom,
+    )
     together = (lent * common + freedoms * variances) / (lent + freedoms)
     return Moderated(np.maximum(together, floors), lent + freedoms, lent, common)
 
@@ -117,10 +152,22 @@ def left_out(samples: Array, lent: Array, common: Array, least: Array) -> Array:
     count = np.maximum(present.sum(axis=1, keepdims=True), 2)
     mean = np.nansum(samples, axis=1, keepdims=True) / count
     off = np.where(present, samples - mean, 0.0)
-    remainder = np.maximum((off**2).sum(axis=1, keepdims=True) - off**2 * count / (count - 1), 0.0)
+    remainder = np.maximum(
+        (off**2).sum(axis=1, keepdims=True) - off**2 * count / (count - 1), 0.0
+    )
     freedoms = count - 2 + lent[:, None]
-    variances = (remainder + lent[:, None] * common[:, None]) / np.maximum(freedoms, 1.0)
-    errors = np.sqrt(np.maximum(variances, (ROUNDED_SHARE * mean) ** 2 / 12) * count / (count - 1))
+    variances = (remainder + lent[:, None] * common[:, None]) / np.maximum(
+        freedoms, 1.0
+    )
+    errors = np.sqrt(
+        np.maximum(variances, (ROUNDED_SHARE * mean) ** 2 / 12) * count / (count - 1)
+    )
     distance = np.maximum(0.0, abs(off) * count / (count - 1) - least[:, None])
-    t = np.minimum(distance / np.where(errors > 0, errors, np.where(distance > 0, distance / MOST_T, 1.0)), MOST_T)
-    return np.where(present & (count > 2), deviations_of(t, np.maximum(freedoms, 1.0)), np.nan)
+    t = np.minimum(
+        distance
+        / np.where(errors > 0, errors, np.where(distance > 0, distance / MOST_T, 1.0)),
+        MOST_T,
+    )
+    return np.where(
+        present & (count > 2), deviations_of(t, np.maximum(freedoms, 1.0)), np.nan
+    )

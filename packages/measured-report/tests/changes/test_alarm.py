@@ -35,19 +35,33 @@ def changed(project: Project, before: str = "1.8.0") -> Comparison:
 
 def test_a_section_that_is_gone_or_damaged_is_named_first(toy, capsys):
     newer = toy.of("1.8.0")
-    arguments = Namespace(a=release_of("1.4.0"), b=release_of("1.8.0"), format="text", values="sums")
-    for change, kind in ((partial(damage, name="field: unit 'm'"), "damaged"), (Path.unlink, "missing")):
+    arguments = Namespace(
+        a=release_of("1.4.0"), b=release_of("1.8.0"), format="text", values="sums"
+    )
+    for change, kind in (
+        (partial(damage, name="field: unit 'm'"), "damaged"),
+        (Path.unlink, "missing"),
+    ):
         newer.measure()
         newer.write("report/sections/other.py", MODULE)
-        newer.write("templates/sections/other.md.j2", (toy.project.templates / "sections/toy.md.j2").read_text())
+        newer.write(
+            "templates/sections/other.md.j2",
+            (toy.project.templates / "sections/toy.md.j2").read_text(),
+        )
         newer.write("experiments/other.py", "")
         for side in (toy, newer):
-            write_record(side.project.record_path("other"), side.record(section="other"))
+            write_record(
+                side.project.record_path("other"), side.record(section="other")
+            )
         assert diff.run(toy.project, arguments) == 0
         capsys.readouterr()
         change(newer.record_path)
         assert diff.run(toy.project, arguments) == 1
-        assert capsys.readouterr().out.splitlines()[2].startswith(f"{kind}: newton 1.8.0, toy: ")
+        assert (
+            capsys.readouterr()
+            .out.splitlines()[2]
+            .startswith(f"{kind}: newton 1.8.0, toy: ")
+        )
 
 
 @pytest.mark.parametrize("form", FORMATS)
@@ -63,32 +77,64 @@ def test_each_damaged_replica_is_said_by_itself(toy, form):
 
 @pytest.mark.parametrize(
     ("cells", "cpu", "flipped"),
-    [({}, "A processor", ["helps"]), ({}, "Another", []), ({"frame_count": 450}, "A processor", [])],
+    [
+        ({}, "A processor", ["helps"]),
+        ({}, "Another", []),
+        ({"frame_count": 450}, "A processor", []),
+    ],
 )
-def test_a_cost_flips_on_one_machine_for_as_many_frames_alone(toy, monkeypatch, cells, cpu, flipped):
-    monkeypatch.setitem(vars(report()), "config", replace(report().settings, cost_terms=["frame_count"]))
+def test_a_cost_flips_on_one_machine_for_as_many_frames_alone(
+    toy, monkeypatch, cells, cpu, flipped
+):
+    monkeypatch.setitem(
+        vars(report()),
+        "settings",
+        replace(report().settings, cost_terms=["frame_count"]),
+    )
     vars(report()).pop("columns", None)
     toy.write("report/sections/toy.py", MODULE.replace("slip_mm", "frame_ms"))
     toy.write("templates/sections/toy.md.j2", TEMPLATE.replace("slip_mm", "frame_ms"))
-    costs = [{"case": case, "frame_count": 900, "frame_ms": cost} for case, cost in (("soft", 40.0), ("stiff", 2.0))]
+    costs = [
+        {"case": case, "frame_count": 900, "frame_ms": cost}
+        for case, cost in (("soft", 40.0), ("stiff", 2.0))
+    ]
     toy.measure(costs)
     newer = toy.of("1.8.0")
-    record = newer.record([{**costs[0], "frame_ms": 4.0, **cells}, {**costs[1], **cells}])
-    write_record(newer.record_path, replace(record, machine={**record.machine, "cpu": cpu}))
+    record = newer.record(
+        [{**costs[0], "frame_ms": 4.0, **cells}, {**costs[1], **cells}]
+    )
+    write_record(
+        newer.record_path, replace(record, machine={**record.machine, "cpu": cpu})
+    )
     found = changed(newer.project, before="1.4.0")
     assert [flip.name for flip in found.flips] == flipped
-    assert any(note.startswith("speed and cost in toy: ") for note in found.notes) == (cpu == "Another")
+    assert any(note.startswith("speed and cost in toy: ") for note in found.notes) == (
+        cpu == "Another"
+    )
 
 
-def test_diff_and_check_say_it_in_every_format_and_no_record_ends_the_block_of_markdown(toy, capsys, tmp_path):
+def test_diff_and_check_say_it_in_every_format_and_no_record_ends_the_block_of_markdown(
+    toy, capsys, tmp_path
+):
     toy.of("1.8.0").measure([{**SOFT, "slip_mm": 0.4}, STIFF])
     sides = {"a": release_of("1.4.0"), "b": release_of("1.8.0")}
     for form in FORMATS:
-        assert diff.run(toy.project, Namespace(**sides, format=form, values="sums")) == 1
+        assert (
+            diff.run(toy.project, Namespace(**sides, format=form, values="sums")) == 1
+        )
         assert "toy" in capsys.readouterr().out
-        assert check_command.run(toy.project, Namespace(release=sides["a"], format=form, strict=True)) == 0
+        assert (
+            check_command.run(
+                toy.project, Namespace(release=sides["a"], format=form, strict=True)
+            )
+            == 0
+        )
         assert "holds" in capsys.readouterr().out
     newer = toy.of("1.8.0")
     newer.measure([{**SOFT, "failure": "<img> | [x](y) ``` @all"}, STIFF])
     said = diff_text(changed(newer.project, before="1.4.0"), "", "markdown", say)
-    assert said.startswith("```text\n") and said.endswith("\n```") and "<img> | [x](y) ''' @all" in said
+    assert (
+        said.startswith("```text\n")
+        and said.endswith("\n```")
+        and "<img> | [x](y) ''' @all" in said
+    )

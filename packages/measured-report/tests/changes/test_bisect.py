@@ -27,7 +27,9 @@ NEW = {"warp-lang": "1.16.0", "mujoco-warp": "3.11.0", "mujoco": "3.11.0"}
 def test_the_first_change_is_found_wherever_it_is_and_what_cannot_tell_is_passed_over_and_named():
     for count in (2, 3, 8, 9):
         for change in range(1, count):
-            assert first_change(range(count), lambda point, change=change: point < change) == (change - 1, change, [])
+            assert first_change(
+                range(count), lambda point, change=change: point < change
+            ) == (change - 1, change, [])
     found = first_change(range(8), lambda point: None if point in (3, 4) else point < 4)
     assert found == (2, 5, [3, 4])
 
@@ -47,7 +49,9 @@ MIDDLE = ("1.5.9", "1.6.9", "1.7.9")
 @pytest.fixture
 def search(toy, monkeypatch) -> Bisection:
     """The toy's claim holds up to 1.5.9 and fails from 1.6.9 on. Nobody can have installed one of these."""
-    monkeypatch.setattr(module, "releases_between", lambda first, last: [*map(release_of, MIDDLE)])
+    monkeypatch.setattr(
+        module, "releases_between", lambda first, last: [*map(release_of, MIDDLE)]
+    )
     keep(toy, "1.5.9", ROWS, OLD)
     for release in ("1.6.9", "1.7.9", "1.8.9"):
         keep(toy, release, WORSE, NEW)
@@ -65,12 +69,16 @@ def test_the_release_and_then_newton_itself(toy, search, capsys):
         "toy.helps changes between 1.5.9 and 1.6.9: holds → fails",
         "newton did it: 1.5.9+mujoco-3.11.0+mujoco-warp-3.11.0+warp-1.16.0 is as before, 1.6.9 is not",
     ]
-    assert "1.7.9" not in capsys.readouterr().out, "what lies behind the change is not asked"
+    assert "1.7.9" not in capsys.readouterr().out, (
+        "what lies behind the change is not asked"
+    )
     found = searched(replace(search, query=Query("toy.soft.slip_mm", False)))
     assert found[0].startswith("toy.soft.slip_mm changes between 1.5.9")
 
 
-def test_what_cannot_be_measured_is_passed_over_and_an_end_ends_the_search_as_ends_that_agree_do(search, monkeypatch):
+def test_what_cannot_be_measured_is_passed_over_and_an_end_ends_the_search_as_ends_that_agree_do(
+    search, monkeypatch
+):
     """And does not begin one with full runs, which take hours."""
 
     def fail(project, release, *others):
@@ -82,7 +90,10 @@ def test_what_cannot_be_measured_is_passed_over_and_an_end_ends_the_search_as_en
         "toy.helps changes between 1.5.9 and 1.7.9: holds → fails",
         "no answer from 1.6.9: the first that answers otherwise is one of these and 1.7.9",
     ]
-    assert searched(search)[2] == "it is one of warp-lang or mujoco-warp and mujoco or newton"
+    assert (
+        searched(search)[2]
+        == "it is one of warp-lang or mujoco-warp and mujoco or newton"
+    )
     with pytest.raises(ReportError, match="measuring ended") as error:
         searched(search, "1.9.0")
     assert not isinstance(error.value, UsageError)
@@ -92,13 +103,17 @@ def test_what_cannot_be_measured_is_passed_over_and_an_end_ends_the_search_as_en
         searched(search, "1.5.9")
 
 
-def test_what_a_search_measured_by_code_of_before_is_measured_again(toy, search, monkeypatch):
+def test_what_a_search_measured_by_code_of_before_is_measured_again(
+    toy, search, monkeypatch
+):
     side = replace(search.project.of("1.5.9"), aside=module.ASIDE)
     side.results.parent.mkdir(parents=True)
     search.project.of("1.5.9").results.rename(side.results)
     assert searched(search)[0].startswith("toy.helps changes between 1.5.9")
     toy.write("experiments/scene.py", SCENE.replace("1.0 if", "2.0 if"))
-    monkeypatch.setattr(module, "measure", lambda side, release, *_: 1 / (str(release) != "1.5.9"))
+    monkeypatch.setattr(
+        module, "measure", lambda side, release, *_: 1 / (str(release) != "1.5.9")
+    )
     with pytest.raises(ZeroDivisionError):
         searched(search)
 
@@ -108,10 +123,16 @@ def test_between_two_commits_of_one_repository_its_commits_are_searched(checkout
         (checkout / "newton/__init__.py").write_text(f"x = {value}\n")
         git(checkout, "commit", "--quiet", "-a", "-m", f"x is {value}")
     commits = git(checkout, "rev-list", "--reverse", "HEAD").split()
-    first, last = (release_of(f"{checkout}@{reference}") for reference in (commits[0], "main"))
+    first, last = (
+        release_of(f"{checkout}@{reference}") for reference in (commits[0], "main")
+    )
     points = points_between(first, last)
     folder = first.asked.rpartition("@")[0]
-    assert points == [first.asked, *(f"{folder}@{commit}" for commit in commits[1:3]), last.asked]
+    assert points == [
+        first.asked,
+        *(f"{folder}@{commit}" for commit in commits[1:3]),
+        last.asked,
+    ]
     assert release_of(points[1]).source == f"g{commits[1][:7]}"
     assert points_between(first, release_of("1.4.0")) == [first.asked, "1.4.0"]
 
@@ -125,17 +146,32 @@ def told(search, toy):
 
 def test_a_history_has_every_edition_and_says_what_moved_and_flipped(told):
     lines = history(told, Query("toy.soft.slip_mm", False)).splitlines()
-    assert [line.split() for line in lines[1:4]] == [["1.4.0", "6.362"], ["1.5.9", "6.362"], ["1.6.9", "0.4", "better"]]
+    assert [line.split() for line in lines[1:4]] == [
+        ["1.4.0", "6.362"],
+        ["1.5.9", "6.362"],
+        ["1.6.9", "0.4", "better"],
+    ]
     lines = history(told, Query("toy.helps", True)).splitlines()
-    assert [" ".join(line.split()) for line in lines[1:4]] == ["1.4.0 holds", "1.5.9 holds", "1.6.9 fails flipped"]
-    assert history(told, Query("toy.soft.dropped", False)).splitlines()[1].split() == ["1.4.0", "0"]
-    assert history(told, Query("toy.soft.nothing_mm", False)).splitlines()[1:] == ["no edition can tell"]
+    assert [" ".join(line.split()) for line in lines[1:4]] == [
+        "1.4.0 holds",
+        "1.5.9 holds",
+        "1.6.9 fails flipped",
+    ]
+    assert history(told, Query("toy.soft.dropped", False)).splitlines()[1].split() == [
+        "1.4.0",
+        "0",
+    ]
+    assert history(told, Query("toy.soft.nothing_mm", False)).splitlines()[1:] == [
+        "no edition can tell"
+    ]
     (flip,) = flips(told, "1.4.0")
     said = {tuple(names): claim.outcome.answer for names, claim in flip.answers}
     assert said == {("1.4.0", "1.5.9"): "holds", ("1.6.9", "1.7.9", "1.8.9"): "fails"}
 
 
-def test_a_search_writes_nothing_beside_the_tracked_results_and_names_full_runs(toy, search, monkeypatch, capsys):
+def test_a_search_writes_nothing_beside_the_tracked_results_and_names_full_runs(
+    toy, search, monkeypatch, capsys
+):
     measured = []
 
     def note(project, release, sections, device):
@@ -143,11 +179,13 @@ def test_a_search_writes_nothing_beside_the_tracked_results_and_names_full_runs(
         return toy.project.of("1.5.9")
 
     monkeypatch.setattr(module, "measure", note)
-    monkeypatch.setattr(module, "releases_between", lambda first, last: [release_of("1.5.9")])
+    monkeypatch.setattr(
+        module, "releases_between", lambda first, last: [release_of("1.5.9")]
+    )
     search.answer(release_of("1.4.9"))
-    assert [side.results.relative_to(toy.project.root).as_posix() for side in measured] == [
-        "results/bisect/full/newton-1.4.9"
-    ]
+    assert [
+        side.results.relative_to(toy.project.root).as_posix() for side in measured
+    ] == ["results/bisect/full/newton-1.4.9"]
     assert capsys.readouterr().out == "1.4.9: toy.helps holds\n"
     ends = {"a": release_of("1.4.0"), "b": release_of("1.5.9")}
     asked = Namespace(claim="toy.helps", value="", device="cpu", **ends)

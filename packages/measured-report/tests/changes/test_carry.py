@@ -64,22 +64,46 @@ class Car:
         return 1.0
 '''
 MEASURE = "def measure(conditions):\n"
-BODY = MEASURE + "    x = 2.0\n    n = 4 if conditions.quick else 40\n    {}\n    return rows(x)\n"
+BODY = (
+    MEASURE
+    + "    x = 2.0\n    n = 4 if conditions.quick else 40\n    {}\n    return rows(x)\n"
+)
 KERNEL = "@tools.kernel\ndef k(x):\n    {}\n\n\n" + BODY.format("x = k(x)")
 CAR = "class Car:\n    def advance(self):\n        return {}\n\n\n"
 CAR += BODY.format("x = x if conditions.quick else Car().advance()")
-POOL = "from measured_report.measuring.pool import gather, processes, start\n\n\ndef f(x):\n{}\n\n\n" + MEASURE
+POOL = (
+    "from measured_report.measuring.pool import gather, processes, start\n\n\ndef f(x):\n{}\n\n\n"
+    + MEASURE
+)
 POOL += "    with processes(1) as pool:\n        [x] = gather(start(pool, f, [(0.3,)]), 'f')\n    return rows(x)\n"
 
 REFUSED = {  # the code before, the code after, and the reason
-    "number": (BODY.format("x = x * 1.5"), BODY.format("x = x * 1.25"), "value_mm of a was 3.0 and is 2.5"),
-    "last_bit": (BODY.format("x = 0.1 + 0.2 + 0.3"), BODY.format("x = 0.1 + (0.2 + 0.3 + 1e-9)"), "value_mm of a was"),
-    "full_constant": (BODY.format("n = min(n, 7)"), BODY.format("n = min(n, 8)"), "constant"),
+    "number": (
+        BODY.format("x = x * 1.5"),
+        BODY.format("x = x * 1.25"),
+        "value_mm of a was 3.0 and is 2.5",
+    ),
+    "last_bit": (
+        BODY.format("x = 0.1 + 0.2 + 0.3"),
+        BODY.format("x = 0.1 + (0.2 + 0.3 + 1e-9)"),
+        "value_mm of a was",
+    ),
+    "full_constant": (
+        BODY.format("n = min(n, 7)"),
+        BODY.format("n = min(n, 8)"),
+        "constant",
+    ),
     "square": (BODY.format("x = x * 2"), BODY.format("x = x ** 2"), "operator"),
-    "kernel": (KERNEL.format("return 3 * x"), KERNEL.format("return 3 * x if x < 9 else x"), "no run calls"),
+    "kernel": (
+        KERNEL.format("return 3 * x"),
+        KERNEL.format("return 3 * x if x < 9 else x"),
+        "no run calls",
+    ),
     "default": (
-        "def f(x, n=40):\n    return n * x\n\n\n" + BODY.format("x = f(x, 4) if conditions.quick else f(x)"),
-        "def f(x, n=41):\n    return n * x\n\n\n" + BODY.format("x = f(x, 4) if conditions.quick else f(x)"),
+        "def f(x, n=40):\n    return n * x\n\n\n"
+        + BODY.format("x = f(x, 4) if conditions.quick else f(x)"),
+        "def f(x, n=41):\n    return n * x\n\n\n"
+        + BODY.format("x = f(x, 4) if conditions.quick else f(x)"),
         "a default or a decorator",
     ),
     "seed": (
@@ -93,17 +117,29 @@ REFUSED = {  # the code before, the code after, and the reason
         "constant",
     ),
     "table": (
-        'COUNTS = {"full": 40, "quick": 4}\n\n\n' + BODY.format("x = COUNTS[conditions.profile]"),
-        'COUNTS = {"full": 41, "quick": 4}\n\n\n' + BODY.format("x = COUNTS[conditions.profile]"),
+        'COUNTS = {"full": 40, "quick": 4}\n\n\n'
+        + BODY.format("x = COUNTS[conditions.profile]"),
+        'COUNTS = {"full": 41, "quick": 4}\n\n\n'
+        + BODY.format("x = COUNTS[conditions.profile]"),
         "a statement that runs when experiments/table.py is imported changed",
     ),
     "field": (
-        "class Case:\n    frames = 400\n\n\n" + BODY.format("x = 4.0 if conditions.quick else Case.frames"),
-        "class Case:\n    frames = 401\n\n\n" + BODY.format("x = 4.0 if conditions.quick else Case.frames"),
+        "class Case:\n    frames = 400\n\n\n"
+        + BODY.format("x = 4.0 if conditions.quick else Case.frames"),
+        "class Case:\n    frames = 401\n\n\n"
+        + BODY.format("x = 4.0 if conditions.quick else Case.frames"),
         "a statement that runs",
     ),
-    "advance": (CAR.format("0.1 + 0.2"), CAR.format("0.3"), "no run calls experiments/advance.py:Car.advance"),
-    "int16": (BODY.format("x = float(np.int32(n))"), BODY.format("x = float(np.int16(n))"), "name int"),
+    "advance": (
+        CAR.format("0.1 + 0.2"),
+        CAR.format("0.3"),
+        "no run calls experiments/advance.py:Car.advance",
+    ),
+    "int16": (
+        BODY.format("x = float(np.int32(n))"),
+        BODY.format("x = float(np.int16(n))"),
+        "name int",
+    ),
     "alias": (
         "from numpy import int32 as whole\n\n\n" + BODY.format("x = float(whole(n))"),
         "from numpy import int16 as whole\n\n\n" + BODY.format("x = float(whole(n))"),
@@ -115,8 +151,12 @@ REFUSED = {  # the code before, the code after, and the reason
         "name ",
     ),
     "swapped_methods": (
-        CAR.format("1.0").replace("class Car:\n", "class Car:\n    def stop(self):\n        return 2.0\n\n"),
-        CAR.format("2.0").replace("class Car:\n", "class Car:\n    def stop(self):\n        return 1.0\n\n"),
+        CAR.format("1.0").replace(
+            "class Car:\n", "class Car:\n    def stop(self):\n        return 2.0\n\n"
+        ),
+        CAR.format("2.0").replace(
+            "class Car:\n", "class Car:\n    def stop(self):\n        return 1.0\n\n"
+        ),
         "no run calls",
     ),
     "in_a_pool": (
@@ -125,20 +165,38 @@ REFUSED = {  # the code before, the code after, and the reason
         "operator",
     ),
     "unread_lambda": (
-        BODY.format("x = (lambda: x)() if conditions.quick else (lambda y: y + x - y)(x)"),
-        BODY.format("x = (lambda: x)() if conditions.quick else (lambda y: y - y + x)(x)"),
+        BODY.format(
+            "x = (lambda: x)() if conditions.quick else (lambda y: y + x - y)(x)"
+        ),
+        BODY.format(
+            "x = (lambda: x)() if conditions.quick else (lambda y: y - y + x)(x)"
+        ),
         "no run calls",
     ),
-    "import_time": (BODY.format(""), "np.seterr(all='raise')\n\n\n" + BODY.format(""), "a statement that runs"),
+    "import_time": (
+        BODY.format(""),
+        "np.seterr(all='raise')\n\n\n" + BODY.format(""),
+        "a statement that runs",
+    ),
     "row": (
         BODY.format(""),
-        BODY.format("").replace("rows(x)", "Measurement([*rows(x).rows, *rows(x).rows])"),
+        BODY.format("").replace(
+            "rows(x)", "Measurement([*rows(x).rows, *rows(x).rows])"
+        ),
         "there were 1 rows, and are 2",
     ),
-    "broken": (BODY.format(""), BODY.format("raise ValueError('as a test')"), "both codes could not be measured"),
+    "broken": (
+        BODY.format(""),
+        BODY.format("raise ValueError('as a test')"),
+        "both codes could not be measured",
+    ),
     "times": (
-        BODY.format("").replace("rows(x)", 'Measurement([{"case": "a", "frame_ms": x}])'),
-        BODY.format("y = x").replace("rows(x)", 'Measurement([{"case": "a", "frame_ms": y}])'),
+        BODY.format("").replace(
+            "rows(x)", 'Measurement([{"case": "a", "frame_ms": x}])'
+        ),
+        BODY.format("y = x").replace(
+            "rows(x)", 'Measurement([{"case": "a", "frame_ms": y}])'
+        ),
         "it has times, which are not carried: make rerun SECTION=times",
     ),
 }
@@ -155,17 +213,23 @@ CARRIED = {
     "moved_function": (
         "def summed(values):\n    total = 0.0\n    for value in values:\n        total += value\n    return total\n\n\n"
         + BODY.format("x = summed([x, x])"),
-        "from experiments.parts import moved\n\n\n" + BODY.format("x = moved.summed([x, x])"),
+        "from experiments.parts import moved\n\n\n"
+        + BODY.format("x = moved.summed([x, x])"),
     ),
     "error_loop": (
         BODY.format("if x < 0:\n        raise ValueError('it is negative')"),
-        BODY.format("for y in [x, n]:\n        if y < 0:\n            raise ValueError(f'{y} is negative')"),
+        BODY.format(
+            "for y in [x, n]:\n        if y < 0:\n            raise ValueError(f'{y} is negative')"
+        ),
     ),
     "renamed_variable": (
         BODY.format("y = 3.0 * x\n    x = y if conditions.quick else y - x"),
         BODY.format("near = 3.0 * x\n    x = near if conditions.quick else near - x"),
     ),
-    "in_a_worker": (POOL.format("    return 2.0 * x"), POOL.format("    x = 2.0 * x\n    return x")),
+    "in_a_worker": (
+        POOL.format("    return 2.0 * x"),
+        POOL.format("    x = 2.0 * x\n    return x"),
+    ),
 }
 MOVED = "def summed(values):\n    total = 0.0\n    for value in values:\n        total += value\n    return total\n"
 PLANTED = {**{name: pair[:2] for name, pair in REFUSED.items()}, **CARRIED}
@@ -194,7 +258,9 @@ def measured(root: Path, sections: dict[str, str]) -> Iterator[Project]:
         git(root, "add", ".")
         git(root, "commit", "--quiet", "-m", "to be measured")
         command = [sys.executable, "-m", MODULE, "--device", "cpu", *sections]
-        subprocess.run(command, cwd=root, check=True, env={**os.environ, "TQDM_DISABLE": "1"})
+        subprocess.run(
+            command, cwd=root, check=True, env={**os.environ, "TQDM_DISABLE": "1"}
+        )
         git(root, "add", ".")
         git(root, "commit", "--quiet", "-m", "measured")
         project = Project("", root=root)
@@ -203,7 +269,9 @@ def measured(root: Path, sections: dict[str, str]) -> Iterator[Project]:
             yield replace(project, release=own, own_release=own)
 
 
-def change(project: Project, sections: dict[str, str], is_committed: bool = True) -> None:
+def change(
+    project: Project, sections: dict[str, str], is_committed: bool = True
+) -> None:
     for name, text in sections.items():
         put(project.root, f"experiments/{name}.py", START + "\n" + text)
     if is_committed:
@@ -219,7 +287,8 @@ def carry_all(project: Project, *names: str) -> dict[str, str]:
 def answers(tmp_path_factory):
     """Of all planted changes why each is refused, and the record before and after."""
     with measured(
-        tmp_path_factory.mktemp("carry") / "project", {name: old for name, (old, _) in PLANTED.items()}
+        tmp_path_factory.mktemp("carry") / "project",
+        {name: old for name, (old, _) in PLANTED.items()},
     ) as it:
         before = {name: load_record(it.record_path(name)) for name in PLANTED}
         put(it.root, "experiments/parts/moved.py", MOVED)
@@ -227,12 +296,20 @@ def answers(tmp_path_factory):
         reasons = carry_all(it, *PLANTED)
         after = {name: load_record(it.record_path(name)) for name in PLANTED}
         kinds = {state.section: state.kind for state in states_of(it)}
-        assert "worktree" not in git(it.root, "status") and len(git(it.root, "worktree", "list").splitlines()) == 1
-    return {name: (reasons[name], before[name], after[name], kinds[name]) for name in PLANTED}
+        assert (
+            "worktree" not in git(it.root, "status")
+            and len(git(it.root, "worktree", "list").splitlines()) == 1
+        )
+    return {
+        name: (reasons[name], before[name], after[name], kinds[name])
+        for name in PLANTED
+    }
 
 
 @pytest.mark.parametrize("name", REFUSED)
-def test_a_change_that_may_change_a_number_is_refused_and_nothing_is_written(answers, name):
+def test_a_change_that_may_change_a_number_is_refused_and_nothing_is_written(
+    answers, name
+):
     reason, before, after, kind = answers[name]
     assert REFUSED[name][2] in reason
     assert (before, kind) == (after, "stale")
@@ -242,10 +319,16 @@ def test_a_change_that_may_change_a_number_is_refused_and_nothing_is_written(ans
 def test_a_change_that_quick_runs_cover_is_carried_with_the_rows(answers, name):
     reason, before, after, kind = answers[name]
     assert (reason, kind) == ("", "fresh")
-    assert after.rows == before.rows and after.measured == before.measured and not before.carried
+    assert (
+        after.rows == before.rows
+        and after.measured == before.measured
+        and not before.carried
+    )
     [carried] = after.carried
     assert carried.code == before.identity.code and carried.cells == 2
-    assert str(carried).endswith("same bits in the quick profile; the full profile was not run again")
+    assert str(carried).endswith(
+        "same bits in the quick profile; the full profile was not run again"
+    )
 
 
 SIMPLE = {"one": BODY.format("x = x + 1.0"), "two": BODY.format("x = x + 1.0")}
@@ -258,13 +341,22 @@ def simple(tmp_path) -> Iterator[Project]:
         yield project
 
 
-def test_comments_and_formatting_need_no_carrying_and_changes_without_a_commit_are_refused(simple):
-    change(simple, {"one": "# A remark.\n" + BODY.format("x = (\n        x + 1.0\n    )")}, is_committed=False)
+def test_comments_and_formatting_need_no_carrying_and_changes_without_a_commit_are_refused(
+    simple,
+):
+    change(
+        simple,
+        {"one": "# A remark.\n" + BODY.format("x = (\n        x + 1.0\n    )")},
+        is_committed=False,
+    )
     assert [state.kind for state in states_of(simple)] == ["fresh", "fresh"]
     change(simple, COVERED, is_committed=False)
     assert "changes without a commit" in carry_all(simple, "one")["one"]
     change(simple, {})
-    assert carry_all(simple, "one", "two") == {"one": "", "two": "its code did not change"}
+    assert carry_all(simple, "one", "two") == {
+        "one": "",
+        "two": "its code did not change",
+    }
 
 
 def while_it_runs(monkeypatch, event) -> None:
@@ -281,7 +373,10 @@ def while_it_runs(monkeypatch, event) -> None:
 def test_code_that_changes_while_it_runs_is_not_certified(simple, monkeypatch):
     before = simple.record_path("one").read_bytes()
     change(simple, COVERED)
-    while_it_runs(monkeypatch, lambda: change(simple, {"one": BODY.format("x = x + 8.0")}, is_committed=False))
+    while_it_runs(
+        monkeypatch,
+        lambda: change(simple, {"one": BODY.format("x = x + 8.0")}, is_committed=False),
+    )
     assert "the code of one changed meanwhile" in carry_all(simple, "one")["one"]
     assert simple.record_path("one").read_bytes() == before
 
@@ -317,4 +412,6 @@ def test_in_a_hook_of_git_the_index_stays_as_it_is(simple):
     git(simple.root, "add", "notes.txt")
     git(simple.root, "commit", "--quiet", "-m", "with a note")
     assert (simple.root / "said").read_text() == "{'one': ''}\n"
-    assert git(simple.root, "show", "--format=", "--name-status", "HEAD") == "A\tnotes.txt"
+    assert (
+        git(simple.root, "show", "--format=", "--name-status", "HEAD") == "A\tnotes.txt"
+    )

@@ -25,9 +25,19 @@ def settle(toy, monkeypatch):
     """Gives the toy's report other settings."""
 
     def settle(rules: Changes = RULES, **settings) -> None:
-        columns = [*report().settings.columns, *settings.pop("columns", [Columns(names=["slip_mm"])])]
-        changed = {"noise_section": "toy", **settings, "columns": columns, "changes": rules}
-        monkeypatch.setitem(vars(report()), "config", replace(report().settings, **changed))
+        columns = [
+            *report().settings.columns,
+            *settings.pop("columns", [Columns(names=["slip_mm"])]),
+        ]
+        changed = {
+            "noise_section": "toy",
+            **settings,
+            "columns": columns,
+            "changes": rules,
+        }
+        monkeypatch.setitem(
+            vars(report()), "settings", replace(report().settings, **changed)
+        )
         vars(report()).pop("columns", None)
 
     return settle
@@ -37,16 +47,34 @@ def settle(toy, monkeypatch):
     ("wrong", "said"),
     [
         ({}, ""),
-        ({"noise_section": "tay"}, "noise_section names tay, which is no section here; similar: toy"),
-        ({"columns": [Columns(names=["slap_mm"])]}, "columns names slap_mm, which is no column here; similar: slip_mm"),
-        ({"upgrade_sections": ["noise"]}, "changes.upgrade_sections names noise, which is no section"),
+        (
+            {"noise_section": "tay"},
+            "noise_section names tay, which is no section here; similar: toy",
+        ),
+        (
+            {"columns": [Columns(names=["slap_mm"])]},
+            "columns names slap_mm, which is no column here; similar: slip_mm",
+        ),
+        (
+            {"upgrade_sections": ["noise"]},
+            "changes.upgrade_sections names noise, which is no section",
+        ),
         (
             {"thresholds": {"toy.saft.slip_mm": 1.0}},
             "toy.saft.slip_mm, which is no value here; similar: toy.soft.slip_mm",
         ),
-        ({"thresholds": {"toy.soft.case": 1.0}}, "changes.thresholds names toy.soft.case, which is no value here"),
-        ({"package_groups": [["warp"]]}, "changes.package_groups names warp, which is no package here"),
-        ({"explanation": "toy.help"}, "changes.explanation names toy.help, which is no value here; similar: toy.helps"),
+        (
+            {"thresholds": {"toy.soft.case": 1.0}},
+            "changes.thresholds names toy.soft.case, which is no value here",
+        ),
+        (
+            {"package_groups": [["warp"]]},
+            "changes.package_groups names warp, which is no package here",
+        ),
+        (
+            {"explanation": "toy.help"},
+            "changes.explanation names toy.help, which is no value here; similar: toy.helps",
+        ),
     ],
 )
 def test_a_name_of_nothing_stops_the_build(toy, settle, wrong, said):
@@ -63,8 +91,16 @@ def test_a_name_of_nothing_stops_the_build(toy, settle, wrong, said):
 @pytest.mark.parametrize(
     ("file", "text", "said"),
     [
-        ("experiments/toy/__init__.py", EXPERIMENT, "toy in experiments/ is a file and a folder: one of them is never"),
-        ("report/sections/toy/__init__.py", MODULE, "toy in report/sections/ is a file and a folder"),
+        (
+            "experiments/toy/__init__.py",
+            EXPERIMENT,
+            "toy in experiments/ is a file and a folder: one of them is never",
+        ),
+        (
+            "report/sections/toy/__init__.py",
+            MODULE,
+            "toy in report/sections/ is a file and a folder",
+        ),
     ],
 )
 def test_a_section_of_two_modules_stops_the_build(toy, file, text, said):
@@ -73,8 +109,12 @@ def test_a_section_of_two_modules_stops_the_build(toy, file, text, said):
         toy.build()
 
 
-def test_what_is_no_number_and_rows_that_nothing_tells_apart_are_said_when_the_site_is_built(toy):
-    nan = believable({"case": "firm", "slip_mm": float("nan"), "dropped": False})
+def test_what_is_no_number_and_rows_that_nothing_tells_apart_are_said_when_the_site_is_built(
+    toy,
+):
+    nan = believable(
+        {"case": "firm", "slip_mm": float("nan"), "dropped": False}, report().columns
+    )
     toy.measure((ROWS[0], nan, ROWS[1], {**ROWS[1], "slip_mm": 0.4}))
     assert build(toy.project)["1.4.0"].gaps == [
         "toy: several rows of case stiff, which nothing tells apart",
@@ -84,18 +124,35 @@ def test_what_is_no_number_and_rows_that_nothing_tells_apart_are_said_when_the_s
     ]
 
 
-def test_a_number_that_a_claim_prints_and_its_test_has_not_read_is_said_when_the_site_is_built(toy):
-    toy.write("report/sections/toy.py", MODULE.replace("at_least(gain, bound)", "at_least(bound, bound)"))
-    assert build(toy.project)["1.4.0"].gaps == ["toy.helps prints gain, which its test has not read"]
+def test_a_number_that_a_claim_prints_and_its_test_has_not_read_is_said_when_the_site_is_built(
+    toy,
+):
+    toy.write(
+        "report/sections/toy.py",
+        MODULE.replace("at_least(gain, bound)", "at_least(bound, bound)"),
+    )
+    assert build(toy.project)["1.4.0"].gaps == [
+        "toy.helps prints gain, which its test has not read"
+    ]
 
 
 def test_what_a_figure_and_a_setting_are_of_is_missed_when_the_site_is_built(toy):
     module = MODULE.replace("draw(trace), [trace]", "draw(trace), []")
     toy.write("report/sections/toy.py", module)
     shutil.copy(toy.project.record_path("toy"), toy.project.record_path("tay"))
-    shutil.copytree(toy.project.results, toy.project.results.with_name("newton-1.4.0 copy"))
+    shutil.copytree(
+        toy.project.results, toy.project.results.with_name("newton-1.4.0 copy")
+    )
     built = build(toy.project)["1.4.0"]
-    assert {"newton-1.4.0/tay.json is of no section", "results/newton-1.4.0 copy is of no edition"} < {*built.notes}
+    assert {
+        "newton-1.4.0/tay.json is of no section",
+        "results/newton-1.4.0 copy is of no edition",
+    } < {*built.notes}
     assert built.gaps == ["toy: the figure way has no sources"]
-    idle = [f"report.toml: no row has {name}" for name in ("growth_per_s", "classes", "worlds", "case = c")]
-    assert {*idle} < {*built.notes} and "report.toml: no row has slip_mm" not in built.notes
+    idle = [
+        f"report.toml: no row has {name}"
+        for name in ("growth_per_s", "classes", "worlds", "case = c")
+    ]
+    assert {*idle} < {
+        *built.notes
+    } and "report.toml: no row has slip_mm" not in built.notes

@@ -42,12 +42,17 @@ def test_an_upgrade_is_held_against_the_edition_before_it_whatever_its_profile(t
             path.parent.mkdir(parents=True, exist_ok=True)
             path.write_text("{}")
     for profile in ("full", "quick"):
-        assert base_of(Project("1.9.0", profile, root=toy.project.root), SECTIONS) == "1.8.0"
+        assert (
+            base_of(Project("1.9.0", profile, root=toy.project.root), SECTIONS)
+            == "1.8.0"
+        )
     measured = Project("1.8.0", root=toy.project.root)
     write_manifest(measured.results, Manifest("1.8.0", "2026-11-11", ()))
     for profile in ("full", "quick"):
         pinned = Project("1.8.0+mujoco-warp-4.0.0", profile, root=toy.project.root)
-        assert base_of(pinned, SECTIONS) == "1.8.0", "one package is another, and nothing of it was measured"
+        assert base_of(pinned, SECTIONS) == "1.8.0", (
+            "one package is another, and nothing of it was measured"
+        )
     assert lacking(newer.project, SECTIONS) == SECTIONS
 
 
@@ -57,45 +62,82 @@ def test_what_was_asked_for_is_tried_before_a_base_is_measured_for_it(toy, monke
 
     monkeypatch.setattr(upgrade, "measure_what_can", refuse)
     monkeypatch.setattr(upgrade, "kept_by", lambda side, *others: side)
-    asked = Namespace(device="cpu", since=release_of("1.8.0"), release=release_of("1.9.0"), format="text")
+    asked = Namespace(
+        device="cpu",
+        since=release_of("1.8.0"),
+        release=release_of("1.9.0"),
+        format="text",
+    )
     with pytest.raises(UsageError, match=r"1\.9\.0 cannot run the scene"):
         upgrade.run(toy.project.of("1.9.0"), asked)
 
 
 def test_an_edition_is_never_compared_with_itself(toy):
     given = Namespace(
-        device="cpu", since=release_of("1.4.0"), release=release_of("1.4.0"), format="text", a="1.4.0", b="1.4.0"
+        device="cpu",
+        since=release_of("1.4.0"),
+        release=release_of("1.4.0"),
+        format="text",
+        a="1.4.0",
+        b="1.4.0",
     )
     for command in (upgrade, diff):
-        with pytest.raises(UsageError, match=r"Newton 1\.4\.0 would be compared with itself; NEWTON= names another"):
+        with pytest.raises(
+            UsageError,
+            match=r"Newton 1\.4\.0 would be compared with itself; NEWTON= names another",
+        ):
             command.run(toy.project, given)
 
 
 @pytest.mark.parametrize("edition", ["numpy", "scikit-learn", "opencv_Python"])
-def test_the_variable_of_make_is_the_package_s_own_whatever_is_in_its_name(tmp_path, edition):
+def test_the_variable_of_make_is_the_package_s_own_whatever_is_in_its_name(
+    tmp_path, edition
+):
     """And reaches the command as the edition, or nothing would be measured and all be green."""
     (tmp_path / "report.toml").write_text(f'edition = "{edition}"\n')
-    (tmp_path / "pyproject.toml").write_text(f'[project]\ndependencies = ["{edition}==1.4.0"]\n')
+    (tmp_path / "pyproject.toml").write_text(
+        f'[project]\ndependencies = ["{edition}==1.4.0"]\n'
+    )
     (tmp_path / "report/sections").mkdir(parents=True)
     (tmp_path / "build.py").write_text((SKELETON / "build.py").read_text())
     option = edition.upper().replace("-", "_")
     told = {"TYPED": f"{option}=9.9.9 A=9.9.9 B=9.9.9"}
     command = [sys.executable, "build.py", "upgrade"]
-    done = subprocess.run(command, cwd=tmp_path, env={**os.environ, **told}, capture_output=True, text=True)
+    done = subprocess.run(
+        command,
+        cwd=tmp_path,
+        env={**os.environ, **told},
+        capture_output=True,
+        text=True,
+    )
     assert done.stdout.startswith(f"{edition} 9.9.9 against 1.4.0: "), done.stderr
 
 
-def test_the_front_page_stays_the_own_edition_s_after_the_upgrade_of_an_older_one(toy, monkeypatch):
+def test_the_front_page_stays_the_own_edition_s_after_the_upgrade_of_an_older_one(
+    toy, monkeypatch
+):
     toy.measure()
     toy.of("1.3.0").measure()
-    monkeypatch.setattr(upgrade, "measure_what_can", lambda project, *others: (project, True))
+    monkeypatch.setattr(
+        upgrade, "measure_what_can", lambda project, *others: (project, True)
+    )
     monkeypatch.setattr(upgrade, "verdict", lambda *others: [])
     project = replace(toy.project.of("1.3.0"))
-    upgrade.run(project, Namespace(device="cpu", since=release_of("1.4.0"), release=release_of("1.3.0"), format="text"))
+    upgrade.run(
+        project,
+        Namespace(
+            device="cpu",
+            since=release_of("1.4.0"),
+            release=release_of("1.3.0"),
+            format="text",
+        ),
+    )
     assert '<meta name="release" content="1.4.0">' in toy.front
 
 
-def test_an_upgrade_says_first_what_it_measures_of_both_and_at_last_nothing_that_it_did_not(toy, monkeypatch, capsys):
+def test_an_upgrade_says_first_what_it_measures_of_both_and_at_last_nothing_that_it_did_not(
+    toy, monkeypatch, capsys
+):
     toy.record_path.unlink()
 
     def measure(project, *others):
@@ -104,17 +146,33 @@ def test_an_upgrade_says_first_what_it_measures_of_both_and_at_last_nothing_that
 
     monkeypatch.setattr(upgrade, "measure_what_can", measure)
     monkeypatch.setattr(upgrade, "kept_by", lambda side, *others: side)
-    asked = Namespace(device="cpu", since=release_of("1.8.0"), release=release_of("1.9.0"), format="text")
+    asked = Namespace(
+        device="cpu",
+        since=release_of("1.8.0"),
+        release=release_of("1.9.0"),
+        format="text",
+    )
     upgrade.run(toy.project.of("1.9.0"), asked)
     lines = capsys.readouterr().out.splitlines()
-    assert lines[:2] == [f"newton {name}: to be measured are toy" for name in ("1.9.0", "1.8.0")]
-    assert lines[-1].startswith("built ") and not [line for line in lines if "not measured" in line or "rerun" in line]
+    assert lines[:2] == [
+        f"newton {name}: to be measured are toy" for name in ("1.9.0", "1.8.0")
+    ]
+    assert lines[-1].startswith("built ") and not [
+        line for line in lines if "not measured" in line or "rerun" in line
+    ]
 
 
-def test_why_names_what_was_set_otherwise_and_an_edition_without_a_name_is_not_named(toy, monkeypatch):
+def test_why_names_what_was_set_otherwise_and_an_edition_without_a_name_is_not_named(
+    toy, monkeypatch
+):
     newer = toy.of("1.9.0")
     for side, damping in ((toy, 0.0), (newer, 0.62)):
-        side.measure([{**row, "damping": damping, "slip_mm": row["slip_mm"] * (1 + damping)} for row in ROWS])
+        side.measure(
+            [
+                {**row, "damping": damping, "slip_mm": row["slip_mm"] * (1 + damping)}
+                for row in ROWS
+            ]
+        )
     changed = replace(config().changes, thresholds={"toy.soft.slip_mm": 0.05})
     columns = [*config().columns, Columns(names=["damping"], kind="computed")]
     rules = replace(config(), changes=changed, columns=columns)
@@ -123,5 +181,11 @@ def test_why_names_what_was_set_otherwise_and_an_edition_without_a_name_is_not_n
         vars(entered).pop("columns", None)
         sides = [derived(side.project) for side in (toy, newer)]
         lines = upgrade.verdict(compare(*sides), lambda *claim: "", *sides, SECTIONS)
-        assert "why: what it is set to changed: toy.soft.damping 0 → 0.62; toy.stiff.damping 0 → 0.62" in lines
-        assert Query("toy.firm.slip_mm").quantity(sides[0].chapters).reason == "toy has not been measured so"
+        assert (
+            "why: what it is set to changed: toy.soft.damping 0 → 0.62; toy.stiff.damping 0 → 0.62"
+            in lines
+        )
+        assert (
+            Query("toy.firm.slip_mm").quantity(sides[0].chapters).reason
+            == "toy has not been measured so"
+        )

@@ -17,7 +17,9 @@ def test_a_number_of_a_record_is_audited(toy, monkeypatch, capsys):
     path.write_text(f"6.36 mm<!-- = {source}#/rows/soft/slip_mm -->", encoding="utf-8")
     monkeypatch.setattr("sys.argv", ["measured-report", "audit", str(path), "--check"])
     assert (main(), capsys.readouterr().out) == (0, "")
-    path.write_text(path.read_text(encoding="utf-8").replace("6.36", "6.37"), encoding="utf-8")
+    path.write_text(
+        path.read_text(encoding="utf-8").replace("6.36", "6.37"), encoding="utf-8"
+    )
     assert main() == 1
     assert "stale: 6.37 mm is 6.3617 mm by" in capsys.readouterr().out
 
@@ -25,7 +27,9 @@ def test_a_number_of_a_record_is_audited(toy, monkeypatch, capsys):
 def test_a_record_whose_noise_can_not_be_read_is_an_error_of_its_mark(toy):
     toy.measure()
     text = toy.record_path.read_text(encoding="utf-8")
-    toy.record_path.write_text(text.replace("6.3617", "6.3618"), encoding="utf-8")  # it is sealed
+    toy.record_path.write_text(
+        text.replace("6.3617", "6.3618"), encoding="utf-8"
+    )  # it is sealed
     data_of.cache_clear()
     with pytest.raises(ValueError, match="the noise of slip_mm is not known"):
         noise_of_record(toy.record_path, 0, "slip_mm")

@@ -38,22 +38,40 @@ def run(project, arguments):
 
 @pytest.mark.parametrize(
     ("place", "text", "status"),
-    [("measured_report/__init__.py", STOP, -signal.SIGINT), ("report/commands/early.py", FORK, 130)]
-    + [("report/commands/early.py", f"{STOP}\ndef run(project, arguments): ...\n", -signal.SIGINT)],
+    [
+        ("measured_report/__init__.py", STOP, -signal.SIGINT),
+        ("report/commands/early.py", FORK, 130),
+    ]
+    + [
+        (
+            "report/commands/early.py",
+            f"{STOP}\ndef run(project, arguments): ...\n",
+            -signal.SIGINT,
+        )
+    ],
     ids=["the generator is imported", "a fork", "a command is imported"],
 )
-def test_a_ctrl_c_in_the_first_second_ends_a_command_without_a_traceback(toy, place, text, status):
+def test_a_ctrl_c_in_the_first_second_ends_a_command_without_a_traceback(
+    toy, place, text, status
+):
     toy.write(place, text)
     done = program("build.py", "early")
-    assert (done.returncode, done.stderr) == (status, f"{STOPPED}\n" if status == 130 else "")
+    assert (done.returncode, done.stderr) == (
+        status,
+        f"{STOPPED}\n" if status == 130 else "",
+    )
 
 
 @pytest.mark.parametrize("closed", [">&-", "2>&-", "<&- >&- 2>&-", ">/dev/full"])
 def test_outputs_that_are_closed_or_full_end_nothing_in_a_traceback(outside, closed):
     done = subprocess.run(
-        ["bash", "-c", f'"$0" build.py help {closed}', sys.executable], cwd=outside, capture_output=True
+        ["bash", "-c", f'"$0" build.py help {closed}', sys.executable],
+        cwd=outside,
+        capture_output=True,
     )
-    assert (done.returncode, len(done.stderr.splitlines())) == ((1, 1) if "full" in closed else (0, 0))
+    assert (done.returncode, len(done.stderr.splitlines())) == (
+        (1, 1) if "full" in closed else (0, 0)
+    )
 
 
 @pytest.mark.parametrize(
@@ -61,7 +79,10 @@ def test_outputs_that_are_closed_or_full_end_nothing_in_a_traceback(outside, clo
     [
         (["rerun", "--section", ""], "toy"),
         (["rerun", "--section", "tay"], "SECTION=tay is no section; similar: toy"),
-        (["bisect", "--claim", "tay.x", "--a", "1.4.0", "--b", "1.8.0"], "tay.x is in no section; similar: toy"),
+        (
+            ["bisect", "--claim", "tay.x", "--a", "1.4.0", "--b", "1.8.0"],
+            "tay.x is in no section; similar: toy",
+        ),
         (["rerun", "--section", "toy"], "DEVICE=cpu"),
         (["check", "--section", "nothing"], "--section nothing"),
         (["nothing"], "report"),
@@ -77,7 +98,9 @@ def test_outputs_that_are_closed_or_full_end_nothing_in_a_traceback(outside, clo
         (["serve", "--port", "65536"], "PORT=65536"),
     ],
 )
-def test_bad_input_gets_one_line_and_status_2(arguments, message, command, monkeypatch, capfd):
+def test_bad_input_gets_one_line_and_status_2(
+    arguments, message, command, monkeypatch, capfd
+):
     monkeypatch.delenv("MAKELEVEL", raising=False)  # make test may run this
     monkeypatch.setattr(sys, "argv", ["build.py", *arguments])
     assert main() == 2
@@ -102,16 +125,25 @@ def test_status_does_not_import_the_simulator():
     assert "toy" in done.stdout
 
 
-def test_a_report_s_own_commands_are_found_and_every_one_says_what_it_does(toy, command, monkeypatch, capsys):
+def test_a_report_s_own_commands_are_found_and_every_one_says_what_it_does(
+    toy, command, monkeypatch, capsys
+):
     monkeypatch.setattr(sys, "argv", ["build.py", "help"])
     toy.write(
-        "report/commands/greet.py", '"""Say something to somebody."""\n\n\ndef run(project, arguments):\n    pass\n'
+        "report/commands/greet.py",
+        '"""Say something to somebody."""\n\n\ndef run(project, arguments):\n    pass\n',
     )
     assert main() == 0
-    lines = {line.split()[1]: line for line in capsys.readouterr().out.splitlines() if line.startswith("make ")}
+    lines = {
+        line.split()[1]: line
+        for line in capsys.readouterr().out.splitlines()
+        if line.startswith("make ")
+    }
     assert {"report", "rerun", "help", "greet"} <= set(lines)
     assert all(len(line.split()) > 2 for line in lines.values())
-    assert lines["rerun"].endswith("[SECTION NEWTON WITH DEVICE CLUSTER PROFILE ADDRESS]")
+    assert lines["rerun"].endswith(
+        "[SECTION NEWTON WITH DEVICE CLUSTER PROFILE ADDRESS]"
+    )
 
 
 @pytest.mark.parametrize(
@@ -119,14 +151,26 @@ def test_a_report_s_own_commands_are_found_and_every_one_says_what_it_does(toy, 
     [
         ({"SECTION": "tay"}, ["rerun"], "similar: toy"),
         ({"SECTION": "frction"}, ["rerun", "--section", "tay"], "similar: toy"),
-        ({"SECTON": "toy"}, ["rerun"], "SECTON= is no variable of make here; similar: SECTION"),
-        ({"A": "1.4.0"}, ["diff"], "make diff: the following arguments are required: B=; make help says what it takes"),
+        (
+            {"SECTON": "toy"},
+            ["rerun"],
+            "SECTON= is no variable of make here; similar: SECTION",
+        ),
+        (
+            {"A": "1.4.0"},
+            ["diff"],
+            "make diff: the following arguments are required: B=; make help says what it takes",
+        ),
         ({"STRICT": "yes"}, ["check"], "STRICT=1 or left out, not STRICT=yes"),
     ],
 )
-def test_what_was_typed_behind_make_is_an_option(typed, arguments, status, command, monkeypatch, capsys):
+def test_what_was_typed_behind_make_is_an_option(
+    typed, arguments, status, command, monkeypatch, capsys
+):
     monkeypatch.setenv("MAKELEVEL", "1")
-    monkeypatch.setenv("TYPED", " ".join(f"{name}={value}" for name, value in typed.items()))
+    monkeypatch.setenv(
+        "TYPED", " ".join(f"{name}={value}" for name, value in typed.items())
+    )
     monkeypatch.setattr(sys, "argv", ["build.py", *arguments])
     assert main() == 2
     assert status in capsys.readouterr().err

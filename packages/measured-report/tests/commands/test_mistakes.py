@@ -15,9 +15,24 @@ from measured_report.files.root import ROOT
 
 X = "experiments/pendulum.py"
 MISTAKES = [
-    (X, '{"case": case,', '{"cas": case,', "it returned no rows, or one without a case"),
-    (X, "    seconds =", "    1 / 0\n    seconds =", "experiments/pendulum.py:45: ZeroDivisionError"),
-    (X, ": error}", ': float("nan")}', "can raise no alarm: euler: the measurement gave nan"),
+    (
+        X,
+        '{"case": case,',
+        '{"cas": case,',
+        "it returned no rows, or one without a case",
+    ),
+    (
+        X,
+        "    seconds =",
+        "    1 / 0\n    seconds =",
+        "experiments/pendulum.py:45: ZeroDivisionError",
+    ),
+    (
+        X,
+        ": error}",
+        ': float("nan")}',
+        "can raise no alarm: euler: the measurement gave nan",
+    ),
     ("report.toml", 'edition = "numpy"', "", 'report.toml has no edition = "NAME"'),
     ("results/quick/*/pendulum.json", '"rows"', '"row"', "pendulum: 10 rows in"),
     ("*", "\n", "\r\n", "built"),
@@ -27,7 +42,9 @@ MISTAKES = [
 def report(folder: Path) -> str:
     settings = {**os.environ, "PYTHONPATH": str(ROOT / "packages" / "measured-report")}
     command = [sys.executable, "build.py", "report", "--profile", "quick"]
-    done = subprocess.run(command, cwd=folder, env=settings, stdout=-1, stderr=-2, text=True, check=False)
+    done = subprocess.run(
+        command, cwd=folder, env=settings, stdout=-1, stderr=-2, text=True, check=False
+    )
     return done.stdout
 
 
@@ -35,7 +52,9 @@ def report(folder: Path) -> str:
 def measured(tmp_path_factory) -> Path:
     new(folder := tmp_path_factory.mktemp("a folder") / "mine")
     text = (folder / "pyproject.toml").read_text()
-    (folder / "pyproject.toml").write_text(text.replace("numpy==2.4.6", f"numpy=={np.__version__}"))
+    (folder / "pyproject.toml").write_text(
+        text.replace("numpy==2.4.6", f"numpy=={np.__version__}")
+    )
     assert "built" in report(folder)
     return folder
 
@@ -43,9 +62,21 @@ def measured(tmp_path_factory) -> Path:
 @pytest.mark.slow
 @pytest.mark.parametrize(("names", "old", "put", "said"), MISTAKES)
 def test_a_mistake_is_one_line(measured, names, old, put, said):
-    folder = shutil.copytree(measured, measured.with_name("planted"), dirs_exist_ok=True)
-    for path in [each for each in folder.rglob(names) if each.suffix in (".py", ".toml", ".j2", ".json", ".cff")]:
-        path.write_bytes((text := path.read_bytes()).replace(old.encode(), put.encode(), 1 if put.strip() else -1))
+    folder = shutil.copytree(
+        measured, measured.with_name("planted"), dirs_exist_ok=True
+    )
+    for path in [
+        each
+        for each in folder.rglob(names)
+        if each.suffix in (".py", ".toml", ".j2", ".json", ".cff")
+    ]:
+        path.write_bytes(
+            (text := path.read_bytes()).replace(
+                old.encode(), put.encode(), 1 if put.strip() else -1
+            )
+        )
         assert path.read_bytes() != text or names == "*"
     found = report(folder)
-    assert "Traceback" not in found and [line for line in found.splitlines() if re.search(said, line)], found
+    assert "Traceback" not in found and [
+        line for line in found.splitlines() if re.search(said, line)
+    ], found

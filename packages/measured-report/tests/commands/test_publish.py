@@ -39,8 +39,12 @@ def test_publishing_replaces_the_folder_that_was_published(toy, place):
     (place / "old.html").write_text("old")
     change(toy)
     publish(toy.project.site, f"dir:{place}")
-    assert (place / "cause.html").read_text() == toy.page and not (place / "old.html").exists()
-    assert check_site(place) == [] and [path.name for path in place.parent.iterdir() if "www" in path.name] == ["www"]
+    assert (place / "cause.html").read_text() == toy.page and not (
+        place / "old.html"
+    ).exists()
+    assert check_site(place) == [] and [
+        path.name for path in place.parent.iterdir() if "www" in path.name
+    ] == ["www"]
 
 
 def test_what_changed_since_is_built_before_it_is_published(toy, tmp_path, capsys):
@@ -62,8 +66,18 @@ def test_what_changed_since_is_built_before_it_is_published(toy, tmp_path, capsy
 def test_what_was_not_published_here_is_left_alone(toy, tmp_path):
     letter = written_by_the_user(tmp_path / "mine")
     (tmp_path / "link").symlink_to(tmp_path / "mine")
-    targets = [f"dir:{tmp_path}/{name}" for name in ("mine", "link", "no/where", "long" * 64)]
-    for target in (*targets, "dir:/proc/www", "dir:~no-one/www", "dir:/", "dir:", "ftp:x", ""):
+    targets = [
+        f"dir:{tmp_path}/{name}" for name in ("mine", "link", "no/where", "long" * 64)
+    ]
+    for target in (
+        *targets,
+        "dir:/proc/www",
+        "dir:~no-one/www",
+        "dir:/",
+        "dir:",
+        "ftp:x",
+        "",
+    ):
         with pytest.raises(UsageError) as error:
             publish(toy.project.site, target)
         assert "\n" not in str(error.value)
@@ -76,23 +90,41 @@ def written_by_the_user(folder: Path) -> Path:
     return folder / "letter.txt"
 
 
-def test_an_empty_folder_may_become_the_site_and_what_is_published_can_be_read_by_all(toy, tmp_path):
+def test_an_empty_folder_may_become_the_site_and_what_is_published_can_be_read_by_all(
+    toy, tmp_path
+):
     (tmp_path / "www").mkdir(mode=0o700)
     publish(toy.project.site, f"dir:{tmp_path}/www")
     assert check_site(tmp_path / "www") == []
-    modes = {path.is_dir(): path.stat().st_mode & 0o777 for path in (tmp_path / "www").rglob("*")}
-    assert modes == {True: 0o755, False: 0o644} and (tmp_path / "www").stat().st_mode & 0o777 == 0o755
+    modes = {
+        path.is_dir(): path.stat().st_mode & 0o777
+        for path in (tmp_path / "www").rglob("*")
+    }
+    assert (
+        modes == {True: 0o755, False: 0o644}
+        and (tmp_path / "www").stat().st_mode & 0o777 == 0o755
+    )
 
 
 def spoil(site: Path, more: bytes = b'<a href="x">x</a>') -> None:
     """Let a page lead nowhere, as if it had been built so."""
     index = site / "index.html"
     index.write_bytes(index.read_bytes() + more)
-    (site / SUMS).write_text(sums({path: digest for path, digest in digests_below(site).items() if path != SUMS}))
+    (site / SUMS).write_text(
+        sums(
+            {
+                path: digest
+                for path, digest in digests_below(site).items()
+                if path != SUMS
+            }
+        )
+    )
 
 
 DAMAGES = {
-    "replaced": lambda site: (site / "license.txt").write_text("<script>alert(1)</script>"),
+    "replaced": lambda site: (site / "license.txt").write_text(
+        "<script>alert(1)</script>"
+    ),
     "stranger": lambda site: (site / "more.html").write_text("more"),
     "link": lambda site: (site / "passwd").symlink_to("/etc/passwd"),
     "folder": lambda site: (site / "all").symlink_to("/"),
@@ -121,21 +153,36 @@ def remote(toy, tmp_path) -> Path:
     git(bare, "init", "--quiet", "--bare")
     root = toy.project.root
     (root / ".gitignore").write_text("/site/*\n/.cache/\n")
-    for words in ("init --quiet", "add .", "commit --quiet -m a", f"remote add origin {bare}"):
+    for words in (
+        "init --quiet",
+        "add .",
+        "commit --quiet -m a",
+        f"remote add origin {bare}",
+    ):
         git(root, *words.split())
     return bare
 
 
-def test_publishing_to_a_branch_is_one_commit_and_touches_nothing_else(toy, remote, tmp_path):
+def test_publishing_to_a_branch_is_one_commit_and_touches_nothing_else(
+    toy, remote, tmp_path
+):
     root = toy.project.root
-    git(root, "push", "--quiet", "origin", "HEAD:refs/backup/refs/heads/gh-pages")  # whose name ends alike
-    before = [git(root, *arguments) for arguments in (("status", "--short"), ("rev-parse", "HEAD"), ("branch",))]
+    git(
+        root, "push", "--quiet", "origin", "HEAD:refs/backup/refs/heads/gh-pages"
+    )  # whose name ends alike
+    before = [
+        git(root, *arguments)
+        for arguments in (("status", "--short"), ("rev-parse", "HEAD"), ("branch",))
+    ]
     assert publish(toy.project.site, "") == "origin, branch gh-pages"
     change(toy)
     publish(toy.project.site, "")
     assert git(remote, "rev-list", "--count", "gh-pages") == "1"
     git(root, "checkout", "--quiet", "--", "results")
-    after = [git(root, *arguments) for arguments in (("status", "--short"), ("rev-parse", "HEAD"), ("branch",))]
+    after = [
+        git(root, *arguments)
+        for arguments in (("status", "--short"), ("rev-parse", "HEAD"), ("branch",))
+    ]
     assert before == after
     there = tmp_path / "there"
     git(tmp_path, "clone", "--quiet", "--branch", "gh-pages", str(remote), str(there))
@@ -160,20 +207,33 @@ def test_publishing_leaves_a_clone_whole_whoever_publishes_next(toy, remote, clo
     root = toy.project.root
     before = [git(clone, *words) for words in (("for-each-ref",), ("count-objects",))]
     publish(clone / "site", "")
-    assert [git(clone, *words) for words in (("for-each-ref",), ("count-objects",))] == before
+    assert [
+        git(clone, *words) for words in (("for-each-ref",), ("count-objects",))
+    ] == before
     change(toy)
     publish(toy.project.site, "")  # somebody else
-    for words in ("fsck --strict", "gc --quiet --prune=now", "log --all", "fetch --quiet", "fsck --strict"):
+    for words in (
+        "fsck --strict",
+        "gc --quiet --prune=now",
+        "log --all",
+        "fetch --quiet",
+        "fsck --strict",
+    ):
         git(clone, *words.split())
     publish(clone / "site", "")
-    assert git(clone, "status", "--short") == "" and git(remote, "rev-list", "--count", "gh-pages") == "1"
+    assert (
+        git(clone, "status", "--short") == ""
+        and git(remote, "rev-list", "--count", "gh-pages") == "1"
+    )
     git(remote, "config", "receive.denyNonFastForwards", "true")
     with pytest.raises(UsageError, match=r"^not published: git: .*non-fast-forward.*$"):
         publish(root / "site", "")
     git(root, "fsck", "--strict")
 
 
-def test_finding_8_a_report_inside_another_repository_is_not_pushed_to_its_origin(toy, remote, tmp_path):
+def test_finding_8_a_report_inside_another_repository_is_not_pushed_to_its_origin(
+    toy, remote, tmp_path
+):
     inner = toy.project.root / "inner"
     shutil.copytree(toy.project.site, inner / "site")
     with pytest.raises(UsageError, match="no git repository of its own"):
@@ -190,7 +250,11 @@ def test_finding_8_a_report_inside_another_repository_is_not_pushed_to_its_origi
     ],
 )
 def test_finding_8_a_token_is_not_printed(toy, remote, monkeypatch, target):
-    settings = {"COUNT": "1", "KEY_0": f"url.{remote.parent}/.insteadOf", "VALUE_0": "https://someone:secr@et@there/"}
+    settings = {
+        "COUNT": "1",
+        "KEY_0": f"url.{remote.parent}/.insteadOf",
+        "VALUE_0": "https://someone:secr@et@there/",
+    }
     for name, value in settings.items():
         monkeypatch.setenv(f"GIT_CONFIG_{name}", value)
     remote.rename(remote.with_name("x.git"))
@@ -202,7 +266,14 @@ def test_finding_8_a_token_is_not_printed(toy, remote, monkeypatch, target):
 
 
 def test_a_branch_that_holds_something_else_is_left_alone(toy, remote):
-    git(toy.project.root, "push", "--quiet", "origin", "HEAD:refs/heads/gh-pages", "HEAD:refs/heads/main")
+    git(
+        toy.project.root,
+        "push",
+        "--quiet",
+        "origin",
+        "HEAD:refs/heads/gh-pages",
+        "HEAD:refs/heads/main",
+    )
     before = git(remote, "for-each-ref")
     for target in ("", "git:origin", "git:origin#main"):
         with pytest.raises(UsageError, match="it was left alone"):
@@ -213,7 +284,10 @@ def test_a_branch_that_holds_something_else_is_left_alone(toy, remote):
 @pytest.mark.parametrize(
     "target",
     ["nowhere", "fd::17", "--upload-pack=touch x"]
-    + [f"origin#{branch}" for branch in ("a..b", "@", "HEAD", "a b", "-x", "refs/heads/z")],
+    + [
+        f"origin#{branch}"
+        for branch in ("a..b", "@", "HEAD", "a b", "-x", "refs/heads/z")
+    ],
 )
 def test_what_git_can_not_publish_to_is_one_line(toy, remote, target):
     with pytest.raises(UsageError) as error:
@@ -226,21 +300,29 @@ def test_without_a_repository_publishing_says_what_needs_none(toy, monkeypatch):
     with pytest.raises(UsageError, match="not a git repository"):
         publish(toy.project.site, "")
     monkeypatch.setenv("PATH", "/nowhere")
-    with pytest.raises(UsageError, match="needs git, which is not there; TARGET=dir:PATH needs nothing"):
+    with pytest.raises(
+        UsageError, match="needs git, which is not there; TARGET=dir:PATH needs nothing"
+    ):
         publish(toy.project.site, "")
 
 
 def test_what_a_killed_publish_leaves_goes_with_the_next(toy, tmp_path, monkeypatch):
-    monkeypatch.setattr(publishing, "replace", lambda *folders: os.kill(os.getpid(), signal.SIGKILL))
+    monkeypatch.setattr(
+        publishing, "replace", lambda *folders: os.kill(os.getpid(), signal.SIGKILL)
+    )
     if not (child := os.fork()):
         publish(toy.project.site, f"dir:{tmp_path}/www")
     assert os.waitpid(child, 0)[1] == signal.SIGKILL
     monkeypatch.undo()
     publish(toy.project.site, f"dir:{tmp_path}/www")
-    assert check_site(tmp_path / "www") == [] and not any((toy.project.root / publishing.ASIDE).iterdir())
+    assert check_site(tmp_path / "www") == [] and not any(
+        (toy.project.root / publishing.ASIDE).iterdir()
+    )
 
 
-def test_publishing_is_done_beside_hooks_and_settings_and_is_seen(toy, remote, tmp_path, monkeypatch):
+def test_publishing_is_done_beside_hooks_and_settings_and_is_seen(
+    toy, remote, tmp_path, monkeypatch
+):
     root = toy.project.root
     git(root, "tag", "-a", "mine", "-m", "mine")
     hook = root / ".git/hooks/pre-push"
@@ -261,8 +343,12 @@ def test_publishing_is_done_beside_hooks_and_settings_and_is_seen(toy, remote, t
         git(tmp_path / "work", *words.split())
     publish(toy.project.site, "")
     assert git(remote, "show", "gh-pages:CNAME") == "report.example"
-    (remote / "hooks/post-update").write_text("#!/bin/sh\ngit update-ref -d refs/heads/gh-pages\n")
+    (remote / "hooks/post-update").write_text(
+        "#!/bin/sh\ngit update-ref -d refs/heads/gh-pages\n"
+    )
     (remote / "hooks/post-update").chmod(0o755)
-    monkeypatch.setattr(publishing, "SUBJECT", "Another commit, though all is done in a second")
+    monkeypatch.setattr(
+        publishing, "SUBJECT", "Another commit, though all is done in a second"
+    )
     with pytest.raises(ReportError, match="not published: origin does not have it"):
         publish(toy.project.site, "")

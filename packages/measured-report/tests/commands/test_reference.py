@@ -21,8 +21,12 @@ def test_every_setting_is_told(kind):
 
 
 def test_what_a_section_imports_and_every_unit_are_told():
-    documents = [path for path in [ROOT / "docs/your-own.md"] if path.is_file()]  # beside a checkout of the repository
-    sources = [path.read_text() for path in [*documents, *SKELETON.rglob("*/sections/*.py")]]
+    documents = [
+        path for path in [ROOT / "docs/your-own.md"] if path.is_file()
+    ]  # beside a checkout of the repository
+    sources = [
+        path.read_text() for path in [*documents, *SKELETON.rglob("*/sections/*.py")]
+    ]
     imported = {
         name.strip()
         for text in sources
@@ -30,13 +34,25 @@ def test_what_a_section_imports_and_every_unit_are_told():
         for name in names.split(",")
     }
     assert {"Claim", "greater", "new_figure", "Results"} <= imported
-    assert not [name for name in imported if f"### {name}\n" not in TEXT and f"- `{name}(" not in TEXT]
+    assert not [
+        name
+        for name in imported
+        if f"### {name}\n" not in TEXT and f"- `{name}(" not in TEXT
+    ]
     assert not [end for end in units() if f"`_{end}`" not in TEXT]
 
 
 def test_what_the_docs_and_a_new_report_use_is_told_with_the_order_of_its_fields():
-    documents = [path.read_text() for name in ("your-own", "section") if (path := ROOT / f"docs/{name}.md").is_file()]
-    sources = documents + [path.read_text() for path in SKELETON.rglob("*") if path.suffix in (".py", ".j2")]
+    documents = [
+        path.read_text()
+        for name in ("your-own", "section")
+        if (path := ROOT / f"docs/{name}.md").is_file()
+    ]
+    sources = documents + [
+        path.read_text()
+        for path in SKELETON.rglob("*")
+        if path.suffix in (".py", ".j2")
+    ]
     used = {
         name
         for text in sources
@@ -51,7 +67,9 @@ def test_what_the_docs_and_a_new_report_use_is_told_with_the_order_of_its_fields
     }
     used |= {"trace", "order", "NEEDS_GPU", "within", "beyond", "value", "claim"}
     assert [
-        name for name in sorted(used - {"", "measure", "derive"}) if not re.search(rf"`{name}[(:]|\b{name}[ (.]", TEXT)
+        name
+        for name in sorted(used - {"", "measure", "derive"})
+        if not re.search(rf"`{name}[(:]|\b{name}[ (.]", TEXT)
     ] == []
     for signature in (
         "Claim(name, outcome, numbers=…",
@@ -59,4 +77,8 @@ def test_what_the_docs_and_a_new_report_use_is_told_with_the_order_of_its_fields
         "Section(tables=…, figures=…, claims=…",
     ):
         assert f"`{signature}" in TEXT
-    assert "- `trace(self, case: str)`" in TEXT and "- `order: int`" in TEXT and "NEEDS_GPU = False" in TEXT
+    assert (
+        "- `trace(self, case: str)`" in TEXT
+        and "- `order: int`" in TEXT
+        and "NEEDS_GPU = False" in TEXT
+    )

@@ -22,27 +22,64 @@ def measure(conditions):
 
 def written(folder: Path) -> dict[str, bytes]:
     """Files below a folder, unpacked, but for those of a clone's own git."""
-    files = {str(path): path.read_bytes() for path in folder.rglob("*") if path.is_file() and ".git" not in path.parts}
-    return {name: gzip.decompress(text) if text[:2] == b"\x1f\x8b" else text for name, text in files.items()}
+    files = {
+        str(path): path.read_bytes()
+        for path in folder.rglob("*")
+        if path.is_file() and ".git" not in path.parts
+    }
+    return {
+        name: gzip.decompress(text) if text[:2] == b"\x1f\x8b" else text
+        for name, text in files.items()
+    }
 
 
 @pytest.mark.slow
 def test_no_user_home_or_token_is_written_or_printed(toy, checkout, tmp_path):
     root, secret = toy.project.root, f"https://{USER}:{TOKEN}@127.0.0.1:9/x.git"
-    shutil.copytree(root, home := tmp_path / USER / "report", ignore=shutil.ignore_patterns("results"))
+    shutil.copytree(
+        root,
+        home := tmp_path / USER / "report",
+        ignore=shutil.ignore_patterns("results"),
+    )
     checkout = shutil.move(checkout, tmp_path / USER / "newton")
     (home / "experiments/toy.py").write_text(MEASURED)
     (home / ".gitignore").write_text("/site/\n")
     git(tmp_path, "init", "--quiet", "--bare", "bare.git")
-    for words in ("init --quiet", "add .", "commit --quiet -m a", f"remote add origin {tmp_path}/bare.git"):
+    for words in (
+        "init --quiet",
+        "add .",
+        "commit --quiet -m a",
+        f"remote add origin {tmp_path}/bare.git",
+    ):
         git(home, *words.split())
     before = written(home)
-    asked = [("upgrade --newton 1.4.0 --since 1.4.0+warp-1.15.0 --device cpu", 0), ("replicate --device cpu", 0)]
-    asked += [("publish", 0), (f"publish --target dir:{home.parent}/www", 0), ("status", 0), ("history", 0)]
-    asked += [(f"publish --target git:{secret}", 2), (f"upgrade --newton git+{secret}@main --device cpu", 2)]
-    asked += [(f"page --newton {checkout}{end}", 2) for end in ("", "@main", "@nothing", "-2")]
-    asked += [("diff --a 1.4.0 --b /nowhere", 2), (f"replicate --file {home}/nothing.tgz", 1)]
-    settings = {"HOME": str(home.parent), "USER": USER, "LOGNAME": USER, "UV_INDEX_URL": "http://127.0.0.1:9"}
+    asked = [
+        ("upgrade --newton 1.4.0 --since 1.4.0+warp-1.15.0 --device cpu", 0),
+        ("replicate --device cpu", 0),
+    ]
+    asked += [
+        ("publish", 0),
+        (f"publish --target dir:{home.parent}/www", 0),
+        ("status", 0),
+        ("history", 0),
+    ]
+    asked += [
+        (f"publish --target git:{secret}", 2),
+        (f"upgrade --newton git+{secret}@main --device cpu", 2),
+    ]
+    asked += [
+        (f"page --newton {checkout}{end}", 2) for end in ("", "@main", "@nothing", "-2")
+    ]
+    asked += [
+        ("diff --a 1.4.0 --b /nowhere", 2),
+        (f"replicate --file {home}/nothing.tgz", 1),
+    ]
+    settings = {
+        "HOME": str(home.parent),
+        "USER": USER,
+        "LOGNAME": USER,
+        "UV_INDEX_URL": "http://127.0.0.1:9",
+    }
     settings["PYTHONDONTWRITEBYTECODE"] = "1"  # bytecode names where it lies
     texts = {}
     for command, status in asked:
@@ -51,6 +88,15 @@ def test_no_user_home_or_token_is_written_or_printed(toy, checkout, tmp_path):
         texts[command] = done.stdout + done.stderr
     git(tmp_path, "clone", "--quiet", "--branch", "gh-pages", "bare.git", "published")
     for folder in (home, home.parent / "www", tmp_path / "published"):
-        texts |= {name: text.decode(errors="replace") for name, text in written(folder).items() if name not in before}
-    said = {name: word for name, text in texts.items() for word in (USER, TOKEN, str(tmp_path)) if word in text}
+        texts |= {
+            name: text.decode(errors="replace")
+            for name, text in written(folder).items()
+            if name not in before
+        }
+    said = {
+        name: word
+        for name, text in texts.items()
+        for word in (USER, TOKEN, str(tmp_path))
+        if word in text
+    }
     assert said == {} and len(texts) > 60

@@ -21,7 +21,9 @@ def test_what_changes_is_built_again(toy):
 
     folders = [toy.project.root / name for name in INPUTS]
     threading.Thread(target=server.follow, args=(folders, build), daemon=True).start()
-    while not built:  # the test has no limit of its own: it must not be a question of time
+    while (
+        not built
+    ):  # the test has no limit of its own: it must not be a question of time
         time.sleep(0.05)
     toy.write("templates/sections/toy.md.j2", TEMPLATE.replace("Stiff", "Stiffer"))
     while len(built) < 2:
@@ -40,7 +42,10 @@ def test_a_folder_that_vanishes_while_it_is_looked_at_ends_nothing(toy, monkeypa
         return scan(place)
 
     monkeypatch.setattr(os, "scandir", vanish)
-    assert stamp(toy.project.root / name for name in INPUTS) and not (toy.project.root / "templates/sections").exists()
+    assert (
+        stamp(toy.project.root / name for name in INPUTS)
+        and not (toy.project.root / "templates/sections").exists()
+    )
 
 
 def test_serving_answers_with_files_of_the_site_alone(toy, capfd, tmp_path):
@@ -52,9 +57,19 @@ def test_serving_answers_with_files_of_the_site_alone(toy, capfd, tmp_path):
         threading.Thread(target=server.serve_forever, daemon=True).start()
         for path in ("/link", "/all/secret", "/all/"):
             assert answered(server, path) == 404
-        for host, status in {"localhost:1": 200, "elsewhere.example": 421, "": 421}.items():
+        for host, status in {
+            "localhost:1": 200,
+            "elsewhere.example": 421,
+            "": 421,
+        }.items():
             assert answered(server, "/", Host=host) == status
-        for path, status in {"/": 200, "/nothing": 404, "/../secret": 404, "/%2e%2e/secret": 404, "/%00": 404}.items():
+        for path, status in {
+            "/": 200,
+            "/nothing": 404,
+            "/../secret": 404,
+            "/%2e%2e/secret": 404,
+            "/%00": 404,
+        }.items():
             assert answered(server, path) == status, path
         server.shutdown()
     assert capfd.readouterr().err == ""

@@ -4,8 +4,21 @@ from measured_report.commands.trace import provenance
 from measured_report.findings.editions import editions_of
 
 ROWS = (
-    {"case": "soft", "frame_count": 900, "slip_mm": 6.0, "slip_mm_p5": 5.9, "slip_mm_p95": 6.2, "dropped": False},
-    {"case": "stiff", "frame_count": 900, "slip_mm": 0.3, "pad_ke": 2.5e5, "dropped": False},
+    {
+        "case": "soft",
+        "frame_count": 900,
+        "slip_mm": 6.0,
+        "slip_mm_p5": 5.9,
+        "slip_mm_p95": 6.2,
+        "dropped": False,
+    },
+    {
+        "case": "stiff",
+        "frame_count": 900,
+        "slip_mm": 0.3,
+        "pad_ke": 2.5e5,
+        "dropped": False,
+    },
 )
 
 
@@ -17,7 +30,9 @@ def test_a_value_leads_to_page_rows_settings_and_command(toy):
     toy.measure(ROWS)
     toy.build()
     lines = [line.strip() for line in text(toy, "toy.gain").splitlines()]
-    assert lines[0] == "toy.gain: 20 (20.0), noise not known", "stiff has no percentiles"
+    assert lines[0] == "toy.gain: 20 (20.0), noise not known", (
+        "stiff has no percentiles"
+    )
     for line in (
         "is          soft over stiff",
         "printed at  cause.html#toy",
@@ -28,14 +43,24 @@ def test_a_value_leads_to_page_rows_settings_and_command(toy):
         "again by    make rerun SECTION=toy DEVICE=cpu",
     ):
         assert line in lines
-    assert any(line.startswith("row 0, case soft (the scene as shipped): ") and ", noise 0." in line for line in lines)
+    assert any(
+        line.startswith("row 0, case soft (the scene as shipped): ")
+        and ", noise 0." in line
+        for line in lines
+    )
 
 
 def test_a_number_is_found_by_its_pointer_and_by_section_case_and_column(toy):
     toy.build()
-    pointed, of_row = text(toy, "newton-1.4.0/toy.json#/rows/1/slip_mm"), text(toy, "toy.stiff.slip_mm")
+    pointed, of_row = (
+        text(toy, "newton-1.4.0/toy.json#/rows/1/slip_mm"),
+        text(toy, "toy.stiff.slip_mm"),
+    )
     assert "printed at  cause.html#toy-way" in pointed, "in the caption of a figure"
     assert "row 1, case stiff" in pointed
-    assert text(toy, "values.json#/toy/gain").partition(": ")[2] == text(toy, "toy.gain").partition(": ")[2]
+    assert (
+        text(toy, "values.json#/toy/gain").partition(": ")[2]
+        == text(toy, "toy.gain").partition(": ")[2]
+    )
     assert of_row.startswith("toy.stiff.slip_mm: 0.31 mm (0.3124)")
     assert of_row.splitlines()[1:] == pointed.splitlines()[1:]

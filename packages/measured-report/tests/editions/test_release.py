@@ -43,7 +43,17 @@ from measured_report.records.record import write_record
 )
 def test_a_label_is_read(text, label):
     assert str(read_label(text)) == label
-    for wrong in ("new", "", "1", "1.8.0+", "1.8.0@", "1.8.0+warp", "../1.8.0", "1.8.0+g1", "1.8.0@A/B"):
+    for wrong in (
+        "new",
+        "",
+        "1",
+        "1.8.0+",
+        "1.8.0@",
+        "1.8.0+warp",
+        "../1.8.0",
+        "1.8.0+g1",
+        "1.8.0@A/B",
+    ):
         assert read_label(wrong) is None
 
 
@@ -52,27 +62,39 @@ def test_a_checkout_is_called_after_its_commit_and_its_edits(checkout):
     clean = release_of(str(checkout))
     assert str(clean) == f"1.9.0.dev0+g{commit}" and clean.date
     (checkout / "newton/__init__.py").write_text("x = 2\n")
-    edited, source = release_of(str(checkout)), identity.checkout_source(checkout, "newton")
+    edited, source = (
+        release_of(str(checkout)),
+        identity.checkout_source(checkout, "newton"),
+    )
     assert str(edited) == f"1.9.0.dev0+g{commit}.edited"
     (checkout / "newton/__init__.py").write_text("x = 3\n")
-    assert identity.checkout_source(checkout, "newton") != source and environment_of(edited, ROOT) == environment_of(
-        clean, ROOT
-    )
+    assert identity.checkout_source(checkout, "newton") != source and environment_of(
+        edited, ROOT
+    ) == environment_of(clean, ROOT)
 
 
 def test_a_commit_is_called_after_itself_wherever_it_is_from(checkout):
     first = git(checkout, "rev-parse", "HEAD")
-    (checkout / "pyproject.toml").write_text('[project]\nname = "newton"\nversion = "1.10.0.dev0"\n')
+    (checkout / "pyproject.toml").write_text(
+        '[project]\nname = "newton"\nversion = "1.10.0.dev0"\n'
+    )
     git(checkout, "commit", "--quiet", "-a", "-m", "two")
-    named = {release_of(f"{where}@{first}") for where in (checkout, f"git+file://{checkout}")}
+    named = {
+        release_of(f"{where}@{first}") for where in (checkout, f"git+file://{checkout}")
+    }
     assert {str(release) for release in named} == {f"1.9.0.dev0+g{first[:7]}"}
-    assert {release.requirement for release in named} == {f"newton[sim] @ git+file://{checkout}@{first}"}
+    assert {release.requirement for release in named} == {
+        f"newton[sim] @ git+file://{checkout}@{first}"
+    }
     assert str(release_of(f"{checkout}@main")).startswith("1.10.0.dev0+g")
     with pytest.raises(UsageError, match="cannot be fetched"):
         release_of(f"{checkout}@nothing")
 
 
-@pytest.mark.parametrize("address", ["http://user:TOKEN@h/x.git@m", "https://TOKEN@h/x.git@m", "ssh://a:TOKEN@h/x@m"])
+@pytest.mark.parametrize(
+    "address",
+    ["http://user:TOKEN@h/x.git@m", "https://TOKEN@h/x.git@m", "ssh://a:TOKEN@h/x@m"],
+)
 @pytest.mark.parametrize("ending", ["", "?private=TOKEN"])
 def test_an_address_with_what_opens_it_is_refused_and_not_printed(address, ending):
     for spec in (f"git+{address}{ending}", f"git+{address.removesuffix('@m')}"):
@@ -83,17 +105,32 @@ def test_an_address_with_what_opens_it_is_refused_and_not_printed(address, endin
         read_address(address)
 
 
-def test_what_is_kept_of_a_path_names_nobody(toy, checkout, monkeypatch, tmp_path_factory):
+def test_what_is_kept_of_a_path_names_nobody(
+    toy, checkout, monkeypatch, tmp_path_factory
+):
     home = tmp_path_factory.mktemp("home") / "NAME"
     monkeypatch.setenv("HOME", str(home))
     shutil.copytree(checkout, home / "x/newton")
     (wheel := home / "newton-1.9.0-py3-none-any.whl").write_bytes(b"")
-    specs = {str(checkout): "../newton", f"{checkout}@main": "../newton@main", str(home / "x/newton"): "~/x/newton"}
-    specs |= {str(wheel): f"~/{wheel.name}", f"git+file://{checkout}@main": "../newton@main"}
+    specs = {
+        str(checkout): "../newton",
+        f"{checkout}@main": "../newton@main",
+        str(home / "x/newton"): "~/x/newton",
+    }
+    specs |= {
+        str(wheel): f"~/{wheel.name}",
+        f"git+file://{checkout}@main": "../newton@main",
+    }
     for spec, asked in specs.items():
         release = release_of(spec)
-        assert release.asked == asked and release_of(asked).package_version == release.package_version
-    assert str(UsageError(f"{wheel} and file://{wheel}")) == f"~/{wheel.name} and file://~/{wheel.name}"
+        assert (
+            release.asked == asked
+            and release_of(asked).package_version == release.package_version
+        )
+    assert (
+        str(UsageError(f"{wheel} and file://{wheel}"))
+        == f"~/{wheel.name} and file://~/{wheel.name}"
+    )
 
 
 def test_a_host_s_name_is_in_no_record(monkeypatch):
@@ -101,7 +138,11 @@ def test_a_host_s_name_is_in_no_record(monkeypatch):
     named = machine.machine("cpu")["host"]
     monkeypatch.setattr("platform.node", lambda: "another")
     machine.machine.cache_clear()
-    assert machine.machine("cpu")["host"] == named != hashlib.sha256(b"another").hexdigest()[:12]
+    assert (
+        machine.machine("cpu")["host"]
+        == named
+        != hashlib.sha256(b"another").hexdigest()[:12]
+    )
 
 
 def test_with_names_packages(tmp_path):
@@ -113,18 +154,35 @@ def test_with_names_packages(tmp_path):
             release_of("1.8.0", bad)
 
 
-@pytest.mark.skipif(not shutil.which("uv", path=Path(sys.executable).parent), reason="there is no uv")
-def test_nothing_of_the_generator_is_installed_beside_what_is_measured_and_all_of_it_measures(tmp_path):
+@pytest.mark.skipif(
+    not shutil.which("uv", path=Path(sys.executable).parent), reason="there is no uv"
+)
+def test_nothing_of_the_generator_is_installed_beside_what_is_measured_and_all_of_it_measures(
+    tmp_path,
+):
     """So that an edition of any day can be measured, and weighs no more than it must."""
-    environment._make(folder := tmp_path / ".venv-numpy-1.26.4", "NUMPY=1.26.4", ["--requirement", os.devnull])
+    environment._make(
+        folder := tmp_path / ".venv-numpy-1.26.4",
+        "NUMPY=1.26.4",
+        ["--requirement", os.devnull],
+    )
     environment._lend(folder)
     environment._lend(folder)
     (tmp_path / "report.toml").write_text('edition = "numpy"\n')
     code = "import measured_report.measuring.run, measured_report.records.traces, sys; print('pandas' in sys.modules)"
     bare = {name: value for name, value in os.environ.items() if name != "PYTHONPATH"}
-    done = subprocess.run([folder / "bin/python", "-c", code], cwd=tmp_path, env=bare, capture_output=True, text=True)
+    done = subprocess.run(
+        [folder / "bin/python", "-c", code],
+        cwd=tmp_path,
+        env=bare,
+        capture_output=True,
+        text=True,
+    )
     assert done.stdout == "False\n", done.stderr
-    assert sum(path.stat().st_size for path in folder.rglob("*") if not path.is_symlink()) < 1 << 20
+    assert (
+        sum(path.stat().st_size for path in folder.rglob("*") if not path.is_symlink())
+        < 1 << 20
+    )
 
 
 def test_why_nothing_could_be_installed_is_said_with_its_cause(tmp_path, monkeypatch):
@@ -132,7 +190,9 @@ def test_why_nothing_could_be_installed_is_said_with_its_cause(tmp_path, monkeyp
     (tmp_path / "uv").write_text(f"#!/bin/sh\necho '{said}'\nexit 1\n")
     (tmp_path / "uv").chmod(0o700)
     monkeypatch.setenv("PATH", str(tmp_path), prepend=os.pathsep)
-    with pytest.raises(UsageError, match=r": Because Python 3.11 is no Python>=3.12, it And because"):
+    with pytest.raises(
+        UsageError, match=r": Because Python 3.11 is no Python>=3.12, it And because"
+    ):
         environment._run(["sync"], "numpy")
 
 
@@ -146,7 +206,11 @@ def test_a_release_of_two_numbers_is_the_one_with_a_zero_behind_them(toy):
 
 def test_a_measurement_refuses_what_is_not_installed():
     installed = package_versions()["newton"]
-    assert edition_of(None) == edition_of(f"{installed}@cpu").removesuffix("@cpu") == installed
+    assert (
+        edition_of(None)
+        == edition_of(f"{installed}@cpu").removesuffix("@cpu")
+        == installed
+    )
     for other in ("1.0.0", f"{installed}+warp-0.1.0", "nonsense"):
         with pytest.raises(ReportError, match="is not what is installed here"):
             edition_of(other)
@@ -158,12 +222,17 @@ def test_edited_code_is_stale(toy, checkout):
     edited = toy.of(str(release))
     edited.project.results.mkdir(parents=True)
     write_manifest(edited.project.results, Manifest(release.asked, "", ()))
-    write_record(edited.record_path, edited.record(identity=replace(edited.record().identity, packages=now(edited))))
+    write_record(
+        edited.record_path,
+        edited.record(identity=replace(edited.record().identity, packages=now(edited))),
+    )
     assert edited.state().kind == "fresh"
     # Whoever wrote the manifest may have written the repository's settings as well.
     git(checkout, "config", "core.fsmonitor", f"touch {checkout}/ran; false")
     (checkout / "newton/__init__.py").write_text("x = 3\n")
-    assert edited.state().summary == "stale: packages" and not (checkout / "ran").exists()
+    assert (
+        edited.state().summary == "stale: packages" and not (checkout / "ran").exists()
+    )
 
 
 def now(side: Toy) -> dict[str, str]:
@@ -172,7 +241,10 @@ def now(side: Toy) -> dict[str, str]:
 
 def test_one_machine_never_takes_the_place_of_another(toy, capsys):
     assert measure.kept_by(toy.project, "cpu", ["toy"]) == toy.project
-    assert measure.kept_by(toy.project, "nvidia-h200", ["toy"]).release == "1.4.0@nvidia-h200"
+    assert (
+        measure.kept_by(toy.project, "nvidia-h200", ["toy"]).release
+        == "1.4.0@nvidia-h200"
+    )
     assert "1.4.0@nvidia-h200" in capsys.readouterr().out
     apart = toy.project.of("1.4.0@nvidia-h200")
     assert measure.kept_by(apart, "nvidia-h200", ["toy"]) == apart

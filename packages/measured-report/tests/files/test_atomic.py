@@ -45,7 +45,12 @@ def test_every_damage_to_a_record_is_named_in_one_line(toy):
             unnamed.append(f"{way}: taken for whole")
         except RecordError as error:
             line = str(error)
-            if "newton-1.4.0/toy" not in line or "\n" in line or len(line) > 500 or not line.isprintable():
+            if (
+                "newton-1.4.0/toy" not in line
+                or "\n" in line
+                or len(line) > 500
+                or not line.isprintable()
+            ):
                 unnamed.append(f"{way}: {line!r}")
         toy.record_path.rmdir() if toy.record_path.is_dir() else toy.record_path.unlink()
         for name, content in whole.items():
@@ -66,9 +71,13 @@ def test_every_damage_to_a_trace_is_named_with_and_without_its_seal(toy, way):
 
 
 def test_a_trace_of_another_measurement_is_named(toy):
-    other = packed(toy.record_path, "stiff", {"time_s": [0.0, 1.0], "x_mm": [0.0, 0.4]})[1]
+    other = packed(
+        toy.record_path, "stiff", {"time_s": [0.0, 1.0], "x_mm": [0.0, 0.4]}
+    )[1]
     trace_path(toy.record_path, "stiff").write_bytes(other)
-    assert refusal(toy.record_path).endswith("toy.stiff.csv.gz is not the trace that was measured with toy.json")
+    assert refusal(toy.record_path).endswith(
+        "toy.stiff.csv.gz is not the trace that was measured with toy.json"
+    )
 
 
 def test_damage_elsewhere_leaves_the_page_and_is_named(toy):
@@ -78,7 +87,9 @@ def test_damage_elsewhere_leaves_the_page_and_is_named(toy):
     line = "the unit of slip_mm is given as m, and its name says mm"
     toy.build()
     assert 'id="toy"' in toy.page
-    assert check_site(toy.project.site) == ["newton-1.8.0/index.html: there is no claim on any page"]
+    assert check_site(toy.project.site) == [
+        "newton-1.8.0/index.html: there is no claim on any page"
+    ]
     left_out = editions_of(toy.project)["1.8.0"].left_out
     assert [(state.kind, state.notes) for state in left_out] == [
         ("damaged", (f"newton-1.8.0/toy.json is no whole record: {line}",))
@@ -94,7 +105,9 @@ def test_a_record_that_does_not_fit_on_the_disk_changes_nothing(toy, monkeypatch
     monkeypatch.setattr(os, "fsync", full)
     with pytest.raises(OSError, match="No space left"):
         write_record(toy.record_path, toy.record([{**ROWS[0], "slip_mm": 1.0}]), {})
-    assert {path.name: path.read_bytes() for path in toy.record_path.parent.iterdir()} == before
+    assert {
+        path.name: path.read_bytes() for path in toy.record_path.parent.iterdir()
+    } == before
 
 
 WORKERS = """
@@ -110,12 +123,16 @@ with workers(2, "fork") as pool:
 
 @pytest.mark.parametrize("sent", [signal.SIGKILL, signal.SIGTERM])
 def test_no_process_outlives_the_one_that_started_it(sent):
-    main = subprocess.Popen([sys.executable, "-c", WORKERS], cwd=ROOT, stdout=subprocess.PIPE, text=True)
+    main = subprocess.Popen(
+        [sys.executable, "-c", WORKERS], cwd=ROOT, stdout=subprocess.PIPE, text=True
+    )
     started = [int(main.stdout.readline()) for _ in range(2)]
     main.send_signal(sent)
     main.wait()
     main.stdout.close()
-    while any(map(is_running, started)):  # the test has no limit of its own: it must not be a question of time
+    while any(
+        map(is_running, started)
+    ):  # the test has no limit of its own: it must not be a question of time
         time.sleep(0.05)
 
 
@@ -123,8 +140,15 @@ FORGED = "\ue0000\ue001 [click](javascript:alert(1)) ![](https://example.org/x.p
 
 
 def test_text_of_a_record_is_never_a_token_of_the_page(toy):
-    row = {**ROWS[0], "slip_mm": None, "slip_mm_reason": "[click](javascript:alert(1)) <b>&"}
-    toy.write("templates/sections/toy.md.j2", TEMPLATE + "\n{{ rows[0].slip_mm_reason }} {{ rows[0].slip_mm }}\n")
+    row = {
+        **ROWS[0],
+        "slip_mm": None,
+        "slip_mm_reason": "[click](javascript:alert(1)) <b>&",
+    }
+    toy.write(
+        "templates/sections/toy.md.j2",
+        TEMPLATE + "\n{{ rows[0].slip_mm_reason }} {{ rows[0].slip_mm }}\n",
+    )
     toy.measure([row, ROWS[1]])
     toy.build()
     assert 'href="javascript' not in toy.page and check_site(toy.project.site) == []
@@ -132,16 +156,24 @@ def test_text_of_a_record_is_never_a_token_of_the_page(toy):
         toy.measure([{**row, "slip_mm_reason": FORGED}, ROWS[1]])
     toy.write("templates/forged.md.j2", "# Title\n\n{{ text }} {{ other }}\n")
     templates = Templates(toy.project.templates)
-    html = templates.prose("forged.md.j2", "forged", {"text": Markup(FORGED), "other": FORGED}).html({})
+    html = templates.prose(
+        "forged.md.j2", "forged", {"text": Markup(FORGED), "other": FORGED}
+    ).html({})
     assert "href" not in html and "<img" not in html
 
 
 def test_figures_know_nothing_of_the_users_settings_and_no_formulas(toy, monkeypatch):
-    toy.write("report/sections/toy.py", MODULE.replace('label="x"', r'label="$\\frac{1}{2}$"'))
+    toy.write(
+        "report/sections/toy.py", MODULE.replace('label="x"', r'label="$\\frac{1}{2}$"')
+    )
     toy.build()
     before = toy.page
     assert "frac{1}{2}$</text>" in toy.page
-    for name, value in {"text.usetex": True, "font.size": 40.0, "axes.grid": False}.items():
+    for name, value in {
+        "text.usetex": True,
+        "font.size": 40.0,
+        "axes.grid": False,
+    }.items():
         monkeypatch.setitem(matplotlib.rcParams, name, value)
     shutil.rmtree(toy.project.site)
     shutil.rmtree(Cache(toy.project.root).folder)
@@ -149,30 +181,47 @@ def test_figures_know_nothing_of_the_users_settings_and_no_formulas(toy, monkeyp
     assert toy.page == before
 
 
-@pytest.mark.parametrize("name", [way for way in FIELDS if way.startswith(("newton ", "package "))])
+@pytest.mark.parametrize(
+    "name", [way for way in FIELDS if way.startswith(("newton ", "package "))]
+)
 def test_only_plain_versions_of_the_simulator_are_installed(toy, name):
     data = json.loads(toy.record_path.read_text())
     FIELDS[name](data)
     with pytest.raises((ReportError, TypeError)):
-        requirements(toy.project.root, data["identity"]["packages"], toy.project.settings)
+        requirements(
+            toy.project.root, data["identity"]["packages"], toy.project.settings
+        )
 
 
 @pytest.mark.parametrize("stop", range(1, 9))
-def test_a_kill_while_a_record_is_written_leaves_a_whole_one_or_one_that_is_named(toy, stop):
+def test_a_kill_while_a_record_is_written_leaves_a_whole_one_or_one_that_is_named(
+    toy, stop
+):
     """The process is killed before each of the steps in turn that change what lies in the folder."""
     before = [row["slip_mm"] for row in load_record(toy.record_path).rows]
     rows = [{**row, "slip_mm": 2.0} for row in ROWS]
-    traces = {name: packed(toy.record_path, name, {"time_s": [0.0], "x_mm": [9.0]}) for name in ("stiff", "soft")}
+    traces = {
+        name: packed(toy.record_path, name, {"time_s": [0.0], "x_mm": [9.0]})
+        for name in ("stiff", "soft")
+    }
 
     def changes(event: str, arguments: tuple) -> bool:
-        is_written = event == "open" and "toy" in str(arguments[0]) and str(arguments[1]).startswith("w")
+        is_written = (
+            event == "open"
+            and "toy" in str(arguments[0])
+            and str(arguments[1]).startswith("w")
+        )
         return is_written or event in ("os.rename", "os.remove", "os.replace")
 
-    ended = killed_at(stop, changes, lambda: write_record(toy.record_path, toy.record(rows), traces))
+    ended = killed_at(
+        stop, changes, lambda: write_record(toy.record_path, toy.record(rows), traces)
+    )
     try:
         record = load_record(toy.record_path)
     except RecordError as error:
-        assert str(error).endswith("toy.stiff.csv.gz is not the trace that was measured with toy.json")
+        assert str(error).endswith(
+            "toy.stiff.csv.gz is not the trace that was measured with toy.json"
+        )
     else:
         assert [row["slip_mm"] for row in record.rows] in (before, [2.0, 2.0])
         assert ended or record.rows[0]["slip_mm"] == 2.0
@@ -181,13 +230,24 @@ def test_a_kill_while_a_record_is_written_leaves_a_whole_one_or_one_that_is_name
     assert {path.name for path in toy.record_path.parent.iterdir()} == expected
 
 
-@pytest.mark.skipif(not Path("/proc/locks").is_file(), reason="Linux says whose a lock is")
+@pytest.mark.skipif(
+    not Path("/proc/locks").is_file(), reason="Linux says whose a lock is"
+)
 def test_whoever_waits_for_a_lock_says_whose_it_is(tmp_path):
     with locked(tmp_path):
         child = subprocess.Popen(
-            [sys.executable, "-c", f"{HOLD}\nwith locked(Path({str(tmp_path)!r})): pass"], stderr=-1
+            [
+                sys.executable,
+                "-c",
+                f"{HOLD}\nwith locked(Path({str(tmp_path)!r})): pass",
+            ],
+            stderr=-1,
         )
-        assert child.stderr and f"waiting for process {os.getpid()} (" in child.stderr.readline().decode()
+        assert (
+            child.stderr
+            and f"waiting for process {os.getpid()} ("
+            in child.stderr.readline().decode()
+        )
     assert child.wait() == 0
 
 

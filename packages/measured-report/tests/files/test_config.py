@@ -25,16 +25,44 @@ TEXT = (SKELETON / "pendulum/report.toml").read_text(encoding="utf-8")
     [
         ("title =", "titel =", "there is no setting titel; similar: title"),
         ("better =", "beter =", "there is no setting columns.beter; similar: better"),
-        ("[changes.thresholds]", "[changes.tresholds]", "there is no setting changes.tresholds; similar: thresholds"),
-        ('better = "less"', 'better = "fewer"', r"Invalid enum value 'fewer' - at `\$.columns\[1\].better`"),
-        ('edition = "', 'edition = 3 # "', r"Expected `str`, got `int` - at `\$.edition`"),
-        ("pages = [", 'pages = ["x",', r"Expected `object`, got `str` - at `\$.pages\[0\]`"),
+        (
+            "[changes.thresholds]",
+            "[changes.tresholds]",
+            "there is no setting changes.tresholds; similar: thresholds",
+        ),
+        (
+            'better = "less"',
+            'better = "fewer"',
+            r"Invalid enum value 'fewer' - at `\$.columns\[1\].better`",
+        ),
+        (
+            'edition = "',
+            'edition = 3 # "',
+            r"Expected `str`, got `int` - at `\$.edition`",
+        ),
+        (
+            "pages = [",
+            'pages = ["x",',
+            r"Expected `object`, got `str` - at `\$.pages\[0\]`",
+        ),
         ("title =", "title", "Expected '=' after a key"),
-        ('formulas = ["RK4"]', 'formulas = ["RK4("]', r"'RK4\(' is no regular expression"),
-        ('names = ["duration_s"]', "", "a table of columns has neither names nor a pattern"),
+        (
+            'formulas = ["RK4"]',
+            'formulas = ["RK4("]',
+            r"'RK4\(' is no regular expression",
+        ),
+        (
+            'names = ["duration_s"]',
+            "",
+            "a table of columns has neither names nor a pattern",
+        ),
         ('name = "results"', 'name = "index"', "pages has none, or two of one name"),
         ('better = "less"', "resolution = -1.0", "Expected `float` >= 0.0"),
-        ('mj" = 0.05', 'mj" = -0.05', "changes.thresholds has pendulum.euler.energy_error_mj, which is not above 0"),
+        (
+            'mj" = 0.05',
+            'mj" = -0.05',
+            "changes.thresholds has pendulum.euler.energy_error_mj, which is not above 0",
+        ),
         ("title =", 'repository = "nowhere"\ntitle =', "Expected `str` matching regex"),
     ],
 )
@@ -49,14 +77,28 @@ def test_a_slip_is_one_line_with_what_is_near(tmp_path, old, new, said):
     ("line", "ask", "said"),
     [
         ('host = "nosuch"', host, "host = 'nosuch': No module named 'nosuch'"),
-        ('accelerator = "nosuch"', accelerator, "accelerator = 'nosuch': No module named 'nosuch'"),
+        (
+            'accelerator = "nosuch"',
+            accelerator,
+            "accelerator = 'nosuch': No module named 'nosuch'",
+        ),
         ('plugins = "nosuch"', plugins, "plugins = 'nosuch': No module named 'nosuch'"),
-        ('case = "shutil:Nope"', parameters, "case = 'shutil:Nope': there is no such dataclass"),
-        ('units = { mj = "" }', units, "units has mj, which is empty: take another end"),
+        (
+            'case = "shutil:Nope"',
+            parameters,
+            "case = 'shutil:Nope': there is no such dataclass",
+        ),
+        (
+            'units = { mj = "" }',
+            units,
+            "units has mj, which is empty: take another end",
+        ),
         ('units = { mm = "m" }', units, "units has mm, which is mm: take another end"),
     ],
 )
-def test_what_a_setting_names_and_is_not_there_is_one_line_when_it_is_asked_for(tmp_path, line, ask, said):
+def test_what_a_setting_names_and_is_not_there_is_one_line_when_it_is_asked_for(
+    tmp_path, line, ask, said
+):
     (tmp_path / "report.toml").write_text(line)
     with Report(tmp_path), pytest.raises(ReportError, match=f"^report.toml: {said}"):
         ask()
@@ -65,8 +107,16 @@ def test_what_a_setting_names_and_is_not_there_is_one_line_when_it_is_asked_for(
 def test_a_command_says_it_in_that_line_and_no_traceback(tmp_path):
     (tmp_path / "report.toml").write_text(TEXT.replace("title =", "ttle ="))
     (tmp_path / "build.py").write_text((SKELETON / "build.py").read_text())
-    done = subprocess.run([sys.executable, "build.py", "help"], cwd=tmp_path, capture_output=True, text=True)
-    assert (done.stdout, done.stderr) == ("", "report.toml: there is no setting ttle; similar: title, text_modules\n")
+    done = subprocess.run(
+        [sys.executable, "build.py", "help"],
+        cwd=tmp_path,
+        capture_output=True,
+        text=True,
+    )
+    assert (done.stdout, done.stderr) == (
+        "",
+        "report.toml: there is no setting ttle; similar: title, text_modules\n",
+    )
     assert done.returncode == 1
 
 
@@ -82,5 +132,10 @@ print(module.name)
 def test_no_module_reads_it_while_it_is_imported(tmp_path):
     """Or a process would be of one report for good."""
     (tmp_path / "report.toml").write_text("no TOML")
-    done = subprocess.run([sys.executable, "-c", EVERY_MODULE], cwd=tmp_path, capture_output=True, text=True)
+    done = subprocess.run(
+        [sys.executable, "-c", EVERY_MODULE],
+        cwd=tmp_path,
+        capture_output=True,
+        text=True,
+    )
     assert (done.stdout, done.stderr) == ("measured_report.values.shrinkage\n", "")

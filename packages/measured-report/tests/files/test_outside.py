@@ -38,23 +38,35 @@ def test_a_site_that_is_a_link_costs_nothing_where_it_leads(toy, tmp_path):
     assert check_site(tmp_path / "mine") == []
 
 
-@pytest.mark.parametrize("text", [b"\xff", b"x = " + b"[" * 5_000, b"sections = 3\n"], ids=["byte", "deep", "kind"])
+@pytest.mark.parametrize(
+    "text",
+    [b"\xff", b"x = " + b"[" * 5_000, b"sections = 3\n"],
+    ids=["byte", "deep", "kind"],
+)
 def test_finding_2_a_damaged_manifest_is_named_and_silences_no_alarm(toy, text):
     manifest = toy.record_path.with_name("edition.toml")
     write_manifest(manifest.parent, Manifest("1.4.0", "", ("toy", "lost")))
     manifest.write_bytes(manifest.read_bytes() + text)
-    assert page.run(toy.project, Namespace(release=release_of("1.4.0"), address="")) == 1
+    assert (
+        page.run(toy.project, Namespace(release=release_of("1.4.0"), address="")) == 1
+    )
     edition = derive_edition(toy.project)
-    assert [(fault.kind, fault.section) for fault in faults_of(edition)] == [("damaged", "edition.toml")]
+    assert [(fault.kind, fault.section) for fault in faults_of(edition)] == [
+        ("damaged", "edition.toml")
+    ]
     assert 'id="toy"' in toy.page
 
 
-@pytest.mark.parametrize(("count", "said"), [(12_000_000, "cells"), (33 << 20, "holds more than 64 MiB")])
+@pytest.mark.parametrize(
+    ("count", "said"), [(12_000_000, "cells"), (33 << 20, "holds more than 64 MiB")]
+)
 def test_finding_7_a_small_trace_that_unpacks_to_a_large_one_is_refused_before_it_fills_the_memory(
     toy, count, said, monkeypatch
 ):
     assert count > traces.CELL_LIMIT
-    monkeypatch.setattr(traces, "CELL_LIMIT", traces.CELL_LIMIT // 8)  # which takes a second to come to
+    monkeypatch.setattr(
+        traces, "CELL_LIMIT", traces.CELL_LIMIT // 8
+    )  # which takes a second to come to
     trace = trace_path(toy.record_path, "stiff")
     trace.write_bytes(gzip.compress(b"a\n" + b"1\n" * count, compresslevel=1))
     before_kb = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
@@ -64,19 +76,30 @@ def test_finding_7_a_small_trace_that_unpacks_to_a_large_one_is_refused_before_i
 
 
 @pytest.mark.parametrize("text", ["\u202e", "\x1b[2J", "\u2028"])
-def test_finding_8_names_reasons_and_commands_are_printed_without_what_moves_a_terminal(toy, text, capsys):
+def test_finding_8_names_reasons_and_commands_are_printed_without_what_moves_a_terminal(
+    toy, text, capsys
+):
     rows = [{**ROWS[0], "case": f"so{text}ft"}, ROWS[1]]
-    with pytest.raises(RecordError, match=r"^newton-1\.4\.0/toy\.json is no whole record: "):
+    with pytest.raises(
+        RecordError, match=r"^newton-1\.4\.0/toy\.json is no whole record: "
+    ):
         write_record(toy.record_path, toy.record(rows))
-    data = toy.record_path.read_text().replace('"command": "make"', f'"command": {json.dumps("make" + text)}')
+    data = toy.record_path.read_text().replace(
+        '"command": "make"', f'"command": {json.dumps("make" + text)}'
+    )
     toy.record_path.write_text(data)
     manifest = toy.record_path.with_name("edition.toml")
     write_manifest(manifest.parent, Manifest(f"1.4.0{text}", "", ("toy",)))
-    assert page.run(toy.project, Namespace(release=release_of("1.4.0"), address="")) == 1
-    said = capsys.readouterr().err
-    assert len(said.splitlines()) == 2 and not any(text in line for line in said.splitlines())
     assert (
-        "newton-1.4.0/toy.json is no whole record" in said and "newton-1.4.0/edition.toml is no whole manifest" in said
+        page.run(toy.project, Namespace(release=release_of("1.4.0"), address="")) == 1
+    )
+    said = capsys.readouterr().err
+    assert len(said.splitlines()) == 2 and not any(
+        text in line for line in said.splitlines()
+    )
+    assert (
+        "newton-1.4.0/toy.json is no whole record" in said
+        and "newton-1.4.0/edition.toml is no whole manifest" in said
     )
 
 
@@ -93,25 +116,41 @@ LOST = [{**row, "slip_mm": None, "slip_mm_reason": "lost"} for row in ROWS]
     ],
     ids=["null", "zero", "one row", "attribute"],
 )
-def test_finding_4_what_nobody_thought_of_leaves_one_section_out_and_the_others_stand(toy, rows, breaks, capsys):
+def test_finding_4_what_nobody_thought_of_leaves_one_section_out_and_the_others_stand(
+    toy, rows, breaks, capsys
+):
     toy.write(
-        "report/sections/toy.py", f"import math\n{MODULE}".replace("    return Sec", f"    {breaks}\n    return Sec")
+        "report/sections/toy.py",
+        f"import math\n{MODULE}".replace(
+            "    return Sec", f"    {breaks}\n    return Sec"
+        ),
     )
     toy.measure(rows)
-    assert page.run(toy.project, Namespace(release=release_of("1.4.0"), address="")) == 1
+    assert (
+        page.run(toy.project, Namespace(release=release_of("1.4.0"), address="")) == 1
+    )
     [line] = capsys.readouterr().err.splitlines()
-    assert re.match(r"not shown: newton-1.4.0/toy.json: report/sections/toy.py:23: \w+Error", line)
+    assert re.match(
+        r"not shown: newton-1.4.0/toy.json: report/sections/toy.py:23: \w+Error", line
+    )
     assert check_site(toy.project.site) == ["index.html: there is no claim on any page"]
 
 
-def test_finding_4_a_page_text_that_cannot_be_said_of_a_record_is_left_out_and_its_section_stands(toy, capsys):
+def test_finding_4_a_page_text_that_cannot_be_said_of_a_record_is_left_out_and_its_section_stands(
+    toy, capsys
+):
     toy.write(
-        "templates/front.md.j2", '# A report\n\n{% if sections %}{{ sections.toy.row["stiff"].note.code }}{% endif %}\n'
+        "templates/front.md.j2",
+        '# A report\n\n{% if sections %}{{ sections.toy.row["stiff"].note.code }}{% endif %}\n',
     )
     toy.measure([{**row, "note": "as text"} for row in ROWS])
-    assert page.run(toy.project, Namespace(release=release_of("1.4.0"), address="")) == 1
+    assert (
+        page.run(toy.project, Namespace(release=release_of("1.4.0"), address="")) == 1
+    )
     [line] = capsys.readouterr().err.splitlines()
-    assert line.startswith("not shown: templates/front.md.j2:3: 'str object' has no attribute")
+    assert line.startswith(
+        "not shown: templates/front.md.j2:3: 'str object' has no attribute"
+    )
     assert check_site(toy.project.site) == [] and 'id="toy"' in toy.page
 
 
@@ -125,19 +164,34 @@ ODD = {
 }
 
 
-@pytest.mark.parametrize("place", ["replicas/x.tgz", "x.tgz", "edition.toml", "toy.json", "toy.stiff.csv.gz"])
+@pytest.mark.parametrize(
+    "place", ["replicas/x.tgz", "x.tgz", "edition.toml", "toy.json", "toy.stiff.csv.gz"]
+)
 @pytest.mark.parametrize("odd", ODD.values(), ids=ODD)
-def test_one_odd_thing_costs_itself_alone(toy, odd, place, capsys, monkeypatch, tmp_path_factory):
-    monkeypatch.setattr(Cache, "folder", tmp_path_factory.getbasetemp() / "odd")  # what all have is drawn once
+def test_one_odd_thing_costs_itself_alone(
+    toy, odd, place, capsys, monkeypatch, tmp_path_factory
+):
+    monkeypatch.setattr(
+        Cache, "folder", tmp_path_factory.getbasetemp() / "odd"
+    )  # what all have is drawn once
     (folder := toy.project.results / FOLDER).mkdir()
-    (folder / "good.tgz").write_bytes(archive_of([toy.record([{**row, "slip_mm": 2.0} for row in ROWS])]))
+    (folder / "good.tgz").write_bytes(
+        archive_of([toy.record([{**row, "slip_mm": 2.0} for row in ROWS])])
+    )
     (toy.project.results / place).unlink(missing_ok=True)
     odd(toy.project.results / place)
-    is_damage = place == "replicas/x.tgz" or (place != "x.tgz" and odd is not ODD["a name that is no text"])
+    is_damage = place == "replicas/x.tgz" or (
+        place != "x.tgz" and odd is not ODD["a name that is no text"]
+    )
     is_damage |= place == "toy.stiff.csv.gz"
     asked = Namespace(release=release_of("1.4.0"), address="")
-    assert status.run(toy.project, asked) == page.run(toy.project, asked) == int(is_damage)
+    assert (
+        status.run(toy.project, asked) == page.run(toy.project, asked) == int(is_damage)
+    )
     assert ("damaged: " in capsys.readouterr().err) == is_damage
     assert (toy.project.site / "index.html").is_file()
     if not place.startswith("toy"):
-        assert 'id="toy"' in toy.page and len(list(toy.project.site.rglob("replicas/*.tgz"))) == 1
+        assert (
+            'id="toy"' in toy.page
+            and len(list(toy.project.site.rglob("replicas/*.tgz"))) == 1
+        )

@@ -35,7 +35,11 @@ READS = {
 
 
 def files(site: Path) -> dict[str, bytes]:
-    return {str(path.relative_to(site)): path.read_bytes() for path in sorted(site.rglob("*")) if path.is_file()}
+    return {
+        str(path.relative_to(site)): path.read_bytes()
+        for path in sorted(site.rglob("*"))
+        if path.is_file()
+    }
 
 
 def from_nothing(toy: Toy) -> dict[str, bytes]:
@@ -61,11 +65,15 @@ EXTENDED = '{% extends "layout/base.html.j2" %}{% block subject %}A toy.{% endbl
 CHANGES: dict[str, Callable[[Toy], None]] = {
     "a word of a claim": rewritten("It helps", "It aids"),
     "what it derives": rewritten("a / b", "a / b + 1"),
-    "a page": lambda toy: toy.write("templates/pages/cause.md.j2", "# Other suspects\n"),
+    "a page": lambda toy: toy.write(
+        "templates/pages/cause.md.j2", "# Other suspects\n"
+    ),
     "a block of a layout": lambda toy: toy.write("templates/base.html.j2", EXTENDED),
     "a number": lambda toy: toy.measure([ROWS[0], {**ROWS[1], "slip_mm": 0.4}]),
     "its trace": lambda toy: toy.measure(end_mm=0.7),
-    "the simulator's side": lambda toy: toy.write("experiments/scene.py", "def slip():\n    return 2.0\n"),
+    "the simulator's side": lambda toy: toy.write(
+        "experiments/scene.py", "def slip():\n    return 2.0\n"
+    ),
     "another release": lambda toy: toy.of("1.8.0").measure(),
 }
 
@@ -82,7 +90,9 @@ def test_a_change_of_anything_is_seen(built, change):
 
 def test_a_module_that_the_section_imports_counts(toy):
     (toy.project.root / "report/sections/toy.py").unlink()
-    module = "from report.sections.toy.label import LABEL\n" + MODULE.replace('label="x"', "label=LABEL")
+    module = "from report.sections.toy.label import LABEL\n" + MODULE.replace(
+        'label="x"', "label=LABEL"
+    )
     toy.write("report/sections/toy/__init__.py", module)
     toy.write("report/sections/toy/label.py", 'LABEL = "x"\n')
     toy.build()
@@ -105,9 +115,18 @@ def with_readers(toy: Toy, order: int = 2) -> Path:
         toy.write(f"experiments/{name}.py", "def measure(conditions): ...\n")
         toy.write(
             f"report/sections/{name}.py",
-            SECTION.format(name=name, reads=reads, named=("toy",) if reads else (), order=order, log=str(log)),
+            SECTION.format(
+                name=name,
+                reads=reads,
+                named=("toy",) if reads else (),
+                order=order,
+                log=str(log),
+            ),
         )
-        toy.write(f"templates/sections/{name}.md.j2", f"# Section {name}\n\n{{{{ rows[0].slip_mm }}}}\n")
+        toy.write(
+            f"templates/sections/{name}.md.j2",
+            f"# Section {name}\n\n{{{{ rows[0].slip_mm }}}}\n",
+        )
         measure(toy, name)
     return log
 
@@ -171,12 +190,21 @@ def left_out(toy: Toy) -> dict[str, str]:
 
 def test_a_section_reads_only_what_it_names_and_what_stands_before_it(toy):
     with_readers(toy, order=0)
-    assert "report/sections/reader.py reads toy, which stands after it" in left_out(toy)["reader"]
+    assert (
+        "report/sections/reader.py reads toy, which stands after it"
+        in left_out(toy)["reader"]
+    )
     with_readers(toy, order=2)
     assert left_out(toy) == {}
     reader = toy.project.root / "report/sections/reader.py"
-    toy.write("report/sections/reader.py", reader.read_text().replace("reads = ('toy',)", "reads = ()"))
-    assert "report/sections/reader.py reads toy, which its line reads = (...) does not name" in left_out(toy)["reader"]
+    toy.write(
+        "report/sections/reader.py",
+        reader.read_text().replace("reads = ('toy',)", "reads = ()"),
+    )
+    assert (
+        "report/sections/reader.py reads toy, which its line reads = (...) does not name"
+        in left_out(toy)["reader"]
+    )
 
 
 def test_a_site_that_was_altered_is_built_again(built):
@@ -190,9 +218,13 @@ def test_a_site_that_was_altered_is_built_again(built):
 
 ENTRIES = ("site", "full.1.4.0.toy")
 DAMAGE: dict[str, Callable[[Path], object]] = {
-    "half": lambda path: path.write_bytes(path.read_bytes()[: path.stat().st_size // 2]),
+    "half": lambda path: path.write_bytes(
+        path.read_bytes()[: path.stat().st_size // 2]
+    ),
     "a folder": lambda path: (path.unlink(), path.mkdir()),
-    "of another kind": lambda path: path.write_bytes(pickle.dumps("other") + pickle.dumps({"other": 1})),
+    "of another kind": lambda path: path.write_bytes(
+        pickle.dumps("other") + pickle.dumps({"other": 1})
+    ),
 }
 
 
@@ -215,12 +247,27 @@ def test_the_same_commit_gives_the_same_bytes_anywhere(toy, tmp_path):
     sites = [files(toy.project.site)]
     shutil.rmtree(toy.project.site)
     for name, environment in {
-        "a place": {"PYTHONHASHSEED": "1", "TZ": "UTC", "LC_ALL": "C", "HOME": str(tmp_path / "home")},
-        "ein Ört": {"PYTHONHASHSEED": "2", "TZ": "Asia/Kathmandu", "LC_ALL": "de_DE.UTF-8", "MPLBACKEND": "agg"},
+        "a place": {
+            "PYTHONHASHSEED": "1",
+            "TZ": "UTC",
+            "LC_ALL": "C",
+            "HOME": str(tmp_path / "home"),
+        },
+        "ein Ört": {
+            "PYTHONHASHSEED": "2",
+            "TZ": "Asia/Kathmandu",
+            "LC_ALL": "de_DE.UTF-8",
+            "MPLBACKEND": "agg",
+        },
     }.items():
         shutil.copytree(toy.project.root, tmp_path / name)
-        environment["PYTHONPATH"] = str(PACKAGE)  # where another report's modules may lie too
-        assert program("-c", REPORT, tmp_path / name, "1.4.0", **environment).returncode == 0
+        environment["PYTHONPATH"] = str(
+            PACKAGE
+        )  # where another report's modules may lie too
+        assert (
+            program("-c", REPORT, tmp_path / name, "1.4.0", **environment).returncode
+            == 0
+        )
         sites.append(files(tmp_path / name / "site"))
     assert len(sites[0]) > 10 and sites[0] == sites[1] == sites[2]
 
@@ -232,7 +279,9 @@ def test_what_others_may_write_is_no_cache(tmp_path, monkeypatch, capsys):
     assert mine.get("a", 1) == "value"
     mine.folder.chmod(0o777)
     _is_ours.cache_clear()
-    assert mine.get("a", 1) is None and "others may write there" in capsys.readouterr().err
+    assert (
+        mine.get("a", 1) is None and "others may write there" in capsys.readouterr().err
+    )
     mine.folder.chmod(0o700)
     monkeypatch.setattr("os.geteuid", lambda: mine.folder.stat().st_uid + 1)
     _is_ours.cache_clear()

@@ -10,7 +10,11 @@ from measured_report.measuring import batch
 
 
 def hold(exclusive: bool, pipe: int, end) -> None:
-    with open(pipe, "w", buffering=1) as said, redirect_stderr(said), batch.device_lock(exclusive=exclusive):
+    with (
+        open(pipe, "w", buffering=1) as said,
+        redirect_stderr(said),
+        batch.device_lock(exclusive=exclusive),
+    ):
         said.write("began\n")
         end.wait()
         said.write("ended\n")
@@ -31,6 +35,10 @@ def test_what_measures_times_has_nothing_beside_it(tmp_path, monkeypatch, first,
     assert [starts(first) for _ in range(count)] == count * ["began\n"]
     assert starts(not first).startswith("waiting for process ")
     end.set()
-    assert [lines.readline() for _ in range(count + 2)] == [*count * ["ended\n"], "began\n", "ended\n"]
+    assert [lines.readline() for _ in range(count + 2)] == [
+        *count * ["ended\n"],
+        "began\n",
+        "ended\n",
+    ]
     lines.close()
     os.close(write)

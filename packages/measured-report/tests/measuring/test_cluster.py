@@ -50,23 +50,44 @@ def tidy():
 
 
 def started(outside: Path, count: int, protocol: str = "tcp") -> subprocess.Popen:
-    command, pipe = [sys.executable, "-c", SCHEDULER, str(count), protocol], subprocess.PIPE
+    command, pipe = (
+        [sys.executable, "-c", SCHEDULER, str(count), protocol],
+        subprocess.PIPE,
+    )
     own = {**os.environ, "TMPDIR": str(outside)}  # and with it a lock of their own
-    return subprocess.Popen(command, cwd=outside, env=own, stdin=pipe, stdout=pipe, text=True)
+    return subprocess.Popen(
+        command, cwd=outside, env=own, stdin=pipe, stdout=pipe, text=True
+    )
 
 
 @pytest.fixture(scope="module")
 def certificates(tmp_path_factory) -> Iterator[None]:
     """What Dask's configuration names here and in programs: an authority of one's own, a key and its certificate."""
     folder, made = tmp_path_factory.mktemp("tls"), Security.temporary()
-    texts = {"ca-file": made.tls_ca_file, "key": made.tls_client_key, "cert": made.tls_client_cert}
+    texts = {
+        "ca-file": made.tls_ca_file,
+        "key": made.tls_client_key,
+        "cert": made.tls_client_cert,
+    }
     for name, text in texts.items():
         (folder / name).write_text(text)
-    names = ["ca-file", *(f"{side}.{name}" for side in ("scheduler", "worker", "client") for name in ("key", "cert"))]
-    settings = {f"distributed.comm.tls.{name}": str(folder / name.rpartition(".")[2]) for name in names}
+    names = [
+        "ca-file",
+        *(
+            f"{side}.{name}"
+            for side in ("scheduler", "worker", "client")
+            for name in ("key", "cert")
+        ),
+    ]
+    settings = {
+        f"distributed.comm.tls.{name}": str(folder / name.rpartition(".")[2])
+        for name in names
+    }
     with pytest.MonkeyPatch.context() as patch, dask.config.set(settings):
         for name, path in settings.items():
-            patch.setenv(f"DASK_{name.upper().replace('.', '__').replace('-', '_')}", path)
+            patch.setenv(
+                f"DASK_{name.upper().replace('.', '__').replace('-', '_')}", path
+            )
         yield
 
 
@@ -87,20 +108,31 @@ def scheduler(address) -> str:
 
 
 @pytest.mark.slow
-def test_a_killed_worker_costs_nothing_but_what_it_measured(toy, log, scheduler, capsys):
+def test_a_killed_worker_costs_nothing_but_what_it_measured(
+    toy, log, scheduler, capsys
+):
     whole = section_of(toy, batches.plan(str(log), "abcdef", 0.2, exclusive="cf"))
-    mortal = section_of(toy, batches.single(Batch("die", batches.die, (str(log), 1))), "mortal")
-    doomed = section_of(toy, batches.single(Batch("die", batches.die, (str(log), 99))), "doomed")
+    mortal = section_of(
+        toy, batches.single(Batch("die", batches.die, (str(log), 1))), "mortal"
+    )
+    doomed = section_of(
+        toy, batches.single(Batch("die", batches.die, (str(log), 99))), "doomed"
+    )
     with cluster_pools(scheduler, "cpu", None, report(), 1) as pools:
         assert not Loop([whole, mortal], *pools).run()
         assert Loop([doomed], *pools).run()
     reason = "die: its process was killed, and once more when it was alone"
-    assert f"doomed: measuring failed; what was there is kept: {reason}" in capsys.readouterr().err
+    assert (
+        f"doomed: measuring failed; what was there is kept: {reason}"
+        in capsys.readouterr().err
+    )
     assert [row["case"] for row in rows_of(toy)] == [*"abcdef", "sum"]
     times = spans(log)
     for exclusive in "cf":
         begin, end = times.pop(exclusive)
-        assert all(other[1] <= begin or end <= other[0] for other in times.values()), "it was alone"
+        assert all(other[1] <= begin or end <= other[0] for other in times.values()), (
+            "it was alone"
+        )
 
 
 @pytest.mark.parametrize(
@@ -111,12 +143,19 @@ def test_a_killed_worker_costs_nothing_but_what_it_measured(toy, log, scheduler,
         ("cuda", "nvidia-h200", "DEVICE=cuda"),
     ],
 )
-def test_an_unfit_worker_is_refused_in_one_line(scheduler, monkeypatch, device, processor, reason):
+def test_an_unfit_worker_is_refused_in_one_line(
+    scheduler, monkeypatch, device, processor, reason
+):
     if not processor:
         monkeypatch.setattr(cluster, "digest_here", lambda report: "0" * 64)
-    with pytest.raises(ReportError, match=reason) as error, cluster_pools(scheduler, device, processor, report(), 1):
+    with (
+        pytest.raises(ReportError, match=reason) as error,
+        cluster_pools(scheduler, device, processor, report(), 1),
+    ):
         pass
-    assert str(error.value).startswith(os.uname().nodename) and "\n" not in str(error.value)
+    assert str(error.value).startswith(os.uname().nodename) and "\n" not in str(
+        error.value
+    )
 
 
 def test_a_worker_that_came_later_with_other_code_or_returns_garbage_costs_its_section_alone(
@@ -126,19 +165,41 @@ def test_a_worker_that_came_later_with_other_code_or_returns_garbage_costs_its_s
     monkeypatch.setattr(section, "measure_batch", batches.garbage)
     names = [*map(str, range(len(batches.GARBAGE)))]
     with cluster_pools(scheduler, "cpu", None, report(), 1) as pools:
-        assert Loop([section_of(toy, batches.single(Batch(name, id)), f"s{name}") for name in names], *pools).run()
+        assert Loop(
+            [
+                section_of(toy, batches.single(Batch(name, id)), f"s{name}")
+                for name in names
+            ],
+            *pools,
+        ).run()
         pools[0]._digest = "0" * 64
-        assert Loop([section_of(toy, batches.single(Batch("0", id)), "later")], *pools).run()
+        assert Loop(
+            [section_of(toy, batches.single(Batch("0", id)), "later")], *pools
+        ).run()
     lines = capsys.readouterr().err.splitlines()
-    assert sorted(line.partition(":")[0] for line in lines) == ["later", *(f"s{name}" for name in names)], lines
+    assert sorted(line.partition(":")[0] for line in lines) == [
+        "later",
+        *(f"s{name}" for name in names),
+    ], lines
     assert all("measuring failed; what was there is kept: " in line for line in lines)
-    assert "other code" in lines[-1] and [path.name for path in toy.record_path.parent.glob("*.json")] == ["toy.json"]
+    assert "other code" in lines[-1] and [
+        path.name for path in toy.record_path.parent.glob("*.json")
+    ] == ["toy.json"]
 
 
 def test_a_cluster_for_which_nobody_has_a_certificate_is_refused_in_one_line():
-    none = {f"distributed.comm.tls.{name}": None for name in ("ca-file", "client.key", "client.cert")}
-    refused = pytest.raises(ReportError, match=r"^CLUSTER=tls://127\.0\.0\.1:1: no workers [^\n]+TLS[^\n]+$")
-    with dask.config.set(none), refused, connected("tls://127.0.0.1:1", "cpu", report()):
+    none = {
+        f"distributed.comm.tls.{name}": None
+        for name in ("ca-file", "client.key", "client.cert")
+    }
+    refused = pytest.raises(
+        ReportError, match=r"^CLUSTER=tls://127\.0\.0\.1:1: no workers [^\n]+TLS[^\n]+$"
+    )
+    with (
+        dask.config.set(none),
+        refused,
+        connected("tls://127.0.0.1:1", "cpu", report()),
+    ):
         pass
 
 
@@ -147,17 +208,25 @@ def test_a_scheduler_that_ends_is_noticed(outside, toy, capfd):
     settings = dask.config.set({"distributed.comm.timeouts.connect": "1s"})
     with settings, started(outside, 1) as process:
         address = process.stdout.readline().strip()
-        lacks = pytest.raises(ReportError, match="no worker was started with --resources exclusive=1")
+        lacks = pytest.raises(
+            ReportError, match="no worker was started with --resources exclusive=1"
+        )
         with lacks, cluster_pools(address, "cpu", None, report(), 1):
             pass
-        gone = pytest.raises(ReportError, match="the scheduler is gone; what is finished is kept")
+        gone = pytest.raises(
+            ReportError, match="the scheduler is gone; what is finished is kept"
+        )
         with gone, connected(address, "cpu", report()) as client:
             pools = [
-                cluster.ClusterPool(client, resource, digest_here(report())) for resource in ("shared", "exclusive")
+                cluster.ClusterPool(client, resource, digest_here(report()))
+                for resource in ("shared", "exclusive")
             ]
             batch = Batch("end", os.kill, (process.pid, signal.SIGKILL))
             Loop([section_of(toy, batches.single(batch))], *pools).run()
-        unreachable = pytest.raises(ReportError, match=f"CLUSTER={address}: no workers could be started or reached")
+        unreachable = pytest.raises(
+            ReportError,
+            match=f"CLUSTER={address}: no workers could be started or reached",
+        )
         with unreachable, connected(address, "cpu", report()):
             pass
         process.wait()
@@ -167,6 +236,10 @@ def test_a_scheduler_that_ends_is_noticed(outside, toy, capfd):
 def test_finding_6_only_who_has_the_key_of_the_run_is_let_in():
     with connected("local", "cpu", report()) as client:
         client.wait_for_workers(2, timeout=30.0)
-        assert client.submit(os.getpid, resources={"exclusive": 1}).result() != os.getpid()
+        assert (
+            client.submit(os.getpid, resources={"exclusive": 1}).result() != os.getpid()
+        )
         addresses = [client.scheduler.address, *client.nthreads()]
-        assert all(address.startswith("tls://127.0.0.1:") for address in addresses), "Dask asks for the run's own key"
+        assert all(address.startswith("tls://127.0.0.1:") for address in addresses), (
+            "Dask asks for the run's own key"
+        )

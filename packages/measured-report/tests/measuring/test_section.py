@@ -36,13 +36,22 @@ def test_a_record_is_put_together_from_its_batches(toy, log):
     assert not fails(section_of(toy, batches.plan(str(log), "abc", exclusive="b")))
     assert begun(log) == ["a", "c", "b"], "what measures times is measured last"
     record = load_record(toy.record_path)
-    assert [(row["case"], row["slip_mm"]) for row in record.rows] == [("a", 1.0), ("b", 1.0), ("c", 1.0), ("sum", 6.0)]
+    assert [(row["case"], row["slip_mm"]) for row in record.rows] == [
+        ("a", 1.0),
+        ("b", 1.0),
+        ("c", 1.0),
+        ("sum", 6.0),
+    ]
     assert record.machine["host"]
 
 
 def test_batches_are_measured_side_by_side_but_for_those_about_time(toy, log):
-    pair = [Batch(name, batches.meet, (str(log), name, ["a", "b"])) for name in "ab"]  # neither ends without the other
-    alone = [Batch(name, batches.work, (str(log), name), exclusive=True) for name in "de"]
+    pair = [
+        Batch(name, batches.meet, (str(log), name, ["a", "b"])) for name in "ab"
+    ]  # neither ends without the other
+    alone = [
+        Batch(name, batches.work, (str(log), name), exclusive=True) for name in "de"
+    ]
     assert not fails(section_of(toy, batches.all_of([*alone, *pair])), count=2)
     assert [line.split()[:2] for line in log.read_text().splitlines()][-4:] == [
         *(["begin", "d"], ["end", "d"], ["begin", "e"], ["end", "e"])
@@ -51,13 +60,21 @@ def test_batches_are_measured_side_by_side_but_for_those_about_time(toy, log):
 
 
 def test_a_batch_that_fails_names_itself_and_costs_no_other_section(toy, log, capsys):
-    failing = section_of(toy, batches.single(Batch("bad", batches.fail, (str(log),))), "bad-one")
-    ending = section_of(toy, batches.single(Batch("end", sys.exit, ("ended",))), "ending-one")
-    odd = section_of(toy, batches.single(Batch("odd", os.listdir, (lambda: None,))), "odd-one")
+    failing = section_of(
+        toy, batches.single(Batch("bad", batches.fail, (str(log),))), "bad-one"
+    )
+    ending = section_of(
+        toy, batches.single(Batch("end", sys.exit, ("ended",))), "ending-one"
+    )
+    odd = section_of(
+        toy, batches.single(Batch("odd", os.listdir, (lambda: None,))), "odd-one"
+    )
     assert fails(failing, ending, odd, section_of(toy, batches.plan(str(log), "a")))
     lines = capsys.readouterr().err
     start = "measuring failed; what was there is kept:"
-    assert re.search(rf"bad-one: {start} bad: batches.py:\d+: ValueError: as a test\n", lines)
+    assert re.search(
+        rf"bad-one: {start} bad: batches.py:\d+: ValueError: as a test\n", lines
+    )
     assert re.search(rf"odd-one: {start} odd: .", lines)
     assert re.search(rf"ending-one: {start} end: .*SystemExit: ended\n", lines)
     assert len(rows_of(toy)) == 2
@@ -74,9 +91,15 @@ class Clock(datetime):
 TOLD: list[str] = []
 
 
-def test_a_clock_that_is_put_back_turns_no_times_around_and_one_that_does_not_go_is_said(monkeypatch):
+def test_a_clock_that_is_put_back_turns_no_times_around_and_one_that_does_not_go_is_said(
+    monkeypatch,
+):
     monkeypatch.setattr(batch, "datetime", Clock)
-    TOLD[:] = "2026-01-02T00:00:00+00:00", "2026-01-01T00:00:00+00:00", "1970-01-01T00:00:00+00:00"
+    TOLD[:] = (
+        "2026-01-02T00:00:00+00:00",
+        "2026-01-01T00:00:00+00:00",
+        "1970-01-01T00:00:00+00:00",
+    )
     result = measure_batch(Batch("a", int), "cpu")
     assert result.started <= result.ended
     TOLD[:] = TOLD[-1:]
@@ -85,20 +108,42 @@ def test_a_clock_that_is_put_back_turns_no_times_around_and_one_that_does_not_go
 
 
 def test_a_killed_process_costs_nothing_but_what_it_measured(toy, log, capsys):
-    mortal = section_of(toy, batches.single(Batch("die", batches.die, (str(log), 1))), "mortal")
-    doomed = section_of(toy, batches.single(Batch("die", batches.die_after, (str(log),))), "doomed")
-    assert fails(mortal, doomed, section_of(toy, batches.plan(str(log), "efgh", 0.1)), count=2)
-    lines, reason = capsys.readouterr().err, "die: its process was killed, and once more when it was alone"
+    mortal = section_of(
+        toy, batches.single(Batch("die", batches.die, (str(log), 1))), "mortal"
+    )
+    doomed = section_of(
+        toy, batches.single(Batch("die", batches.die_after, (str(log),))), "doomed"
+    )
+    assert fails(
+        mortal, doomed, section_of(toy, batches.plan(str(log), "efgh", 0.1)), count=2
+    )
+    lines, reason = (
+        capsys.readouterr().err,
+        "die: its process was killed, and once more when it was alone",
+    )
     assert "mortal/die: its process was killed; it is tried again alone" in lines
     assert f"doomed: measuring failed; what was there is kept: {reason}" in lines
     assert [row["case"] for row in rows_of(toy)] == [*"efgh", "sum"]
-    assert begun(log).count("die") == 2 and toy.project.record_path("mortal").is_file() and not running(log)
+    assert (
+        begun(log).count("die") == 2
+        and toy.project.record_path("mortal").is_file()
+        and not running(log)
+    )
 
 
 def test_numbers_of_numpy_are_kept_as_numbers(toy):
-    row = {"case": "a", "slip_mm": np.float32(1.5), "hold_count": np.int64(3), "holds": np.bool_(True)}
-    assert not fails(section_of(toy, handed(batches.Rows([row], {"a": {"time_s": np.arange(2.0)}}))))
-    assert rows_of(toy) == [{"case": "a", "slip_mm": 1.5, "hold_count": 3, "holds": True}]
+    row = {
+        "case": "a",
+        "slip_mm": np.float32(1.5),
+        "hold_count": np.int64(3),
+        "holds": np.bool_(True),
+    }
+    assert not fails(
+        section_of(toy, handed(batches.Rows([row], {"a": {"time_s": np.arange(2.0)}})))
+    )
+    assert rows_of(toy) == [
+        {"case": "a", "slip_mm": 1.5, "hold_count": 3, "holds": True}
+    ]
 
 
 @pytest.mark.parametrize(
@@ -106,9 +151,18 @@ def test_numbers_of_numpy_are_kept_as_numbers(toy):
     [
         (None, "'NoneType' object has no attribute 'rows'"),
         (batches.Rows([1]), "'int' object has no attribute 'items'"),
-        (batches.Rows([{"case": "a", "slip_mm": [1.0]}]), r"slip_mm has \[1.0\], which is no number, text, yes or no"),
-        (batches.Rows([{"case": "a"}], {"a": {"time_s": [[1.0]]}}), r"time_s has \[1.0\], which is no number.*"),
-        (batches.Rows([{"case": "a"}], {"a": {"time_s": [1.0], "slip_mm": []}}), "its columns are not of one length"),
+        (
+            batches.Rows([{"case": "a", "slip_mm": [1.0]}]),
+            r"slip_mm has \[1.0\], which is no number, text, yes or no",
+        ),
+        (
+            batches.Rows([{"case": "a"}], {"a": {"time_s": [[1.0]]}}),
+            r"time_s has \[1.0\], which is no number.*",
+        ),
+        (
+            batches.Rows([{"case": "a"}], {"a": {"time_s": [1.0], "slip_mm": []}}),
+            "its columns are not of one length",
+        ),
         (batches.Rows([{"case": "a"}], {1: {1: [1.0]}}), "'1' is no column name"),
     ],
 )
@@ -116,13 +170,16 @@ def test_what_is_no_measurement_is_refused_in_one_line(toy, capsys, returned, re
     before = rows_of(toy)
     assert fails(section_of(toy, handed(returned)))
     lines = capsys.readouterr().err
-    assert re.fullmatch(f"toy: measuring failed; what was there is kept: .*{reason}\n", lines)
+    assert re.fullmatch(
+        f"toy: measuring failed; what was there is kept: .*{reason}\n", lines
+    )
     assert rows_of(toy) == before
 
 
 def test_rows_that_are_yielded_are_no_batches(toy, capsys):
     assert (
-        fails(section_of(toy, (rows for rows in [[{"case": "a"}]]))) and "it yields no Batch" in capsys.readouterr().err
+        fails(section_of(toy, (rows for rows in [[{"case": "a"}]])))
+        and "it yields no Batch" in capsys.readouterr().err
     )
 
 
@@ -154,11 +211,20 @@ with host_pools(2, {}) as pools:
 
 
 @pytest.mark.parametrize("sent", [signal.SIGINT, signal.SIGKILL])
-def test_measuring_that_is_stopped_keeps_its_records_and_leaves_nothing_running(toy, log, outside, sent):
+def test_measuring_that_is_stopped_keeps_its_records_and_leaves_nothing_running(
+    toy, log, outside, sent
+):
     toy.record_path.unlink()
     command = [sys.executable, "-c", DRIVER, str(toy.project.root), str(log)]
     env = {**os.environ, "TMPDIR": str(outside)}  # and with it a lock of its own
-    driver = subprocess.Popen(command, cwd=outside, env=env, stderr=subprocess.PIPE, text=True, start_new_session=True)
+    driver = subprocess.Popen(
+        command,
+        cwd=outside,
+        env=env,
+        stderr=subprocess.PIPE,
+        text=True,
+        start_new_session=True,
+    )
     while "begin slow" not in log.read_text() or not toy.record_path.exists():
         assert driver.poll() is None, driver.stderr.read()
         time.sleep(0.02)
@@ -172,8 +238,13 @@ def test_measuring_that_is_stopped_keeps_its_records_and_leaves_nothing_running(
 
 def test_a_section_that_cannot_be_imported_is_one_line(tmp_path, monkeypatch):
     (tmp_path / "broken.py").write_text("\nimport nothing\n")
-    monkeypatch.setattr(importlib.import_module("experiments"), "__path__", [str(tmp_path)])
-    with pytest.raises(ReportError, match=r"^broken.py:2: ModuleNotFoundError: No module named 'nothing'$"):
+    monkeypatch.setattr(
+        importlib.import_module("experiments"), "__path__", [str(tmp_path)]
+    )
+    with pytest.raises(
+        ReportError,
+        match=r"^broken.py:2: ModuleNotFoundError: No module named 'nothing'$",
+    ):
         section_module("broken")
 
 
@@ -199,16 +270,33 @@ NEWER = """path = Path("results/newton-1.4.0/toy.json").resolve()
     ("event", "reason", "case"),
     [
         (EDIT, "the code of toy changed meanwhile: nothing was written", "soft"),
-        (f"from experiments.scene import slip; {IMPORT}", "the code of toy changed meanwhile", "soft"),
-        (NEWER, "newton-1.4.0/toy.json was written by another command meanwhile", "newer"),
+        (
+            f"from experiments.scene import slip; {IMPORT}",
+            "the code of toy changed meanwhile",
+            "soft",
+        ),
+        (
+            NEWER,
+            "newton-1.4.0/toy.json was written by another command meanwhile",
+            "newer",
+        ),
     ],
     ids=["its module", "a module that it imports", "a newer record"],
 )
-def test_what_changes_while_a_section_runs_is_seen_and_nothing_is_written(toy, event, reason, case):
+def test_what_changes_while_a_section_runs_is_seen_and_nothing_is_written(
+    toy, event, reason, case
+):
     toy.write("experiments/toy.py", MEANWHILE.format(event))
     done = program("-m", MODULE, "toy", "--device", "cpu", cwd=toy.project.root)
-    assert done.returncode == 1 and reason in done.stderr and len(done.stderr.splitlines()) == 1
+    assert (
+        done.returncode == 1
+        and reason in done.stderr
+        and len(done.stderr.splitlines()) == 1
+    )
     assert rows_of(toy)[0]["case"] == case
     toy.write("experiments/toy.py", MEANWHILE.format("pass"))
-    assert program("-m", MODULE, "toy", "--device", "cpu", cwd=toy.project.root).returncode == 0
+    assert (
+        program("-m", MODULE, "toy", "--device", "cpu", cwd=toy.project.root).returncode
+        == 0
+    )
     assert rows_of(toy)[0]["case"] == "a"

@@ -9,14 +9,18 @@ from measured_report.site.check import check_site
 pytestmark = pytest.mark.words
 FALLEN = (("soft", 0.5), ("stiff", 0.3124))
 PLAIN = '{% passage needs="toy.helps" %}\nStiff ones gain {{ toy.helps.gain }}.\n{% endpassage %}'
-OTHERWISE = PLAIN.replace("{% endpassage", "{% otherwise %}\nIt is *another* story.\n{% endpassage")
+OTHERWISE = PLAIN.replace(
+    "{% endpassage", "{% otherwise %}\nIt is *another* story.\n{% endpassage"
+)
 OTHER_DATA = "was written for other data"
 
 
 def built(toy, passage: str, *, falls: bool = False, before: str = "# A report") -> str:
     """The front page with a passage on it."""
     if falls:
-        toy.measure([{"case": case, "slip_mm": slip, "dropped": False} for case, slip in FALLEN])
+        toy.measure(
+            [{"case": case, "slip_mm": slip, "dropped": False} for case, slip in FALLEN]
+        )
     toy.write("templates/front.md.j2", f"{before}\n\n{passage}\n\nThe end.\n")
     toy.build()
     assert check_site(toy.project.site) == []
@@ -25,7 +29,10 @@ def built(toy, passage: str, *, falls: bool = False, before: str = "# A report")
 
 def test_a_passage_stands_while_its_claims_hold(toy):
     page = built(toy, OTHERWISE)
-    assert '<div class="passage" data-needs="toy.helps holds" data-outcome="holds">\n<p>Stiff ones gain <data' in page
+    assert (
+        '<div class="passage" data-needs="toy.helps holds" data-outcome="holds">\n<p>Stiff ones gain <data'
+        in page
+    )
     assert "</data>.</p>\n</div>\n<p>The end.</p>" in page
     assert "another" not in page and OTHER_DATA not in page
 
@@ -44,8 +51,13 @@ def test_without_other_words_the_claims_speak_for_themselves(toy):
 
 
 def test_a_passage_falls_with_a_number_that_is_not_there(toy):
-    module = MODULE.replace('{"gain": gain}', '{"gain": gain, "lost": absent("mm", "it fell")}')
-    toy.write("report/sections/toy.py", "from measured_report.values.quantities import absent\n" + module)
+    module = MODULE.replace(
+        '{"gain": gain}', '{"gain": gain, "lost": absent("mm", "it fell")}'
+    )
+    toy.write(
+        "report/sections/toy.py",
+        "from measured_report.values.quantities import absent\n" + module,
+    )
     page = built(toy, OTHERWISE.replace("helps.gain", "helps.lost"))
     assert "another" in page and "it fell" not in page
 
@@ -54,12 +66,24 @@ def test_a_passage_falls_with_a_number_that_is_not_there(toy):
     ("old", "new", "message"),
     [
         ("needs=", "need=", r"front.md.j2:3"),
-        ('"toy.helps"', '"toy helps"', r"front.md.j2:3: needs: expects \"section.claim\", got 'toy helps'"),
+        (
+            '"toy.helps"',
+            '"toy helps"',
+            r"front.md.j2:3: needs: expects \"section.claim\", got 'toy helps'",
+        ),
         ('"toy.helps"', '"toy.hepls"', "toy has no claim 'hepls'; it has: helps"),
         (PLAIN, PLAIN.replace("toy", "top"), "there is no report/sections/top.py"),
         ("toy.helps.gain", "toy.helps.bound", "has no attribute 'bound'"),
-        ("toy.helps.gain", 'sections["toy"].row["stiff"].slip_mm', "names sections, which is no section that it needs"),
-        ("toy.helps.gain", "gap.helps.gain", "names gap, which is no section that it needs"),
+        (
+            "toy.helps.gain",
+            'sections["toy"].row["stiff"].slip_mm',
+            "names sections, which is no section that it needs",
+        ),
+        (
+            "toy.helps.gain",
+            "gap.helps.gain",
+            "names gap, which is no section that it needs",
+        ),
         ("toy.helps.gain", "5 mm", "5 mm is typed"),
     ],
 )

@@ -26,7 +26,9 @@ from measured_report.values.results import Results, ResultsError
 
 
 def quantity(value, reason="", noise=0.01) -> Quantity:
-    return Quantity(value, "mm", "newton-1.4.0/toy.json#/rows/0/slip_mm", reason, noise=noise)
+    return Quantity(
+        value, "mm", "newton-1.4.0/toy.json#/rows/0/slip_mm", reason, noise=noise
+    )
 
 
 def test_a_quantity_says_its_source_or_why_it_is_missing():
@@ -35,7 +37,9 @@ def test_a_quantity_says_its_source_or_why_it_is_missing():
     )
     assert str(quantity(-2.0)) == "−2.00 mm"
     html = quantity(None, 'it "fell" & broke').__html__()
-    assert 'title="it &#34;fell&#34; &amp; broke"' in html and html.endswith(">n/a</data>")
+    assert 'title="it &#34;fell&#34; &amp; broke"' in html and html.endswith(
+        ">n/a</data>"
+    )
     for value, text in ((1000.0, "1000"), (1, "1"), (1e-10, "1e-10"), (0.02, "0.02")):
         assert quantity(value).code.striptags() == text, "as one types it"
 
@@ -43,14 +47,19 @@ def test_a_quantity_says_its_source_or_why_it_is_missing():
 NOISE = quantity(0.1)
 
 
-IN_MS, IN_S, COUNT = (Quantity(value, unit, "", noise=0.0) for value, unit in ((1500.0, "ms"), (2.0, "s"), (3, "1")))
+IN_MS, IN_S, COUNT = (
+    Quantity(value, unit, "", noise=0.0)
+    for value, unit in ((1500.0, "ms"), (2.0, "s"), (3, "1"))
+)
 
 
 @pytest.mark.parametrize("other", [IN_S, COUNT])
 @pytest.mark.parametrize("test", [greater, at_least, at_most, within, claims.beyond])
 def test_numbers_of_several_units_are_refused_and_never_compared(test, other):
     for pair in ((IN_MS, other), (other, IN_MS)):
-        with pytest.raises(ReportError, match=r"a test compares .*: derive them in one unit"):
+        with pytest.raises(
+            ReportError, match=r"a test compares .*: derive them in one unit"
+        ):
             test(*pair)
     for test in (claims.decreases, claims.equal_within):
         with pytest.raises(ReportError, match=r"1.*500 ms with"):
@@ -58,7 +67,10 @@ def test_numbers_of_several_units_are_refused_and_never_compared(test, other):
     assert claims.decided(True, IN_MS, other) == HOLDS
     table = Table(pd.DataFrame({"time": [IN_MS, other]}))
     if other == IN_S:
-        with pytest.raises(ReportError, match="the column time of a table has ms and s: give it one unit"):
+        with pytest.raises(
+            ReportError,
+            match="the column time of a table has ms and s: give it one unit",
+        ):
             table.rendered()
     else:  # what stands beside each other need not be compared
         assert "ms" in table.rendered().frame
@@ -67,12 +79,20 @@ def test_numbers_of_several_units_are_refused_and_never_compared(test, other):
 def test_a_bound_that_is_a_plain_number_is_kept_with_its_unit_and_why():
     found = at_most(quantity(0.4), 0.5, why="hardly any")
     assert found == HOLDS and found.bounds == ("0.5 mm (hardly any)",)
-    assert 'data-outcome="holds" title="Chosen: 0.5 mm (hardly any)">' in make_claim(found).html("toy")
-    assert all_of(found, greater(quantity(2.0), 1.0, noise=NOISE, why="much")).bounds == (*found.bounds, "1 mm (much)")
-    assert "the noise of 0.1 mm, but" in within(quantity(0.15), 0.1, why="the same").reason
+    assert 'data-outcome="holds" title="Chosen: 0.5 mm (hardly any)">' in make_claim(
+        found
+    ).html("toy")
+    assert all_of(
+        found, greater(quantity(2.0), 1.0, noise=NOISE, why="much")
+    ).bounds == (*found.bounds, "1 mm (much)")
+    assert (
+        "the noise of 0.1 mm, but" in within(quantity(0.15), 0.1, why="the same").reason
+    )
     assert greater(quantity(3.0), quantity(1.0), noise=NOISE).bounds == ()
     for bound, why in ((0.5, " "), ("0.5 mm", "hardly any")):
-        with pytest.raises(ReportError, match=r"0\.5.* was not measured: a chosen number takes why"):
+        with pytest.raises(
+            ReportError, match=r"0\.5.* was not measured: a chosen number takes why"
+        ):
             at_least(quantity(0.4), bound, why=why)
     with pytest.raises(ReportError, match="'far' is no number to compute with"):
         _ = quantity(0.4) - "far"
@@ -80,26 +100,47 @@ def test_a_bound_that_is_a_plain_number_is_kept_with_its_unit_and_why():
 
 def test_an_outcome_without_numbers_is_unknown_and_says_why():
     gone = quantity(None, "non-finite in frame 12")
-    for outcome in (at_least(gone, NOISE), at_most(NOISE, gone), greater(NOISE, quantity(1.0), noise=gone)):
+    for outcome in (
+        at_least(gone, NOISE),
+        at_most(NOISE, gone),
+        greater(NOISE, quantity(1.0), noise=gone),
+    ):
         assert outcome == Outcome("unknown", "non-finite in frame 12")
     with pytest.raises(ReportError, match="with itself"):
         greater(NOISE, NOISE)
 
 
 def make_claim(outcome) -> Claim:
-    words = {"holds": "It is {}.", "fails": "It is not {}.", "asks": "whether it is", "because": "Since it is soft."}
-    wording = Wording("a place", words, frozenset({"slip"}), lambda text, numbers: Markup(text).format(numbers["slip"]))
+    words = {
+        "holds": "It is {}.",
+        "fails": "It is not {}.",
+        "asks": "whether it is",
+        "because": "Since it is soft.",
+    }
+    wording = Wording(
+        "a place",
+        words,
+        frozenset({"slip"}),
+        lambda text, numbers: Markup(text).format(numbers["slip"]),
+    )
     return Claim("slips", outcome, {"slip": quantity(6.3617)}, wording)
 
 
 def test_each_outcome_has_its_wording_and_an_explanation_only_where_it_holds():
     assert make_claim(HOLDS).text == "It is 6.36 mm."
     assert make_claim(FAILS).text == "It is not 6.36 mm."
-    assert make_claim(Outcome("unknown", "a < b")).text == "Whether it is cannot be told (a < b)."
+    assert (
+        make_claim(Outcome("unknown", "a < b")).text
+        == "Whether it is cannot be told (a < b)."
+    )
     html = make_claim(HOLDS).html("toy")
-    assert html.startswith('<span class="claim" data-claim="toy.slips" data-outcome="holds">It is <data ')
+    assert html.startswith(
+        '<span class="claim" data-claim="toy.slips" data-outcome="holds">It is <data '
+    )
     assert html.endswith("Since it is soft.")
-    assert "Since it is soft." not in make_claim(FAILS).html("toy") + make_claim(Outcome("unknown")).html("toy")
+    assert "Since it is soft." not in make_claim(FAILS).html("toy") + make_claim(
+        Outcome("unknown")
+    ).html("toy")
 
 
 @pytest.fixture
@@ -116,24 +157,41 @@ def test_a_value_says_how_it_is_derived_or_why_it_is_chosen(results):
         "unit": "1",
         "noise": None,
         "formula": "soft over stiff",
-        "sources": ["newton-1.4.0/toy.json#/rows/0/slip_mm", "newton-1.4.0/toy.json#/rows/1/slip_mm"],
+        "sources": [
+            "newton-1.4.0/toy.json#/rows/0/slip_mm",
+            "newton-1.4.0/toy.json#/rows/1/slip_mm",
+        ],
     }
     bound = results.chosen("bound", "far from it", 0, unit="mm")
-    assert bound.entry == {"value": 0, "unit": "mm", "noise": 0.0, "formula": "chosen: far from it", "sources": []}
+    assert bound.entry == {
+        "value": 0,
+        "unit": "mm",
+        "noise": 0.0,
+        "formula": "chosen: far from it",
+        "sources": [],
+    }
 
 
 def test_a_row_is_dropped_for_nothing_that_others_have(toy):
-    repeats = [{"case": f"repeat-{n}", "of": "soft", "slip_mm": 1.0 + n, "note": "again"} for n in range(8)]
+    repeats = [
+        {"case": f"repeat-{n}", "of": "soft", "slip_mm": 1.0 + n, "note": "again"}
+        for n in range(8)
+    ]
     rows = [{"case": "soft", "slip_mm": 1.0}, *repeats]
     assert Results(toy.record(rows), toy.record_path).row["soft"].slip_mm.value == 1.0
     rows += [{"case": "soft", "slip_mm": 2.0}]
-    assert Results(toy.record(rows), toy.record_path).row["soft"].slip_mm.reason == "there are 2 rows of case soft"
+    assert (
+        Results(toy.record(rows), toy.record_path).row["soft"].slip_mm.reason
+        == "there are 2 rows of case soft"
+    )
 
 
 def test_what_has_no_value_says_why(results):
     gone = results.value("half", "half of it", quantity(None, "it fell") / 2)
     assert (gone.value, gone.reason) == (None, "it fell")
-    for number, function in enumerate((lambda: 1 / 0, lambda: math.nan, lambda: math.inf)):
+    for number, function in enumerate(
+        (lambda: 1 / 0, lambda: math.nan, lambda: math.inf)
+    ):
         value = results.value(f"nonsense{number}", "nonsense", function)
         assert value.value is None and value.reason
     firm, trace = results.row["firm"], results.trace("soft")
@@ -142,11 +200,16 @@ def test_what_has_no_value_says_why(results):
     assert trace.value is None and "toy.soft.csv.gz" in trace.reason
     with pytest.raises(ResultsError, match="derived twice"):
         results.value("half", "two", lambda: 2.0)
-    with pytest.raises(AssertionError, match="the value least has no words for how it is computed, or why"):
+    with pytest.raises(
+        AssertionError,
+        match="the value least has no words for how it is computed, or why",
+    ):
         results.chosen("least", "", 2.0)
     with pytest.raises(ReportError, match="'2' is no number to compute with"):
         results.chosen("least", "two", "2")
-    with pytest.raises(ResultsError, match="toy: there is no single row of case nobody"):
+    with pytest.raises(
+        ResultsError, match="toy: there is no single row of case nobody"
+    ):
         _ = results.row["nobody"].has_old  # as false as a no, if it were a text
     with pytest.raises(ResultsError, match="toy: soft has no column drift_mm_s"):
         _ = results.row["soft"].drift_mm_s

@@ -14,27 +14,84 @@ ASKS = "{% asks %} whether it helps\n"
 @pytest.mark.parametrize(
     ("old", "new", "message"),
     [
-        ("claim helps", "claim hepls", r"sections/toy.md.j2:4: there is no claim hepls; there are: helps"),
+        (
+            "claim helps",
+            "claim hepls",
+            r"sections/toy.md.j2:4: there is no claim hepls; there are: helps",
+        ),
         (ASKS, "", r"sections/toy.md.j2:3: claim helps has no {% asks %}"),
-        ("{% alt %} It moves {{ slip }}.", "", r"sections/toy.md.j2:11: figure way has no {% alt %}"),
-        ("{% holds %}", "Well: {% holds %}", r"sections/toy.md.j2:3: .*belongs behind one of its tags"),
-        ("{{ gain }}", "{{ gian }}", r"sections/toy.md.j2:4: claim helps names gian, .* it is given: gain"),
-        ("It helps {{ gain }}", "It helps {{ 3 }}", r"prints 3, which says nothing of where it comes from"),
-        ("{% table cases %} All cases {% endtable %}", "", r"sections/toy.md.j2 says nothing of the table cases"),
-        ("helps {{ gain }}", "helps at most {{ gain }}", r"sections/toy.md.j2:4: at most {{ gain }} takes .most$"),
-        ("helps {{ gain }}", "helps at\nleast {{ gain.most }}", r"j2:4: at least {{ gain.most }} takes .least$"),
-        ("helps {{ gain }}", "helps more than {{ gain }}", r"more than {{ gain }} takes .most or .least$"),
-        ("It helps", "It *helps*", r"sections/toy.md.j2:3: claim helps has Markdown, and its words are HTML"),
-        ("\n{% table", "\n$$x\n{% table", r"sections/toy.md.j2:\d+: \$\$ begins a formula that no \$\$ ends"),
+        (
+            "{% alt %} It moves {{ slip }}.",
+            "",
+            r"sections/toy.md.j2:11: figure way has no {% alt %}",
+        ),
+        (
+            "{% holds %}",
+            "Well: {% holds %}",
+            r"sections/toy.md.j2:3: .*belongs behind one of its tags",
+        ),
+        (
+            "{{ gain }}",
+            "{{ gian }}",
+            r"sections/toy.md.j2:4: claim helps names gian, .* it is given: gain",
+        ),
+        (
+            "It helps {{ gain }}",
+            "It helps {{ 3 }}",
+            r"prints 3, which says nothing of where it comes from",
+        ),
+        (
+            "{% table cases %} All cases {% endtable %}",
+            "",
+            r"sections/toy.md.j2 says nothing of the table cases",
+        ),
+        (
+            "helps {{ gain }}",
+            "helps at most {{ gain }}",
+            r"sections/toy.md.j2:4: at most {{ gain }} takes .most$",
+        ),
+        (
+            "helps {{ gain }}",
+            "helps at\nleast {{ gain.most }}",
+            r"j2:4: at least {{ gain.most }} takes .least$",
+        ),
+        (
+            "helps {{ gain }}",
+            "helps more than {{ gain }}",
+            r"more than {{ gain }} takes .most or .least$",
+        ),
+        (
+            "It helps",
+            "It *helps*",
+            r"sections/toy.md.j2:3: claim helps has Markdown, and its words are HTML",
+        ),
+        (
+            "\n{% table",
+            "\n$$x\n{% table",
+            r"sections/toy.md.j2:\d+: \$\$ begins a formula that no \$\$ ends",
+        ),
         (ASKS, ASKS * 2, r"sections/toy.md.j2:7: claim helps is worded twice"),
         (
             "\n{% table",
-            TEMPLATE[TEMPLATE.index("{% claim") : TEMPLATE.index("Stiff")] + "\n{% table",
+            TEMPLATE[TEMPLATE.index("{% claim") : TEMPLATE.index("Stiff")]
+            + "\n{% table",
             "helps is worded twice",
         ),
-        ("It helps", r"It helps $\fooo x$", r"toy.md.j2:4: .*fooo x is no TeX that is known here"),
-        ("claims=[", 'claims=[Claim("lasts", at_least(gain, bound)), ', "toy.md.j2 says nothing of the claim lasts"),
-        ('{"gain": gain}', '{"gain": gain, "none": gain}', r"toy.md.j2:4: claim helps is given none, which is a const"),
+        (
+            "It helps",
+            r"It helps $\fooo x$",
+            r"toy.md.j2:4: .*fooo x is no TeX that is known here",
+        ),
+        (
+            "claims=[",
+            'claims=[Claim("lasts", at_least(gain, bound)), ',
+            "toy.md.j2 says nothing of the claim lasts",
+        ),
+        (
+            '{"gain": gain}',
+            '{"gain": gain, "none": gain}',
+            r"toy.md.j2:4: claim helps is given none, which is a const",
+        ),
     ],
 )
 def test_what_is_wrong_with_the_words_stops_the_build(toy, old, new, message):
@@ -45,16 +102,31 @@ def test_what_is_wrong_with_the_words_stops_the_build(toy, old, new, message):
         toy.build()
 
 
-def test_formulas_tables_sources_and_what_lies_in_static_are_on_the_page_and_drafts_are_not(toy):
+def test_formulas_tables_sources_and_what_lies_in_static_are_on_the_page_and_drafts_are_not(
+    toy,
+):
     words = "Of $x^2$ for $5 or `$y$`:\n\n$$\\frac{{a}}{b}$$\n\n| a | b |\n|---|---|\n| c | d |\n"
     cited = "{% stated law %} It is so. {% endstated %}\n"
-    toy.write("templates/sources.toml", '[law]\nurl = "https://example.org/x"\ntitle = "The law"\n')
+    toy.write(
+        "templates/sources.toml",
+        '[law]\nurl = "https://example.org/x"\ntitle = "The law"\n',
+    )
     toy.write("templates/sections/toy.md.j2", f"{TEMPLATE}\n{words}\n{cited}")
     for name in ("static/logo.svg", "static/more/a.txt", "static/style.css"):
         toy.write(name, "main { color: red }")
     toy.write("report/sections/_later.py", "a draft(")
     toy.build()
-    assert re.search(r"Of <span><math .*<msup><mi>x</mi><mn>2</mn></msup>.* for \$5 or <code>\$y\$</code>", toy.page)
-    assert "<mfrac>" in toy.page and "<td>c</td>" in toy.page and ">The law</a>" in toy.page
-    assert 'src="static/logo.svg"' in toy.page and (toy.project.site / "static/more/a.txt").is_file()
+    assert re.search(
+        r"Of <span><math .*<msup><mi>x</mi><mn>2</mn></msup>.* for \$5 or <code>\$y\$</code>",
+        toy.page,
+    )
+    assert (
+        "<mfrac>" in toy.page
+        and "<td>c</td>" in toy.page
+        and ">The law</a>" in toy.page
+    )
+    assert (
+        'src="static/logo.svg"' in toy.page
+        and (toy.project.site / "static/more/a.txt").is_file()
+    )
     assert (toy.project.site / "style.css").read_text().endswith("main { color: red }")

@@ -63,10 +63,17 @@ def chain(toy):
 
 def replace_in(toy, old: str, new: str) -> None:
     """Replace a text wherever the experiments have it."""
-    paths = [path for path in (toy.project.root / "experiments").rglob("*.py") if old in path.read_text()]
+    paths = [
+        path
+        for path in (toy.project.root / "experiments").rglob("*.py")
+        if old in path.read_text()
+    ]
     assert paths
     for path in paths:
-        toy.write(path.relative_to(toy.project.root).as_posix(), path.read_text().replace(old, new))
+        toy.write(
+            path.relative_to(toy.project.root).as_posix(),
+            path.read_text().replace(old, new),
+        )
 
 
 @pytest.mark.parametrize(
@@ -90,7 +97,11 @@ def test_what_says_nothing_leaves_a_record_fresh(chain, old, new):
         ("LIMIT = 10.0", "LIMIT = 11.0", "far"),
         ("return min", "return max", "far"),
         ("return 1", "return 2", "middle"),
-        ("    return min", "    from experiments.late import LIMIT\n\n    return min", "far"),
+        (
+            "    return min",
+            "    from experiments.late import LIMIT\n\n    return min",
+            "far",
+        ),
     ],
 )
 def test_a_change_of_a_file_that_is_imported_makes_it_stale(chain, old, new, file):
@@ -99,8 +110,14 @@ def test_a_change_of_a_file_that_is_imported_makes_it_stale(chain, old, new, fil
     assert f"code: experiments/{file}.py" in chain.state().notes
 
 
-def test_a_file_counts_wherever_its_import_stands_and_an_asset_wherever_it_is_named(chain):
-    replace_in(chain, "    return min", "    from experiments.late import LIMIT\n\n    return min")
+def test_a_file_counts_wherever_its_import_stands_and_an_asset_wherever_it_is_named(
+    chain,
+):
+    replace_in(
+        chain,
+        "    return min",
+        "    from experiments.late import LIMIT\n\n    return min",
+    )
     chain.write("experiments/late.py", 'def unused():\n    return "assets/late.txt"\n')
     chain.write("assets/late.txt", "1")
     chain.measure()
@@ -120,15 +137,24 @@ def test_the_generator_does_not_count(chain):
     ]
 
 
-def test_the_profile_and_package_versions_count_and_the_machine_does_not(toy, monkeypatch):
-    full, quick = (identity_of("toy", profile, toy.project.root) for profile in ("full", "quick"))
+def test_the_profile_and_package_versions_count_and_the_machine_does_not(
+    toy, monkeypatch
+):
+    full, quick = (
+        identity_of("toy", profile, toy.project.root) for profile in ("full", "quick")
+    )
     assert full.config != quick.config
     assert full.code == quick.code
-    write_record(toy.record_path, toy.record(machine={**BY_HAND["machine"], "cpu": "Another"}))
+    write_record(
+        toy.record_path, toy.record(machine={**BY_HAND["machine"], "cpu": "Another"})
+    )
     assert toy.state().kind == "fresh"
     installed = {**toy.packages, "warp-lang": "9.9"}
     monkeypatch.setattr(of_records.metadata, "version", installed.__getitem__)
-    assert any(note.startswith("packages: warp-lang") and note.endswith("→ 9.9.0") for note in toy.state().notes)
+    assert any(
+        note.startswith("packages: warp-lang") and note.endswith("→ 9.9.0")
+        for note in toy.state().notes
+    )
 
 
 def test_what_an_editor_locks_beside_a_section_is_no_section(toy):
@@ -147,7 +173,9 @@ def test_a_source_is_parsed_once_wherever_it_lies(chain, tmp_path, monkeypatch):
 def test_a_syntax_tree_is_the_same_whatever_a_python_adds_to_it():
     earlier, later = ast.parse('f"{name:{width}}"'), ast.parse('f"{name:{width}}"')
     specification = later.body[0].value.values[0].format_spec
-    specification.values = [part for part in specification.values if isinstance(part, ast.FormattedValue)]
+    specification.values = [
+        part for part in specification.values if isinstance(part, ast.FormattedValue)
+    ]
     without = code.plain(later)
     specification.values.append(ast.Constant("", kind="u"))
     assert code.plain(earlier) == without == code.plain(later)

@@ -31,20 +31,35 @@ GPU = {**BY_HAND["machine"], "device": "cuda", "gpu": "A GPU"}
 @pytest.fixture
 def project(toy):
     """A project with records of some sections."""
-    rows = [{"case": f"run-{n}", "slip_mm": 1 + n / 7, "dropped": False} for n in range(333)]
+    rows = [
+        {"case": f"run-{n}", "slip_mm": 1 + n / 7, "dropped": False} for n in range(333)
+    ]
     for section in SECTIONS:
-        toy.write(f"report/sections/{section}.py", "order = 1\ndef derive(results): ...\n")
-        write_record(toy.project.record_path(section), toy.record(rows, section=section, machine=GPU))
+        toy.write(
+            f"report/sections/{section}.py", "order = 1\ndef derive(results): ...\n"
+        )
+        write_record(
+            toy.project.record_path(section),
+            toy.record(rows, section=section, machine=GPU),
+        )
     return toy.project
 
 
 def again(project: Project, section: str, by: float = 1e-4, **identity):
     """Return a section as if another host had measured it."""
     record = load_record(project.record_path(section))
-    rows = [{name: _moved(cell, by) for name, cell in row.items()} for row in record.rows]
+    rows = [
+        {name: _moved(cell, by) for name, cell in row.items()} for row in record.rows
+    ]
     measured = {**record.measured, "started": "2025-11-27T01:00:00+00:00"}
     machine = {**record.machine, "host": "elsewhere"}
-    return replace(record, rows=rows, measured=measured, machine=machine, identity=replace(record.identity, **identity))
+    return replace(
+        record,
+        rows=rows,
+        measured=measured,
+        machine=machine,
+        identity=replace(record.identity, **identity),
+    )
 
 
 def _moved(cell, by):
@@ -55,7 +70,9 @@ def kept(project: Project, *records):
     path = project.root / "sent.tgz"
     path.write_bytes(archive_of(records))
     replicate._keep(project, read_replica(path), "sent.tgz")
-    tracked = {section: load_record(project.record_path(section)) for section in SECTIONS}
+    tracked = {
+        section: load_record(project.record_path(section)) for section in SECTIONS
+    }
     replicas, _ = read_replicas(project)
     return {name: alike(tracked, records) for name, records in replicas.items()}
 
@@ -65,11 +82,15 @@ def test_a_replica_is_read_as_it_was_packed(project):
     assert archive_of(records) == archive_of(records)
     (fresh,) = kept(project, *records).values()
     for record in records:
-        assert _floats(fresh[record.section]) == [float(f"{cell:.9g}") for cell in _floats(record)]
+        assert _floats(fresh[record.section]) == [
+            float(f"{cell:.9g}") for cell in _floats(record)
+        ]
 
 
 def _floats(record) -> list[float]:
-    return [cell for row in record.rows for cell in row.values() if isinstance(cell, float)]
+    return [
+        cell for row in record.rows for cell in row.values() if isinstance(cell, float)
+    ]
 
 
 def test_sections_of_other_code_are_left_out_and_named(project, capsys):
@@ -82,8 +103,13 @@ def test_sections_of_other_code_are_left_out_and_named(project, capsys):
 @pytest.mark.parametrize("kind", ["code", "packages"])
 def test_one_of_other_code_or_packages_is_refused_in_a_line(project, kind):
     packages = load_record(project.record_path("gap")).identity.packages
-    other = {"code": sha256(b"other").hexdigest(), "packages": {**packages, "mujoco": "9.9"}}[kind]
-    with pytest.raises(ReportError, match=f"no section of this edition: other {kind} \\(gap\\)") as error:
+    other = {
+        "code": sha256(b"other").hexdigest(),
+        "packages": {**packages, "mujoco": "9.9"},
+    }[kind]
+    with pytest.raises(
+        ReportError, match=f"no section of this edition: other {kind} \\(gap\\)"
+    ) as error:
         kept(project, again(project, "gap", **{kind: other}))
     assert "\n" not in str(error.value)
     assert not (project.results / FOLDER).exists()
@@ -101,17 +127,31 @@ DAMAGES = {
     "empty": lambda text: gzip.decompress(archive_of([])),
     "packed in another way, which may hold anything": bz2.compress,
     "a name that is no UTF-8": lambda text: headed(name=b"\xff") + text,
-    "a few bytes that say they are an exabyte": lambda text: headed(size=b"\x80\0\0\0\x10" + bytes(7)) + text,
-    "a header before one, which says it is of 3 GB": lambda text: extended(size="3000000000", map="0,0") + text,
-    "a few bytes that are read as a gigabyte": lambda text: headed(kind=b"S", real_size=b"10000000000") + text,
+    "a few bytes that say they are an exabyte": lambda text: (
+        headed(size=b"\x80\0\0\0\x10" + bytes(7)) + text
+    ),
+    "a header before one, which says it is of 3 GB": lambda text: (
+        extended(size="3000000000", map="0,0") + text
+    ),
+    "a few bytes that are read as a gigabyte": lambda text: (
+        headed(kind=b"S", real_size=b"10000000000") + text
+    ),
 }
 
 
-def headed(name: bytes = b"x", size: bytes = b"0", kind: bytes = b"0", real_size: bytes = b"") -> bytes:
+def headed(
+    name: bytes = b"x", size: bytes = b"0", kind: bytes = b"0", real_size: bytes = b""
+) -> bytes:
     """A header of tar, of a file without content."""
     header = bytearray(tarfile.TarInfo("x").tobuf())
     header[156:157] = kind
-    for start, field in ((0, name), (124, size), (257, b"ustar  "), (483, real_size), (148, b" " * 8)):
+    for start, field in (
+        (0, name),
+        (124, size),
+        (257, b"ustar  "),
+        (483, real_size),
+        (148, b" " * 8),
+    ):
         header[start : start + len(field)] = field
     header[148:155] = b"%06o\0" % sum(header)
     return bytes(header)
@@ -125,9 +165,13 @@ def extended(**fields: str) -> bytes:
 
 
 @pytest.mark.parametrize("damage", DAMAGES.values(), ids=DAMAGES)
-def test_one_that_is_not_as_it_was_sealed_is_damaged_and_costs_no_memory(project, damage):
+def test_one_that_is_not_as_it_was_sealed_is_damaged_and_costs_no_memory(
+    project, damage
+):
     path = project.root / "sent.tgz"
-    path.write_bytes(gzip.compress(damage(gzip.decompress(archive_of([again(project, "gap")])))))
+    path.write_bytes(
+        gzip.compress(damage(gzip.decompress(archive_of([again(project, "gap")]))))
+    )
     tracemalloc.start()
     with pytest.raises(RecordError, match=r"^[^\n]*sent\.tgz is no[^\n]*$"):
         read_replica(path)
@@ -143,6 +187,11 @@ def test_a_damaged_one_is_named_without_what_turns_text_round(project):
 
 def test_what_could_not_be_measured_there_is_left_out(project):
     sent = again(project, "gap")
-    lost = [{name: cell for name, cell in row.items() if not isinstance(cell, float)} for row in sent.rows]
-    words = refused(project, {"gap": replace(sent, rows=lost), "frames": again(project, "frames")})
+    lost = [
+        {name: cell for name, cell in row.items() if not isinstance(cell, float)}
+        for row in sent.rows
+    ]
+    words = refused(
+        project, {"gap": replace(sent, rows=lost), "frames": again(project, "frames")}
+    )
     assert words == {"gap": "not all of it could be measured there"}

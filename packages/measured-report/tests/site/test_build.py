@@ -23,19 +23,31 @@ from measured_report.site.pages import rows_csv
 def test_a_section_takes_three_files_and_passes_the_check(toy):
     toy.build()
     assert check_site(toy.project.site) == []
-    assert '<data value="0.3124" data-src="newton-1.4.0/toy.json#/rows/1/slip_mm">0.31</data>&nbsp;mm' in toy.page
+    assert (
+        '<data value="0.3124" data-src="newton-1.4.0/toy.json#/rows/1/slip_mm">0.31</data>&nbsp;mm'
+        in toy.page
+    )
     assert 'data-claim="toy.helps" data-outcome="holds"' in toy.page
-    assert "A processor" in toy.page and "make rerun" not in toy.page, "no line that a reader without it can't use"
+    assert "A processor" in toy.page and "make rerun" not in toy.page, (
+        "no line that a reader without it can't use"
+    )
     values = json.loads((toy.project.site / "data/values.json").read_text())
     assert values["toy"]["gain"]["formula"] == "soft over stiff"
-    assert (toy.project.site / "data/newton-1.4.0/toy.json").read_bytes() == toy.record_path.read_bytes()
+    assert (
+        toy.project.site / "data/newton-1.4.0/toy.json"
+    ).read_bytes() == toy.record_path.read_bytes()
     assert (toy.project.site / "data/newton-1.4.0/toy.stiff.csv.gz").is_file()
 
 
-def test_the_headlines_of_all_editions_are_a_page_with_where_they_changed(toy, monkeypatch):
-    rules = replace(config().changes, headlines={"the slip": "toy.soft.slip_mm", "the gain": "toy.gain"})
+def test_the_headlines_of_all_editions_are_a_page_with_where_they_changed(
+    toy, monkeypatch
+):
+    rules = replace(
+        config().changes,
+        headlines={"the slip": "toy.soft.slip_mm", "the gain": "toy.gain"},
+    )
     told = replace(config(), changes=rules)
-    monkeypatch.setitem(vars(report()), "config", told)
+    monkeypatch.setitem(vars(report()), "settings", told)
     vars(report()).pop("columns", None)
     toy.build()
     assert not (toy.project.site / "history.html").exists(), "of one edition"
@@ -44,14 +56,20 @@ def test_the_headlines_of_all_editions_are_a_page_with_where_they_changed(toy, m
     toy.build()
     page = (toy.project.site / "history.html").read_text()
     assert check_site(toy.project.site) == [] and 'href="history.html"' in toy.front
-    assert page.count("<circle") == 8 and page.count("Newton 1.6.0: <data") == 2 and page.count('class="better"') == 1
+    assert (
+        page.count("<circle") == 8
+        and page.count("Newton 1.6.0: <data") == 2
+        and page.count('class="better"') == 1
+    )
     assert 'data-src="newton-1.7.0/toy.json#/rows/0/slip_mm">0.5' in page
 
 
 def test_text_from_results_is_no_markup(toy):
     evil = '<script>alert(1)</script> *a* `b` "c"'
     toy.measure([{**ROWS[0], "case": evil}, ROWS[1]])
-    toy.write("templates/sections/toy.md.j2", TEMPLATE + "\nFirst: {{ rows[0].case }}\n")
+    toy.write(
+        "templates/sections/toy.md.j2", TEMPLATE + "\nFirst: {{ rows[0].case }}\n"
+    )
     toy.build()
     assert "<script>" not in toy.page
     assert toy.page.count("&lt;script&gt;alert(1)&lt;/script&gt; *a* `b`") == 2
@@ -61,10 +79,16 @@ def test_text_from_results_is_no_markup(toy):
 def test_where_the_sources_are_known_code_is_linked_and_cloned(toy, monkeypatch):
     monkeypatch.setattr(prose, "sources", lambda: "https://git.example/shake")
     toy.build()
-    line = 1 + [line.startswith("def derive(") for line in MODULE.splitlines()].index(True)
-    assert f'<a href="https://git.example/shake/blob/HEAD/report/sections/toy.py#L{line}">' in toy.page
+    line = 1 + [line.startswith("def derive(") for line in MODULE.splitlines()].index(
+        True
+    )
     assert (
-        "git clone https://git.example/shake report &amp;&amp; cd report &amp;&amp; make rerun SECTION=toy" in toy.page
+        f'<a href="https://git.example/shake/blob/HEAD/report/sections/toy.py#L{line}">'
+        in toy.page
+    )
+    assert (
+        "git clone https://git.example/shake report &amp;&amp; cd report &amp;&amp; make rerun SECTION=toy"
+        in toy.page
     )
 
 
@@ -73,10 +97,20 @@ def test_a_site_whose_address_is_known_has_a_feed_and_each_page_says_what_it_tel
     build(toy.project, "https://site.example/")
     feed = ElementTree.parse(toy.project.site / "feed.xml").getroot()
     links = [link.get("href") for link in feed.iterfind("{*}entry/{*}link")]
-    assert links == ["https://site.example/newton-1.8.0/index.html", "https://site.example/index.html"]
-    assert 'type="application/atom+xml" href="https://site.example/feed.xml"' in toy.front
+    assert links == [
+        "https://site.example/newton-1.8.0/index.html",
+        "https://site.example/index.html",
+    ]
+    assert (
+        'type="application/atom+xml" href="https://site.example/feed.xml"' in toy.front
+    )
     body = f'<p>{OPEN}0{CLOSE}</p>\n<p class="a">It <b>leans</b>.</p><p>b</p>'
-    assert Prose(Markup(""), body, [Markup("<figure><p>no</p></figure>")], "a", []).summary.striptags() == "It leans."
+    assert (
+        Prose(
+            Markup(""), body, [Markup("<figure><p>no</p></figure>")], "a", []
+        ).summary.striptags()
+        == "It leans."
+    )
 
 
 END = "{% endtable %}\n"
@@ -86,35 +120,98 @@ END = "{% endtable %}\n"
     ("old", "new", "message"),
     [
         (END, END + "{{ nothing }}", "nothing"),
-        (END, END + '{{ claim("nothing") }}', r"templates/sections/toy.md.j2:\d+: toy has no claim 'nothing'; it has"),
-        (END, END + '{{ row["stiff"].slip_mm + 1 }}', r"templates/sections/toy.md.j2:\d+: 0.31 mm and 1 have no unit"),
-        ("{{ gain }}", "{{ gain|nothing }}", r"templates/sections/toy.md.j2:\d+: No filter named 'nothing'"),
+        (
+            END,
+            END + '{{ claim("nothing") }}',
+            r"templates/sections/toy.md.j2:\d+: toy has no claim 'nothing'; it has",
+        ),
+        (
+            END,
+            END + '{{ row["stiff"].slip_mm + 1 }}',
+            r"templates/sections/toy.md.j2:\d+: 0.31 mm and 1 have no unit",
+        ),
+        (
+            "{{ gain }}",
+            "{{ gain|nothing }}",
+            r"templates/sections/toy.md.j2:\d+: No filter named 'nothing'",
+        ),
         (END, END + "{{ 3.5 }}", "says nothing of where it comes from"),
         (END, END + "{% if %}", "templates/sections/toy.md.j2"),
-        (END, END + "It slips\n6.36 mm.", r"templates/sections/toy.md.j2:\d+: 6.36 mm is typed"),
+        (
+            END,
+            END + "It slips\n6.36 mm.",
+            r"templates/sections/toy.md.j2:\d+: 6.36 mm is typed",
+        ),
         *(
             (END, f"{END}It is {number} so.", f"{number} is typed")
             for number in ("37 %", "3.7 times", "2 m/s", "5 kg/m³")
         ),
-        ("It does not.", "It does not, by {{ 3.5 }}.", r"toy.md.j2:\d+: it prints 3.5, which says nothing"),
-        (END, END + '{% passage needs="toy.helps fails" %} By {{ 3.5 }}. {% endpassage %}', "prints 3.5, which"),
+        (
+            "It does not.",
+            "It does not, by {{ 3.5 }}.",
+            r"toy.md.j2:\d+: it prints 3.5, which says nothing",
+        ),
+        (
+            END,
+            END
+            + '{% passage needs="toy.helps fails" %} By {{ 3.5 }}. {% endpassage %}',
+            "prints 3.5, which",
+        ),
         ("order = 1", "order = 'x'", "toy.py has no line such as order = 125"),
-        ("order = 1", "order = 1\npage = 'x'", "toy.py names the page 'x'; there are: cause"),
-        ("order = 1", "order = 1\nreads = ('no',)", "toy.py reads 'no', and there is no such section"),
-        ("order = 1", "order = 1\nreads = 'toy'", "toy.py: labels is a dict, .* and reads a tuple"),
-        ("order = 1", "order = 1\nreads = ('toy',)", "toy.py reads toy, which stands after it"),
+        (
+            "order = 1",
+            "order = 1\npage = 'x'",
+            "toy.py names the page 'x'; there are: cause",
+        ),
+        (
+            "order = 1",
+            "order = 1\nreads = ('no',)",
+            "toy.py reads 'no', and there is no such section",
+        ),
+        (
+            "order = 1",
+            "order = 1\nreads = 'toy'",
+            "toy.py: labels is a dict, .* and reads a tuple",
+        ),
+        (
+            "order = 1",
+            "order = 1\nreads = ('toy',)",
+            "toy.py reads toy, which stands after it",
+        ),
         ("order = 1", "order = 1\nlabel = 3", "toy.py: .*label text"),
-        ("drawing, axes = new_figure()", "return new_figure()[0]", "toy-way can't be drawn: .*it draws nothing"),
-        (END, END + "{# x", r"^templates/sections/toy.md.j2:\d+: Missing end of comment tag"),
+        (
+            "drawing, axes = new_figure()",
+            "return new_figure()[0]",
+            "toy-way can't be drawn: .*it draws nothing",
+        ),
+        (
+            END,
+            END + "{# x",
+            r"^templates/sections/toy.md.j2:\d+: Missing end of comment tag",
+        ),
         ("order = 1", "order = 1\nlabels = ['soft']", "toy.py: labels is a dict"),
-        ("order = 1", "order = 1\nlabels = dict(soft='x')", "toy.py: labels is read without running it"),
+        (
+            "order = 1",
+            "order = 1\nlabels = dict(soft='x')",
+            "toy.py: labels is read without running it",
+        ),
         ("order = 1", "order = (", "cannot read report/sections/toy.py: "),
-        ("order = 1", "order = 1\nimport nothing", r"report/sections/toy.py:8: .*No module named 'nothing'"),
+        (
+            "order = 1",
+            "order = 1\nimport nothing",
+            r"report/sections/toy.py:8: .*No module named 'nothing'",
+        ),
         ("def derive", "def other", r"toy.py has no function derive\(results\)"),
-        ("return Section", "Section", "toy.py: derive returns a NoneType, and not a Section"),
+        (
+            "return Section",
+            "Section",
+            "toy.py: derive returns a NoneType, and not a Section",
+        ),
     ],
 )
-def test_a_wrong_template_or_section_stops_the_build_in_one_line_and_keeps_the_site(built, old, new, message):
+def test_a_wrong_template_or_section_stops_the_build_in_one_line_and_keeps_the_site(
+    built, old, new, message
+):
     before = built.page
     built.write("templates/sections/toy.md.j2", TEMPLATE.replace(old, new))
     built.write("report/sections/toy.py", MODULE.replace(old, new))
@@ -130,15 +227,28 @@ def test_a_wrong_template_or_section_stops_the_build_in_one_line_and_keeps_the_s
         ("raise OSError('no ink')", "report/sections/toy.py:12: OSError: no ink"),
         ("1 / 0", "report/sections/toy.py:12: ZeroDivisionError: division by zero"),
         ("return None", "it draws a builtins.NoneType"),
-        ("axes.set_ylabel('x [furlongs]')", r"its axis 'x \[furlongs\]' has a unit that is not known"),
-        ("axes.set_ylabel('x')", r"its axis 'x' has no unit, and no axis has mm, which it draws"),
-        ("axes.set_ylabel('x [m]')", r"its axis 'x \[m\]' has another unit than what it draws, mm"),
+        (
+            "axes.set_ylabel('x [furlongs]')",
+            r"its axis 'x \[furlongs\]' has a unit that is not known",
+        ),
+        (
+            "axes.set_ylabel('x')",
+            r"its axis 'x' has no unit, and no axis has mm, which it draws",
+        ),
+        (
+            "axes.set_ylabel('x [m]')",
+            r"its axis 'x \[m\]' has another unit than what it draws, mm",
+        ),
     ],
 )
-def test_a_figure_that_throws_where_all_of_it_is_there_stops_the_build_and_nothing_is_left_behind(built, line, said):
+def test_a_figure_that_throws_where_all_of_it_is_there_stops_the_build_and_nothing_is_left_behind(
+    built, line, said
+):
     before = built.page
     built.write("report/sections/toy.py", MODULE.replace("axes.legend()", line))
-    with pytest.raises(ReportError, match=f"the figure toy-way can't be drawn: .*{said}"):
+    with pytest.raises(
+        ReportError, match=f"the figure toy-way can't be drawn: .*{said}"
+    ):
         built.build()
     assert built.page == before
     assert not list(built.project.root.glob(".site-*"))
@@ -151,20 +261,31 @@ def test_a_name_that_is_no_utf_8_stops_no_build(toy):
     assert check_site(toy.project.site) == []
 
 
-def test_a_stale_section_is_shown_with_what_changed_and_left_out_where_it_no_longer_fits(toy):
+def test_a_stale_section_is_shown_with_what_changed_and_left_out_where_it_no_longer_fits(
+    toy,
+):
     toy.write("assets/robot.urdf", "<robot name='other'/>")
     toy.build()
     assert "config: assets/robot.urdf" in toy.page and "renews it" in toy.page
     assert check_site(toy.project.site) == []
     toy.write("templates/sections/toy.md.j2", TEMPLATE + '{{ row["stiff"].new_mm }}')
-    for change in (lambda: toy.write("experiments/scene.py", "def slip():\n    return 2\n"), toy.measure):
+    for change in (
+        lambda: toy.write("experiments/scene.py", "def slip():\n    return 2\n"),
+        toy.measure,
+    ):
         change()
         toy.build()
         assert 'id="toy"' not in toy.page
-        assert re.search(r"toy.json: templates/sections/toy.md.j2:\d+: toy: stiff has no column new_mm", toy.page)
+        assert re.search(
+            r"toy.json: templates/sections/toy.md.j2:\d+: toy: stiff has no column new_mm",
+            toy.page,
+        )
 
 
-@pytest.mark.parametrize("spoil", [lambda path: path.unlink(), lambda path: path.write_text('{"schema": 1, "rows"')])
+@pytest.mark.parametrize(
+    "spoil",
+    [lambda path: path.unlink(), lambda path: path.write_text('{"schema": 1, "rows"')],
+)
 def test_a_section_without_a_whole_record_is_one_line(toy, spoil):
     spoil(toy.record_path)
     toy.build()
@@ -174,7 +295,10 @@ def test_a_section_without_a_whole_record_is_one_line(toy, spoil):
 
 
 def test_a_figure_links_only_the_data_that_is_there_and_is_one_line_without(toy):
-    toy.write("report/sections/toy.py", MODULE.replace("[trace])}", '[trace, results.trace("soft")])}'))
+    toy.write(
+        "report/sections/toy.py",
+        MODULE.replace("[trace])}", '[trace, results.trace("soft")])}'),
+    )
     toy.build()
     assert "<svg" in toy.page and check_site(toy.project.site) == []
     toy.write("report/sections/toy.py", MODULE)
@@ -188,7 +312,9 @@ def test_a_figure_links_only_the_data_that_is_there_and_is_one_line_without(toy)
 
 def test_the_site_carries_what_a_section_offers(toy):
     module = MODULE.replace("import Figure,", "import Download, Figure,")
-    module = module.replace("claims=[", 'downloads=[Download("a.py", "1 < 2\\n")], claims=[')
+    module = module.replace(
+        "claims=[", 'downloads=[Download("a.py", "1 < 2\\n")], claims=['
+    )
     toy.write("report/sections/toy.py", module)
     words = '\n{{ download("a.py") }}\n\nAlone: {{ download("a.py").link }}\n'
     toy.write("templates/sections/toy.md.j2", TEMPLATE + words)
@@ -200,6 +326,13 @@ def test_the_site_carries_what_a_section_offers(toy):
 
 
 def test_finding_8_no_text_of_a_table_is_a_formula():
-    rows = [{"case": "=1+1", "said": "-x", "slip_mm": -1.5}, {"case": "@a", "said": "-1.5", "slip_mm": None}]
+    rows = [
+        {"case": "=1+1", "said": "-x", "slip_mm": -1.5},
+        {"case": "@a", "said": "-1.5", "slip_mm": None},
+    ]
     rows += [{"case": "＝1+1", "said": "\n=1+1", "slip_mm": 1.0}]
-    assert rows_csv(rows).split("\n", 3)[1:] == ["'=1+1,'-x,-1.5", "'@a,'-1.5,", "'＝1+1,\"'\n=1+1\",1.0\n"]
+    assert rows_csv(rows).split("\n", 3)[1:] == [
+        "'=1+1,'-x,-1.5",
+        "'@a,'-1.5,",
+        "'＝1+1,\"'\n=1+1\",1.0\n",
+    ]

@@ -10,7 +10,13 @@ ADDRESSES = (
     "\x01javascript:alert(1)",
     "vbscript:x",
 )
-ADDRESSES += ("data:text/html,x", "file:///etc/passwd", "ftp://example.org", "blob:x", "http://[")
+ADDRESSES += (
+    "data:text/html,x",
+    "file:///etc/passwd",
+    "ftp://example.org",
+    "blob:x",
+    "http://[",
+)
 WRONG = [
     (">0.31<", ">0.32<", "is shown"),
     (">0.31<", ">0.312<", "is shown"),
@@ -20,18 +26,33 @@ WRONG = [
     ('href="data/values.json"', 'href="/data/values.json"', "leaves the site"),
     ('href="#toy"', 'href="#other"', "leads nowhere"),
     ("</main>", '<script src="x.js"></script></main>', "leads nowhere"),
-    ("</main>", '<script src="https://example.org/x.js"></script></main>', "fetched from elsewhere"),
+    (
+        "</main>",
+        '<script src="https://example.org/x.js"></script></main>',
+        "fetched from elsewhere",
+    ),
     ("</main>", '<script src="data/values.json"></script></main>', "runs a script"),
     ("</main>", '<script src="page.js" onload="x"></script></main>', "runs a script"),
     ("</main>", "<script>alert(1)</script></main>", "not the project's own"),
     ("</main>", "<script></script></main>", "not the project's own"),
-    ("</main>", '<img src="https://example.org/x.png" alt=""></main>', "fetched from elsewhere"),
+    (
+        "</main>",
+        '<img src="https://example.org/x.png" alt=""></main>',
+        "fetched from elsewhere",
+    ),
     ('href="style.css"', 'href="//example.org/style.css"', "fetched from elsewhere"),
     ("</main>", "<style>@import 'x'</style></main>", "style fetches"),
     ('data-outcome="holds"', "", "no outcome"),
     ("data-claim", "data-other", "there is no claim"),
     ("</main>", '<p id="toy"></p></main>', "not unique"),
-    *(("</main>", f'<a href="{to}">x</a></main>', "no address that a page may lead to") for to in ADDRESSES),
+    *(
+        (
+            "</main>",
+            f'<a href="{to}">x</a></main>',
+            "no address that a page may lead to",
+        )
+        for to in ADDRESSES
+    ),
     ("</main>", '<iframe src="x"></main>', "runs a script"),
     ("</main>", "<form></main>", "runs a script"),
     ("</main>", '<base href="."></main>', "runs a script"),
@@ -39,10 +60,22 @@ WRONG = [
     (LABEL, 'aria-label="It moves 0.4 mm."', "is not said by"),
     (LABEL, 'aria-label="It moves 0.31 mm of 7."', "leads nowhere"),
     ("</svg>", "<text>7 mm</text></svg>", "leads nowhere"),
-    ("</svg>", f'<text data-src="{SOURCE}/0/slip_mm">7 mm</text></svg>', "is not said by"),
-    ("</svg>", f'<text data-src="{SOURCE}/9/slip_mm">7 mm</text></svg>', "resolves to nothing"),
+    (
+        "</svg>",
+        f'<text data-src="{SOURCE}/0/slip_mm">7 mm</text></svg>',
+        "is not said by",
+    ),
+    (
+        "</svg>",
+        f'<text data-src="{SOURCE}/9/slip_mm">7 mm</text></svg>',
+        "resolves to nothing",
+    ),
     ("</svg>", f'<text data-src="{SOURCE}/0/slip_mm">6.4 mm</text></svg>', ""),
-    ("</svg>", f'<text data-src="{SOURCE}/0/slip_mm">6 mm</text></svg>', "is not said by"),
+    (
+        "</svg>",
+        f'<text data-src="{SOURCE}/0/slip_mm">6 mm</text></svg>',
+        "is not said by",
+    ),
     ("</svg>", '<g class="tick"><text>7</text></g></svg>', ""),
     ("&nbsp;mm", "&nbsp;mm mm", "mm stands twice behind a number"),
     ("</main>", "<em>x</main>", "<em> is not closed"),

@@ -9,10 +9,17 @@ from measured_report.files.config import report
 from measured_report.site.check_numbers import Data, PageReader, check_numbers
 from measured_report.values.noise import Estimate
 
-VALUES = {"gain": (6.3617, 0.0048), "large": (123456.9, 0.01), "rough": (123456.9, 0.15), "none": (None, None)}
+VALUES = {
+    "gain": (6.3617, 0.0048),
+    "large": (123456.9, 0.01),
+    "rough": (123456.9, 0.15),
+    "none": (None, None),
+}
 
 
-def number(shown: str, name: str = "gain", value: str = "6.3617", more: str = "") -> str:
+def number(
+    shown: str, name: str = "gain", value: str = "6.3617", more: str = ""
+) -> str:
     return f'<data value="{value}" data-src="values.json#/{name}"{more}>{shown}</data>'
 
 
@@ -21,29 +28,66 @@ def drawn(said: str, *names: str) -> str:
 
 
 MOST, LEAST, ODD = (f' data-as="{each}"' for each in ("most", "least", "odd"))
-RIGHT = [number("6.36"), number("6.362", more=MOST), number("6.36", more=LEAST), number("n/a", "none", "")]
-RIGHT += [f"<code>{number('6.3617')}</code>", f"<code>{number('123457', 'rough', '123456.9')}</code>"]
-RIGHT += [drawn("6.36 mm", "gain"), drawn("6.362 or 6.4 mm", "gain", "gain"), "<td>Newton 1.4.0</td>"]
-RIGHT += ["<svg><g class='tick'><g><text>5</text></g></g></svg>", f"<td><code>5</code> {number('6.36')}</td>"]
-WRONG = {number("6.362"): "is 6.3617, but 6.362 (6.3617) is shown", number("6.36", more=MOST): "6.36 (6.3617) is shown"}
-WRONG |= {number("6.36", value="6.36"): "but 6.36 (6.36) is shown", number("6.36", more=ODD): "resolves to nothing"}
-WRONG |= {number("6.36", "gone"): "gone resolves to nothing", "<td>5 mm</td>": "leads nowhere in the cell: 5 mm"}
-WRONG |= {f"<code>{number('123457', 'large', '123456.9')}</code>": "and rounded to 123457"}
-WRONG |= {drawn("6.36", "gain", "gain"): "is not said by: 6.36", drawn("a 16.36", "gain"): "is not said by: a 16.36"}
+RIGHT = [
+    number("6.36"),
+    number("6.362", more=MOST),
+    number("6.36", more=LEAST),
+    number("n/a", "none", ""),
+]
+RIGHT += [
+    f"<code>{number('6.3617')}</code>",
+    f"<code>{number('123457', 'rough', '123456.9')}</code>",
+]
+RIGHT += [
+    drawn("6.36 mm", "gain"),
+    drawn("6.362 or 6.4 mm", "gain", "gain"),
+    "<td>Newton 1.4.0</td>",
+]
+RIGHT += [
+    "<svg><g class='tick'><g><text>5</text></g></g></svg>",
+    f"<td><code>5</code> {number('6.36')}</td>",
+]
+WRONG = {
+    number("6.362"): "is 6.3617, but 6.362 (6.3617) is shown",
+    number("6.36", more=MOST): "6.36 (6.3617) is shown",
+}
+WRONG |= {
+    number("6.36", value="6.36"): "but 6.36 (6.36) is shown",
+    number("6.36", more=ODD): "resolves to nothing",
+}
+WRONG |= {
+    number("6.36", "gone"): "gone resolves to nothing",
+    "<td>5 mm</td>": "leads nowhere in the cell: 5 mm",
+}
+WRONG |= {
+    f"<code>{number('123457', 'large', '123456.9')}</code>": "and rounded to 123457"
+}
+WRONG |= {
+    drawn("6.36", "gain", "gain"): "is not said by: 6.36",
+    drawn("a 16.36", "gain"): "is not said by: a 16.36",
+}
 WRONG |= {drawn("6.36 of 6.36", "gain"): "the number 6.36 leads nowhere in: 6.36 of"}
-WRONG |= {"<svg><g class='tick'></g><text>5</text></svg>": "the number 5 leads nowhere in: 5"}
+WRONG |= {
+    "<svg><g class='tick'></g><text>5</text></svg>": "the number 5 leads nowhere in: 5"
+}
 
 
-@pytest.mark.parametrize(("html", "said"), [*((html, "") for html in RIGHT), *WRONG.items()])
+@pytest.mark.parametrize(
+    ("html", "said"), [*((html, "") for html in RIGHT), *WRONG.items()]
+)
 def test_a_number_is_written_as_its_source_and_noise_have_it(tmp_path, html, said):
-    values = {name: {"value": value, "noise": noise} for name, (value, noise) in VALUES.items()}
+    values = {
+        name: {"value": value, "noise": noise}
+        for name, (value, noise) in VALUES.items()
+    }
     (tmp_path / "values.json").write_text(json.dumps(values))
     found = check_numbers(PageReader(html), Data(tmp_path, report()))
     assert bool(found) == bool(said) and said in "".join(found), found
 
 
 @pytest.mark.parametrize(
-    ("known", "noise"), [(None, None), (Estimate(0.3124), 0.0), (Estimate(0.3124, least=0.1), 0.1)]
+    ("known", "noise"),
+    [(None, None), (Estimate(0.3124), 0.0), (Estimate(0.3124, least=0.1), 0.1)],
 )
 def test_the_noise_of_a_row_is_what_its_measurements_say(toy, known, noise):
     data = Data(toy.record_path.parents[1], report())
@@ -51,4 +95,7 @@ def test_the_noise_of_a_row_is_what_its_measurements_say(toy, known, noise):
     assert data.number("newton-1.4.0/toy.json#/rows/1/slip_mm") == (0.3124, noise)
     assert data.number("newton-1.4.0/toy.json#/measured/seconds") == (1.5, None)
     toy.measure([{"case": "soft", "slip_mm": 6.0, "dropped": True}])
-    assert Data(data.folder, report()).number("newton-1.4.0/toy.json#/rows/0/slip_mm")[0] is None
+    assert (
+        Data(data.folder, report()).number("newton-1.4.0/toy.json#/rows/0/slip_mm")[0]
+        is None
+    )

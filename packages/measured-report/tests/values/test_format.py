@@ -28,20 +28,28 @@ VALUES = st.builds(math.copysign, SIZES, st.sampled_from((1.0, -1.0)))
 def last_place(text: str) -> Decimal:
     """What one more of the last digit would be worth; zeros at the end of a whole number may be no digits."""
     number = read(text)
-    return Decimal(1).scaleb(number.as_tuple().exponent if "." in text else number.normalize().as_tuple().exponent)
+    return Decimal(1).scaleb(
+        number.as_tuple().exponent
+        if "." in text
+        else number.normalize().as_tuple().exponent
+    )
 
 
 @given(VALUES, SIZES)
 @example(0.004, 0.0011)
 @example(9.996, 0.0011)
-def test_rounding_moves_by_no_more_than_half_the_noise_and_writes_no_digits_for_nothing(value, noise):
+def test_rounding_moves_by_no_more_than_half_the_noise_and_writes_no_digits_for_nothing(
+    value, noise
+):
     text = format_number(value, noise=noise)
     if abs(value) <= noise:
         assert text.startswith("<") and read(text[2:]) >= Decimal(repr(noise))
         return
     error, half = abs(read(text) - Decimal(repr(value))), Decimal(repr(noise)) / 2
     assert error <= half
-    assert len(text) == 1 or last_place(text) * 10 > half / 5, "a digit less would have moved it by more"
+    assert len(text) == 1 or last_place(text) * 10 > half / 5, (
+        "a digit less would have moved it by more"
+    )
 
 
 @given(st.integers(-(10**6), 10**6), st.integers(-4, 4))
@@ -54,7 +62,8 @@ def test_what_was_typed_is_written_as_it_was(digits, power):
 def test_a_drawing_says_where_its_numbers_are_from():
     places = [f"newton-1.4.0/toy.json#/rows/{index}/slip_mm" for index in range(3)]
     slips = [
-        Quantity(value, "mm", place, noise=0.005) for value, place in zip((6.3617, 8.0, 8.001), places, strict=True)
+        Quantity(value, "mm", place, noise=0.005)
+        for value, place in zip((6.3617, 8.0, 8.001), places, strict=True)
     ]
 
     def draw():
@@ -66,8 +75,13 @@ def test_a_drawing_says_where_its_numbers_are_from():
         return drawing
 
     for svg in draw_svgs(draw, name="toy-way"):
-        linked = dict(re.findall(r'<text data-src="([^"]*)"[^>]*>([^<]*)</text>', svg.content))
-        assert linked == {places[0]: "slips 6.36 mm", " ".join(places[1:]): "8.00 of 8.00"}, "the tick is a place"
+        linked = dict(
+            re.findall(r'<text data-src="([^"]*)"[^>]*>([^<]*)</text>', svg.content)
+        )
+        assert linked == {
+            places[0]: "slips 6.36 mm",
+            " ".join(places[1:]): "8.00 of 8.00",
+        }, "the tick is a place"
 
 
 @given(VALUES, st.one_of(st.none(), st.just(0.0), SIZES))
@@ -75,13 +89,23 @@ def test_a_drawing_says_where_its_numbers_are_from():
 @example(0.0, 0.0059)
 @example(0.020000000000000462, None)
 def test_a_bound_is_written_outward_and_no_less_than_the_noise(value, noise):
-    most, least = read(format_most(value, noise=noise)), read(format_least(value, noise=noise))
-    assert most >= Decimal(f"{value:.12g}") and (abs(value) > 0.999 * (noise or 0.0) or most >= Decimal(repr(noise)))
+    most, least = (
+        read(format_most(value, noise=noise)),
+        read(format_least(value, noise=noise)),
+    )
+    assert most >= Decimal(f"{value:.12g}") and (
+        abs(value) > 0.999 * (noise or 0.0) or most >= Decimal(repr(noise))
+    )
     assert least <= max(Decimal(f"{value:.12g}"), Decimal(0))
     assert format_most(0.020000000000000462) == format_least(0.02) == "0.020"
 
 
-LABELS = {"as-shipped": "shipped pads", "ke-#-1": "ke {}, 1 step", "ke-#-#": "ke {}, {} steps", "kd-#-#": "kd {1}"}
+LABELS = {
+    "as-shipped": "shipped pads",
+    "ke-#-1": "ke {}, 1 step",
+    "ke-#-#": "ke {}, {} steps",
+    "kd-#-#": "kd {1}",
+}
 
 
 @pytest.mark.parametrize(

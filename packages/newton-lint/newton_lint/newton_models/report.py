@@ -21,7 +21,9 @@ TIMESTEP_S = 0.002
 
 
 wp.config.log_level = wp.LOG_WARNING
-logging.getLogger("trimesh").setLevel(logging.ERROR)  # it reads meshes without scipy, and warns with a traceback
+logging.getLogger("trimesh").setLevel(
+    logging.ERROR
+)  # it reads meshes without scipy, and warns with a traceback
 with muted_standard_error():
     wp.init()
 
@@ -35,21 +37,37 @@ def imported(path: Path) -> newton.Model:
     builder = newton.ModelBuilder()
     SolverMuJoCo.register_custom_attributes(builder)
     getattr(builder, READERS.get(path.suffix.lower(), "add_usd"))(str(path))
-    return builder.finalize(device="cpu")  # its arrays are only read, and a GPU may be missing or busy
+    return builder.finalize(
+        device="cpu"
+    )  # its arrays are only read, and a GPU may be missing or busy
 
 
 def report_of(target: Target, request: Request) -> Report:
     """Lint a finalized ``newton.Model``, with ``--engine newton`` by Newton's contacts."""
     model = target.newton_model
     scene = Shapes.of(model, request.engine) if model.shape_count else None
-    has_own = scene and not kf_unread(scene) and (scene.of_geoms("shape_material_kf") > 0.0).any()
+    has_own = (
+        scene
+        and not kf_unread(scene)
+        and (scene.of_geoms("shape_material_kf") > 0.0).any()
+    )
     return Report(
         target=target.name,
-        dt_s=scene.option.timestep_s if scene else request.engine.timestep_s or TIMESTEP_S,
+        dt_s=scene.option.timestep_s
+        if scene
+        else request.engine.timestep_s or TIMESTEP_S,
         shape_count=scene.colliding if scene else 0,
         pair_count=len(scene.contacts) if scene else 0,
         load=request.load,
-        findings=[finding for finding in findings_in(scene) if finding.rule not in request.ignore] if scene else [],
-        creep=predictions(scene, request.load) if scene and not has_own else [],  # kf gives friction its own timeconst
+        findings=[
+            finding
+            for finding in findings_in(scene)
+            if finding.rule not in request.ignore
+        ]
+        if scene
+        else [],
+        creep=predictions(scene, request.load)
+        if scene and not has_own
+        else [],  # kf gives friction its own timeconst
         newton=newton.__version__,
     )

@@ -35,7 +35,9 @@ class Shapes(Scene):
 
     @cached_property
     def contacts(self) -> Contacts:
-        return contacts_of(self.model, "warp")  # SolverMuJoCo steps in MuJoCo Warp unless told otherwise
+        return contacts_of(
+            self.model, "warp"
+        )  # SolverMuJoCo steps in MuJoCo Warp unless told otherwise
 
     @cached_property
     def index(self) -> np.ndarray:
@@ -48,9 +50,14 @@ class Shapes(Scene):
         """Return body and shape of each geom, as ``fr3_leftfinger/shape_21``."""
         labels = [label.rsplit("/", 1)[-1] for label in self.shapes.shape_label]
         bodies = [label.rsplit("/", 1)[-1] for label in self.shapes.body_label]
-        owners = [bodies[body] if body >= 0 else "" for body in self.shapes.shape_body.numpy()]
+        owners = [
+            bodies[body] if body >= 0 else "" for body in self.shapes.shape_body.numpy()
+        ]
         pairs = [(owners[shape], labels[shape]) for shape in self.index]
-        return [label if owner in ("", label) else f"{owner}/{label}" for owner, label in pairs]
+        return [
+            label if owner in ("", label) else f"{owner}/{label}"
+            for owner, label in pairs
+        ]
 
     def of_geoms(self, name: str) -> np.ndarray:
         """Return an array of the model's shapes, by geom."""
@@ -60,7 +67,12 @@ class Shapes(Scene):
 def findings_in(scene: Shapes) -> list[Finding]:
     """Return all that ``SolverMuJoCo`` will not use as it was authored; Newton's contacts read kf, MuJoCo's do not."""
     rules = (ke_without_kd, friction_gain)
-    findings = [finding for rule in rules for hits in rule(scene) for finding in findings_of(hits, scene.names)]
+    findings = [
+        finding
+        for rule in rules
+        for hits in rule(scene)
+        for finding in findings_of(hits, scene.names)
+    ]
     return findings + of_mujoco(scene)
 
 
@@ -69,9 +81,14 @@ def ke_without_kd(scene: Shapes) -> Iterator[Hits]:
     timeconst_s, ratio = DEFAULT_SOLREF
     mode = getattr(getattr(scene.shapes, "mujoco", None), "solref_mode", None)
     # RAW, as importers of MJCF and USD set it: the authored solref is taken, and ke and kd are not read.
-    converted = scene.counts & (True if mode is None else mode.numpy()[scene.index] == CONVERTED)
+    converted = scene.counts & (
+        True if mode is None else mode.numpy()[scene.index] == CONVERTED
+    )
     values = {name: scene.of_geoms(f"shape_material_{name}") for name in ("ke", "kd")}
-    for name, zero, used in (("ke", "kd", 1.0 / (timeconst_s * ratio) ** 2), ("kd", "ke", 2.0 / timeconst_s)):
+    for name, zero, used in (
+        ("ke", "kd", 1.0 / (timeconst_s * ratio) ** 2),
+        ("kd", "ke", 2.0 / timeconst_s),
+    ):
         hit = np.flatnonzero(converted & (values[name] > 0.0) & (values[zero] <= 0.0))
         yield Hits(
             Wording(
@@ -93,7 +110,11 @@ def friction_gain(scene: Shapes) -> Iterator[Hits]:
     authored = ~np.isclose(kf, newton.ModelBuilder.ShapeConfig().kf, rtol=SAME)
     if reason := kf_unread(scene):
         unread = np.flatnonzero(authored & scene.counts)
-        yield Hits(Wording("kf", "kf", f"is not read by SolverMuJoCo {reason}"), unread, kf[unread])
+        yield Hits(
+            Wording("kf", "kf", f"is not read by SolverMuJoCo {reason}"),
+            unread,
+            kf[unread],
+        )
         return
     first = contacts.first
     second = contacts.second
@@ -105,10 +126,18 @@ def friction_gain(scene: Shapes) -> Iterator[Hits]:
     wording = Wording("kf", "mu", "is not read: kf is 0, which takes the friction away")
     yield Hits(wording, first[lost], mu[lost], partner=second[lost])
     dmax = contacts.solimp[:, 1]
-    most = 1.0 / (opt.timestep_s * contacts.weight * ((1.0 - dmax) / opt.impratio + dmax))
+    most = 1.0 / (
+        opt.timestep_s * contacts.weight * ((1.0 - dmax) / opt.impratio + dmax)
+    )
     counts = authored[first] | authored[second] & ~contacts.outranked
-    hit = np.flatnonzero(counts & opt.refsafe & (contacts.named < 0) & (mixed > most * (1.0 + SAME)))
-    wording = Wording("kf", "kf", "asks for a friction timeconst below two steps, which the engine clamps it to")
+    hit = np.flatnonzero(
+        counts & opt.refsafe & (contacts.named < 0) & (mixed > most * (1.0 + SAME))
+    )
+    wording = Wording(
+        "kf",
+        "kf",
+        "asks for a friction timeconst below two steps, which the engine clamps it to",
+    )
     yield Hits(wording, first[hit], mixed[hit], most[hit], second[hit])
 
 

@@ -9,7 +9,11 @@ PROJECT = Project(own_release())
 
 
 def test_every_section_is_measured_and_fresh():
-    assert {state.section: state.summary for state in states_of(PROJECT) if state.kind != "fresh"} == {}
+    assert {
+        state.section: state.summary
+        for state in states_of(PROJECT)
+        if state.kind != "fresh"
+    } == {}
 
 
 def test_the_pages_are_whole_and_every_number_is_what_was_measured():

@@ -33,10 +33,17 @@ def plain(name: str) -> str:
 
 def measure(conditions: Conditions) -> Measurement:
     """Return a row, and repeats of it, whose spread is the noise."""
-    modules = [module for module, names in packages_distributions().items() if plain(PACKAGE) in map(plain, names)]
+    modules = [
+        module
+        for module, names in packages_distributions().items()
+        if plain(PACKAGE) in map(plain, names)
+    ]
     if not modules:
         raise ImportError(f"{PACKAGE} has no module that can be imported")
     code = f"import {min(modules, key=lambda module: (module.startswith('_'), len(module)))}"
     start(code)  # files are read, and compiled, for the first time
-    rows = [{"case": "whole"}, *({"case": f"repeat-{n}", "of": "whole"} for n in range(REPEAT_COUNT))]
+    rows = [
+        {"case": "whole"},
+        *({"case": f"repeat-{n}", "of": "whole"} for n in range(REPEAT_COUNT)),
+    ]
     return Measurement([row | times(code) for row in rows])

@@ -13,5 +13,11 @@ def derive(results: Results) -> Section:
     row = results.row["whole"]
     times = {"whole": row.import_ms, "nothing": row.empty_ms}
     limit = results.chosen("limit", "what one waits for without a word", 2000.0, "ms")
-    claim = Claim("is_quick", at_most(times["whole"], limit), {"whole": times["whole"], "limit": limit})
-    return Section(tables={"times": Table(pd.DataFrame({"time": times}))}, claims=[claim])
+    claim = Claim(
+        "is_quick",
+        at_most(times["whole"], limit),
+        {"whole": times["whole"], "limit": limit},
+    )
+    return Section(
+        tables={"times": Table(pd.DataFrame({"time": times}))}, claims=[claim]
+    )

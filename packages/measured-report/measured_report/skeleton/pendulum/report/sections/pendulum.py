@@ -20,11 +20,18 @@ def derive(results: Results) -> Section:
     def draw():
         drawing, axes = new_figure()
         for case, name in INTEGRATORS.items():
-            axes.plot(traces[case].value.time_s, traces[case].value.energy_change_mj, label=name, marker="")
+            axes.plot(
+                traces[case].value.time_s,
+                traces[case].value.energy_change_mj,
+                label=name,
+                marker="",
+            )
         axes.set(xlabel="time [s]", ylabel="change of energy [mJ]")
         axes.legend(loc="lower right", bbox_to_anchor=(1, 1), ncols=2)
         return drawing
 
     frame = pd.DataFrame({"largest change of energy": errors}).rename(INTEGRATORS)
     figure = Figure(draw, list(traces.values()), errors)
-    return Section(tables={"errors": Table(frame)}, figures={"energy": figure}, claims=[claim])
+    return Section(
+        tables={"errors": Table(frame)}, figures={"energy": figure}, claims=[claim]
+    )
