@@ -75,20 +75,9 @@ def build_robot() -> ModelBuilder:
     for dof in range(ARM_DOF_COUNT):
         set_attribute("mujoco:jnt_actgravcomp", dof, True)
 
-    fingers = {
-        body_index(robot, "fr3_leftfinger"),
-        body_index(robot, "fr3_rightfinger"),
-    }
-    on_fingers = [
-        shape
-        for shape in range(robot.shape_count)
-        if robot.shape_body[shape] in fingers
-    ]
-    for pad in (
-        shape
-        for shape in on_fingers
-        if robot.shape_flags[shape] & ShapeFlags.COLLIDE_SHAPES
-    ):
+    fingers = {body_index(robot, "fr3_leftfinger"), body_index(robot, "fr3_rightfinger")}
+    on_fingers = [shape for shape in range(robot.shape_count) if robot.shape_body[shape] in fingers]
+    for pad in (shape for shape in on_fingers if robot.shape_flags[shape] & ShapeFlags.COLLIDE_SHAPES):
         # THE FIX. The pads have the higher priority, so their material alone
         # decides how they touch the cube, and the import leaves it at ke 2.5e3,
         # kd 100. MuJoCo is given timeconst = 2/kd, dampratio = kd/(2 sqrt(ke)):
@@ -105,9 +94,7 @@ def build_scene() -> ModelBuilder:
     scene = ModelBuilder()
     SolverMuJoCo.register_custom_attributes(scene)
     scene.add_builder(build_robot())
-    cube = scene.add_body(
-        xform=wp.transform(CUBE_POSITION, wp.quat_identity()), label="cube"
-    )
+    cube = scene.add_body(xform=wp.transform(CUBE_POSITION, wp.quat_identity()), label="cube")
     half = 0.5 * CUBE_EDGE
     material = ModelBuilder.ShapeConfig(density=500.0, ke=8e4, kd=8e2, mu=1.2)
     scene.add_shape_box(cube, hx=half, hy=half, hz=half, cfg=material)
@@ -116,11 +103,7 @@ def build_scene() -> ModelBuilder:
 
 
 def body_index(builder: ModelBuilder, name: str) -> int:
-    return next(
-        i
-        for i, label in enumerate(builder.body_label)
-        if label.rsplit("/", 1)[-1] == name
-    )
+    return next(i for i, label in enumerate(builder.body_label) if label.rsplit("/", 1)[-1] == name)
 
 
 @wp.kernel
@@ -160,9 +143,7 @@ def set_targets(
         position = start_position + wp.vec3(0.0, 0.0, LIFT_HEIGHT)
     elif now == SHAKE:
         angle = 2.0 * wp.pi * SHAKE_FREQUENCY * t
-        way = wp.vec3(
-            wp.sin(angle), 0.65 * wp.sin(2.0 * angle), 0.35 * wp.sin(1.5 * angle)
-        )
+        way = wp.vec3(wp.sin(angle), 0.65 * wp.sin(2.0 * angle), 0.35 * wp.sin(1.5 * angle))
         position = start_position + SHAKE_AMPLITUDE * way
 
     goal[0] = wp.transform(position, rotation)
@@ -200,15 +181,9 @@ def apply_targets(
     if elapsed[0] < phase_seconds[now]:
         return
     pose = body_q[tcp]
-    distance = wp.length(
-        wp.transform_get_translation(pose) - wp.transform_get_translation(goal[0])
-    )
-    between = wp.transform_get_rotation(pose) * wp.quat_inverse(
-        wp.transform_get_rotation(goal[0])
-    )
-    angle = 2.0 * wp.atan2(
-        wp.length(wp.vec3(between[0], between[1], between[2])), wp.abs(between[3])
-    )
+    distance = wp.length(wp.transform_get_translation(pose) - wp.transform_get_translation(goal[0]))
+    between = wp.transform_get_rotation(pose) * wp.quat_inverse(wp.transform_get_rotation(goal[0]))
+    angle = 2.0 * wp.atan2(wp.length(wp.vec3(between[0], between[1], between[2])), wp.abs(between[3]))
     if distance < POSITION_TOLERANCE and angle < ROTATION_TOLERANCE:
         phase[0] = now + 1
         phase_start[0] = pose
@@ -225,24 +200,16 @@ class Example:
             wp.set_device("cpu")
         newton.use_coord_layout_targets = True
         scene = build_scene()
-        self.tcp, self.cube = (
-            body_index(scene, "fr3_hand_tcp"),
-            body_index(scene, "cube"),
-        )
+        self.tcp, self.cube = body_index(scene, "fr3_hand_tcp"), body_index(scene, "cube")
         self.model = scene.finalize()
         self.state_0 = self.model.state()
         self.control = self.model.control()
         self._build_task()
         self._start_at_approach_pose()
-        self.pipeline = self.contacts = (
-            None  # MuJoCo's C engine generates its own contacts
-        )
+        self.pipeline = self.contacts = None  # MuJoCo's C engine generates its own contacts
         if not self.on_mujoco_c:
             self.pipeline = newton.CollisionPipeline(
-                self.model,
-                broad_phase="nxn",
-                reduce_contacts=True,
-                rigid_contact_max=CONTACT_MAX,
+                self.model, broad_phase="nxn", reduce_contacts=True, rigid_contact_max=CONTACT_MAX
             )
             self.contacts = self.pipeline.contacts()
         self.solver = SolverMuJoCo(
@@ -277,18 +244,14 @@ class Example:
         self.target_rotation = wp.array([wp.vec4(1.0, 0.0, 0.0, 0.0)], dtype=wp.vec4)
         self.target_finger = wp.zeros(1, dtype=float)
         self.solution = wp.array([READY_POSE], dtype=float)
-        self.robot = (
-            build_robot().finalize()
-        )  # the arm alone: what inverse kinematics works on
+        self.robot = build_robot().finalize()  # the arm alone: what inverse kinematics works on
         limits = self.robot.joint_limit_lower, self.robot.joint_limit_upper
         self.ik_solver = ik.IKSolver(
             model=self.robot,
             n_problems=1,
             objectives=[
                 ik.IKObjectivePosition(self.tcp, wp.vec3(), self.target_position),
-                ik.IKObjectiveRotation(
-                    self.tcp, wp.quat_identity(), self.target_rotation
-                ),
+                ik.IKObjectiveRotation(self.tcp, wp.quat_identity(), self.target_rotation),
                 ik.IKObjectiveJointLimit(*limits, weight=10.0),
             ],
             lambda_initial=0.1,
@@ -297,17 +260,13 @@ class Example:
 
     def _start_at_approach_pose(self) -> None:
         for _ in range(30):
-            self.ik_solver.step(
-                self.solution, self.solution, iterations=IK_ITERATION_COUNT
-            )
+            self.ik_solver.step(self.solution, self.solution, iterations=IK_ITERATION_COUNT)
         joint_q = self.model.joint_q.numpy()
         joint_q[:ARM_DOF_COUNT] = self.solution.numpy()[0, :ARM_DOF_COUNT]
         self.model.joint_q.assign(joint_q)
         wp.copy(self.state_0.joint_q, self.model.joint_q)
         wp.copy(self.control.joint_target_q, self.model.joint_q)
-        newton.eval_fk(
-            self.model, self.model.joint_q, self.model.joint_qd, self.state_0
-        )
+        newton.eval_fk(self.model, self.model.joint_q, self.model.joint_qd, self.state_0)
         self.phase_start.assign(self.state_0.body_q.numpy()[self.tcp : self.tcp + 1])
 
     def _simulate_frame(self) -> None:
@@ -315,69 +274,33 @@ class Example:
         wp.launch(
             set_targets,
             dim=1,
-            inputs=[
-                body_q,
-                self.tcp,
-                self.cube,
-                self.phase,
-                self.phase_start,
-                self.phase_seconds,
-            ],
-            outputs=[
-                self.elapsed,
-                self.goal,
-                self.target_position,
-                self.target_rotation,
-                self.target_finger,
-            ],
+            inputs=[body_q, self.tcp, self.cube, self.phase, self.phase_start, self.phase_seconds],
+            outputs=[self.elapsed, self.goal, self.target_position, self.target_rotation, self.target_finger],
         )
         self.ik_solver.step(self.solution, self.solution, iterations=IK_ITERATION_COUNT)
         wp.launch(
             apply_targets,
             dim=1,
-            inputs=[
-                body_q,
-                self.tcp,
-                self.goal,
-                self.solution,
-                self.target_finger,
-                self.phase_seconds,
-            ],
-            outputs=[
-                self.control.joint_target_q,
-                self.phase,
-                self.phase_start,
-                self.elapsed,
-            ],
+            inputs=[body_q, self.tcp, self.goal, self.solution, self.target_finger, self.phase_seconds],
+            outputs=[self.control.joint_target_q, self.phase, self.phase_start, self.elapsed],
         )
         if self.pipeline:
             self.pipeline.collide(self.state_0, self.contacts)
         for _ in range(SUBSTEP_COUNT):
-            self.solver.step(
-                self.state_0,
-                self.state_0,
-                self.control,
-                self.contacts,
-                FRAME_DT / SUBSTEP_COUNT,
-            )
+            self.solver.step(self.state_0, self.state_0, self.control, self.contacts, FRAME_DT / SUBSTEP_COUNT)
 
     def step(self) -> None:
         if self.graph:
             wp.capture_launch(self.graph)
         else:
             self._simulate_frame()
-            if (
-                not self.on_mujoco_c
-            ):  # what has run once is captured and replayed, which is far faster
+            if not self.on_mujoco_c:  # what has run once is captured and replayed, which is far faster
                 with wp.ScopedCapture() as capture:
                     self._simulate_frame()
                 self.graph = capture.graph
         self.frame_count += 1
         if self.phase.numpy()[0] == SHAKE:
-            tcp, cube = (
-                wp.transform(*pose)
-                for pose in self.state_0.body_q.numpy()[[self.tcp, self.cube]]
-            )
+            tcp, cube = (wp.transform(*pose) for pose in self.state_0.body_q.numpy()[[self.tcp, self.cube]])
             self.in_tcp.append((wp.transform_inverse(tcp) * cube).p)
             if self.main_axis is None:
                 self.main_axis = wp.quat_rotate_inv(tcp.q, wp.vec3(1.0, 0.0, 0.0))
@@ -391,24 +314,15 @@ class Example:
         """Tell how far the cube slipped in the grasp, how fast it drifts along the main axis, and where it ends."""
         height = float(self.state_0.body_q.numpy()[self.cube, 2])
         if len(self.in_tcp) < 2:
-            return {
-                "slip_mm": None,
-                "drift_mm_s": None,
-                "cube_height_m": height,
-                "dropped": None,
-            }
+            return {"slip_mm": None, "drift_mm_s": None, "cube_height_m": height, "dropped": None}
         moved = 1e3 * np.subtract(self.in_tcp, self.in_tcp[0], dtype=np.float64)
-        drift = np.polyfit(FRAME_DT * np.arange(len(moved)), moved @ self.main_axis, 1)[
-            0
-        ]
+        drift = np.polyfit(FRAME_DT * np.arange(len(moved)), moved @ self.main_axis, 1)[0]
         on_ground = height < CUBE_POSITION[2] + 0.005
         return {
             "slip_mm": float(np.linalg.norm(moved[-1])),
             "drift_mm_s": float(drift),
             "cube_height_m": height,
-            "dropped": bool(
-                on_ground or np.linalg.norm(self.in_tcp[-1]) > DROP_DISTANCE
-            ),
+            "dropped": bool(on_ground or np.linalg.norm(self.in_tcp[-1]) > DROP_DISTANCE),
         }
 
     def test_final(self) -> None:
@@ -417,23 +331,14 @@ class Example:
         if summary["slip_mm"] is None:
             raise ValueError("the shake was never reached; it begins after 212 frames")
         if summary["dropped"] or not summary["slip_mm"] <= SLIP_LIMIT_MM:
-            raise ValueError(
-                f"the cube slipped {summary['slip_mm']:.2f} mm in the grasp, more than {SLIP_LIMIT_MM} mm"
-            )
+            raise ValueError(f"the cube slipped {summary['slip_mm']:.2f} mm in the grasp, more than {SLIP_LIMIT_MM} mm")
 
     @staticmethod
     def create_parser():
         parser = newton.examples.create_parser()
         parser.set_defaults(num_frames=900)
-        parser.add_argument(
-            "--backend",
-            choices=("warp", "mujoco"),
-            default="warp",
-            help="MuJoCo Warp or MuJoCo C",
-        )
-        parser.add_argument(
-            "--json", type=Path, metavar="FILE", help="write the measured summary there"
-        )
+        parser.add_argument("--backend", choices=("warp", "mujoco"), default="warp", help="MuJoCo Warp or MuJoCo C")
+        parser.add_argument("--json", type=Path, metavar="FILE", help="write the measured summary there")
         return parser
 
 
@@ -446,6 +351,4 @@ if __name__ == "__main__":
         newton.examples.run(example, arguments)
     finally:
         if arguments.json:
-            arguments.json.write_text(
-                json.dumps(example.summary(), indent=1) + "\n", encoding="utf-8"
-            )
+            arguments.json.write_text(json.dumps(example.summary(), indent=1) + "\n", encoding="utf-8")
