@@ -11,7 +11,6 @@ from markupsafe import Markup
 from experiments.facts.clip_record import CLIPS, FIRST, clips_state
 from measured_report.editions.status import State
 from measured_report.files.atomic import short_path
-from measured_report.files.config import config
 from measured_report.files.errors import ReportError
 from measured_report.files.root import ROOT
 from measured_report.findings.chapters import results_digest
@@ -90,7 +89,7 @@ class Plugins(plugins.Plugins):
             machine = records[0].machine_text.partition(" (")[0]
             packages = records[0].identity.packages
         # These decide most of what is measured; the foot of the page has all.
-        engine = (config().edition, "mujoco-warp")
+        engine = (self.edition.report.settings.edition, "mujoco-warp")
         named = [f"{name} {packages[name]}" for name in engine if name in packages]
         return {
             "value": read.value,

@@ -16,6 +16,7 @@ from unittest import mock
 import numpy as np
 import pandas as pd
 from conftest import contents, undrawn
+from current_columns import REASON, column_of, is_number, units_of
 from markupsafe import Markup
 
 from measured_report.editions.project import Project, own_release
@@ -24,7 +25,6 @@ from measured_report.findings.editions import Edition
 from measured_report.pages.prose import Templates
 from measured_report.pages.wording import worded_editions
 from measured_report.parts.macros import Picture
-from measured_report.records.columns import REASON, column_of, is_number, units_of
 from measured_report.records.record import Record, load_record, record_text
 from measured_report.site.build import build
 from measured_report.site.check import check_site

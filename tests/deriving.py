@@ -17,12 +17,12 @@ from typing import Any
 
 import pandas as pd
 import pytest
+from current_columns import units_of
 from markupsafe import Markup
 
 from measured_report.editions.project import Project
 from measured_report.findings.sections import Read, derive_section, outline_of
 from measured_report.parts.section import Section
-from measured_report.records.columns import units_of
 from measured_report.records.record import Record, load_record
 from measured_report.values.evidence import Evidence, Repeats
 from measured_report.values.quantities import Quantity

@@ -7,12 +7,12 @@ from functools import cache
 from itertools import count, product
 from typing import Any
 
+from current_columns import column_of
 from markupsafe import Markup
 
 from measured_report.pages.passages import needs_of
 from measured_report.parts.claim import Claim
 from measured_report.parts.section import Section
-from measured_report.records.columns import column_of
 from measured_report.values.quantities import VALUES_FILE, Pointer, Quantity, Value
 from tests.perturbed import FACTORS, Perturbation
 

@@ -9,15 +9,15 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
 from conftest import contents, undrawn
+from current_columns import column_of
 
-from measured_report.files.config import config
+from measured_report.files.config import report
 from measured_report.findings.chapters import Chapters
 from measured_report.findings.editions import Edition
 from measured_report.findings.sections import derive_section
 from measured_report.pages.prose import Templates
 from measured_report.parts.claim import Claim
 from measured_report.parts.section import Section
-from measured_report.records.columns import column_of
 from measured_report.records.record import Record
 from measured_report.records.traces import load_trace
 from measured_report.values.evidence import Evidence, repeats_of
@@ -128,7 +128,7 @@ class Perturbation:
         if (
             name not in releases[release]
         ):  # what a text of a page tells has no record of its own
-            derive = import_module(f"{config().text_modules}.{name}").derive
+            derive = import_module(f"{report().settings.text_modules}.{name}").derive
             return (
                 derive(releases, release)
                 if len(signature(derive).parameters) > 1
@@ -170,7 +170,9 @@ class Perturbation:
         """Nothing is derived from them yet."""
         tracked = self.releases[release][name].results
         record = records.get(tracked.source, tracked.record)
-        noise = records.get(f"{tracked.path.parent.name}/{config().noise_section}.json")
+        noise = records.get(
+            f"{tracked.path.parent.name}/{report().settings.noise_section}.json"
+        )
         repeats = (
             repeats_of(noise.rows, tracked.columns)
             if noise

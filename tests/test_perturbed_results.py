@@ -9,12 +9,12 @@ from dataclasses import replace
 
 import pytest
 from altered import NEWEST
+from current_columns import REASON
 
 from measured_report.editions.project import own_release
 from measured_report.files.root import ROOT
 from measured_report.pages.prose import Templates
 from measured_report.parts.claim import HOLDS
-from measured_report.records.columns import REASON
 from measured_report.records.record import Record
 from measured_report.values.format import ABSENT
 from measured_report.values.results import Results

@@ -29,10 +29,10 @@ from experiments.media.clips import (
 from experiments.simulation.host import warp_device
 from measured_report.editions.project import PROFILES, Project, own_release
 from measured_report.files.atomic import atomic_file
+from measured_report.files.config import report
 from measured_report.files.errors import ReportError
 from measured_report.measuring.machine import commit, machine
 from measured_report.measuring.measurement import absent
-from measured_report.records.columns import units_of
 from measured_report.records.record import Record, load_record, trace_path, write_record
 from measured_report.records.traces import load_trace, packed
 
@@ -97,7 +97,7 @@ def make_clips(project: Project, device: wp.Device) -> None:
             + ("" if project.is_own else f" NEWTON={project.release}"),
             "seconds": round(time.perf_counter() - start, 1),
         },
-        units=units_of(rows),
+        units=report().columns.units_of(rows),
         rows=rows,
     )
     path = project.record_path(shown.CLIPS)

@@ -1,7 +1,5 @@
 """The defaults of a release, and the slip with them: the scene writes those of 1.4.0."""
 
-from measured_report.files.config import config
-from measured_report.records.columns import changed_parameters
 from report.shared import Claim, Results, Section, all_of, cell_or_absent, decided
 
 order = 205
@@ -17,12 +15,15 @@ MUJOCO = {  # the engine finds the contacts; a pyramid
 
 def derive(results: Results) -> Section:
     row = results.row["own-defaults"]
-    changed = [name for name in changed_parameters(row.plain) if name not in RUN]
+    columns = results.columns
+    changed = [
+        name for name in columns.changed_parameters(row.plain) if name not in RUN
+    ]
     by_mujoco = []
     for name, value in MUJOCO.items():
         cell = cell_or_absent(results.row[f"solver-{name}"], "value")
         by_mujoco.append(decided(cell.value == value, cell))
-    release = config().name_of(results.edition)
+    release = columns.settings.name_of(results.edition)
     return Section(
         claims=[
             Claim(

@@ -2,7 +2,6 @@
 
 from statistics import fmean
 
-from measured_report.records.columns import column_of
 from measured_report.values.noise import CONFIDENCE, PAIRS, tolerance
 from report.shared import (
     NEAR_NOISE,
@@ -52,7 +51,7 @@ def derive(results: Results) -> Section:
             for case, rows in repeats.items()
         ]
         # Where all runs are alike to the last bit, rounding moves them.
-        column = column_of(name)
+        column = results.columns[name]
         least = results.chosen(
             f"{metric}_resolution",
             "what rounding may do",

@@ -54,6 +54,7 @@ from report.shared.arithmetic import (
     resolved,
     rows_with,
     sections_of,
+    settings_of,
     spread,
 )
 from report.shared.tables import (

@@ -5,9 +5,11 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
+from measured_report.files.columns import PLAIN
+from measured_report.files.settings import Config
+from measured_report.findings.chapters import Releases
 from measured_report.parts.claim import FAILS, Outcome, at_most
 from measured_report.parts.section import Section
-from measured_report.records.columns import PLAIN, column_of
 from measured_report.values.quantities import (
     PERCENT,
     Quantity,
@@ -133,7 +135,7 @@ def cell_or_absent(
     """Return a cell that not every record has, or a missing number with the reason."""
     if row and column in row:
         return row[column]
-    return absent(column_of(column).unit, reason)
+    return absent(row.columns[column].unit if row is not None else PLAIN, reason)
 
 
 def is_held(row: Row) -> bool:
@@ -142,6 +144,14 @@ def is_held(row: Row) -> bool:
     A hand that trembles may shake too late.
     """
     return None not in (row.slip_mm.value, row.cycle_count.value)
+
+
+def settings_of(releases: Releases) -> Config:
+    """Return the settings of the report that these releases are of."""
+    for chapters in releases.values():
+        for chapter in chapters.values():
+            return chapter.results.columns.settings
+    return Config()
 
 
 def joined(parts: Sequence[Section]) -> Section:

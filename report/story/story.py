@@ -2,7 +2,6 @@
 
 from markupsafe import Markup
 
-from measured_report.files.config import config
 from measured_report.findings.chapters import Releases
 from report.sections.upgrade.ends import released
 from report.shared import (
@@ -19,6 +18,7 @@ from report.shared import (
     at_most,
     decided,
     sections_of,
+    settings_of,
     table_of,
 )
 from report.story import frontier
@@ -83,7 +83,8 @@ def derive(releases: Releases, shown: str) -> Section:
         still = all_of(
             *(at_least(slip, bound) for each in others for slip in each.values())
         )
-    *names, last = map(config().name_of, measured[PYRAMID] or [""])
+    settings = settings_of(releases)
+    *names, last = map(settings.name_of, measured[PYRAMID] or [""])
     pyramids = " and ".join(filter(None, (", ".join(names), last)))
 
     claims = [
@@ -110,7 +111,7 @@ def derive(releases: Releases, shown: str) -> Section:
         claims.append(Claim(name, outcome, {"before": before, "after": after}))
     slide = sections.cell("contacts", "as-shipped-missing-term", "slide_mm")
     return Section(
-        tables={"needed": table_of("release", map(config().short_name, every), needed)},
+        tables={"needed": table_of("release", map(settings.short_name, every), needed)},
         figures={
             "mechanism": Figure(draw_mechanism, [slide]),
             "frontier": frontier.figure(sections),

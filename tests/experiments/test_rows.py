@@ -19,7 +19,6 @@ from experiments import (
     stiffness,
 )
 from experiments.cure import bodies, combinations, controls, turntable
-from experiments.drivers import newton_solver
 from experiments.drivers.apart import apart
 from experiments.drivers.contacts import Contacts
 from experiments.drivers.scene import Trace as Shown
@@ -32,8 +31,6 @@ from experiments.newton_solvers import box
 from experiments.newton_solvers.stepper import weight_of_the_arm
 from experiments.scenes import pick, slope
 from experiments.scenes.pinch import pinch
-from experiments.scenes.turntable import slope as slope_of_table
-from experiments.scenes.turntable import still
 from experiments.scenes.turntable import turntable as turning_box
 from experiments.simulation.task import SHAKE
 
@@ -524,18 +521,18 @@ def test_a_box_walks_by_its_radius_or_creeps_by_its_way_along_a_table_that_stand
     path = np.stack(
         [0.2 * np.exp(0.03 * time_s), 0.0 * time_s, 0.1 + 0.0 * time_s], axis=1
     )
-    assert box.columns("growth_per_s", path) == {
+    assert box.columns("turntable", path) == {
         "stays": True,
         "growth_per_s": pytest.approx(0.03),
     }
     path[:, :2] = 0.2 + np.outer(time_s, (0.003, 0.004)) + (time_s < 0.95)[:, None]
-    assert box.columns("creep_mm_s", path) == {
+    assert box.columns("still", path) == {
         "stays": True,
         "creep_mm_s": pytest.approx(5.0),
     }
     for drop_m, stays in ((0.0099, True), (0.0101, False)):
         path[-1, 2] = 0.1 - drop_m
-        assert box.columns("creep_mm_s", path)["stays"] is stays
+        assert box.columns("slope", path)["stays"] is stays
 
 
 def test_a_box_is_sampled_each_tenth_of_a_second_from_its_place_on(monkeypatch):
@@ -548,18 +545,19 @@ def test_a_box_is_sampled_each_tenth_of_a_second_from_its_place_on(monkeypatch):
         there.body_q.assign(places)
 
     monkeypatch.setattr(
-        newton_solver.solvers,
-        "SolverMuJoCo",
-        lambda *_, **options: SimpleNamespace(step=step),
+        box.solvers, "SolverMuJoCo", lambda *_, **options: SimpleNamespace(step=step)
     )
     pipeline = SimpleNamespace(
         contacts=lambda: None, collide=lambda *_: found.append(0)
     )
-    monkeypatch.setattr(
-        newton_solver.newton, "CollisionPipeline", lambda *_, **options: pipeline
+    monkeypatch.setattr(box.newton, "CollisionPipeline", lambda *_, **options: pipeline)
+    path = box.run(
+        box.Variant("", "SolverMuJoCo", steps_between_contacts=4),
+        "still",
+        0.01,
+        0.3,
+        "cpu",
     )
-    variant = newton_solver.Variant("", "SolverMuJoCo", steps_between_contacts=4)
-    path = newton_solver.run(still(0.01, 0.3), variant, "cpu").path_m
     assert path == pytest.approx(
         np.outer([0.0, 0.01, 0.02, 0.03], [1.0, 0.0, 0.0]) + [0.2, 0.0, 0.1]
     )
@@ -567,11 +565,7 @@ def test_a_box_is_sampled_each_tenth_of_a_second_from_its_place_on(monkeypatch):
 
 
 def test_gravity_leans_on_the_slope_by_a_tangent_of_035_and_arms_carry_their_weight():
-    gravity = (
-        newton_solver.build(slope_of_table(0.01, 0.3), "cpu")
-        .gravity.numpy()
-        .reshape(-1, 3)[0]
-    )
+    gravity = box.build("slope", "cpu").gravity.numpy().reshape(-1, 3)[0]
     assert np.linalg.norm(gravity) == pytest.approx(G) and -gravity[0] / gravity[
         2
     ] == pytest.approx(0.35)

@@ -16,6 +16,7 @@ from pathlib import Path
 
 import jinja2
 import pytest
+from current_columns import units_of
 from jinja2.bccache import Bucket
 
 import measured_report
@@ -26,7 +27,6 @@ from measured_report.editions.status import states_of
 from measured_report.files.atomic import locked
 from measured_report.files.config import report
 from measured_report.findings.editions import Edition, derive_edition
-from measured_report.records.columns import units_of
 from measured_report.records.identity import identity_of
 from measured_report.records.record import Record, write_record
 from measured_report.records.traces import packed

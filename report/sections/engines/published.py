@@ -3,7 +3,6 @@
 from dataclasses import dataclass
 from decimal import Decimal
 
-from measured_report.records.columns import column_of
 from report.sections.scenes.capsule import PUBLISHED_MM_S, VARIANTS
 from report.shared import (
     AS_PUBLISHED,
@@ -113,7 +112,7 @@ def derive(results: Results) -> Section:
         ours = sections.cell(each.section, each.case, each.column)
         agrees = "" if ours.value is None else each.agrees(ours.value)
         name = f"{each.case}_{each.column}"
-        published = constant(float(each.theirs), column_of(each.column).unit)
+        published = constant(float(each.theirs), results.columns[each.column].unit)
         theirs = results.value(f"theirs_{name}", AS_PUBLISHED, published)
         cells: list[Quantity | str] = ["", "a bound"]
         if not each.is_bound:

@@ -4,7 +4,6 @@ from dataclasses import replace
 from itertools import pairwise
 
 from measured_report.changes.compare import FlipList, flips
-from measured_report.files.config import config
 from measured_report.findings.chapters import Releases
 from report.sections import speed
 from report.sections.upgrade import tables
@@ -133,7 +132,9 @@ def _in_one_step(
             break
     if len(cells) < 3:
         outcome = Outcome("unknown", "no release between was measured")
-    named = [[config().name_of(name) for name in step] for step in steps]
+    named = [
+        [results.columns.settings.name_of(name) for name in step] for step in steps
+    ]
     outcome = _nothing_to_explain(same) or outcome
     return Claim("in_one_step", outcome, {"steps": named})
 

@@ -4,9 +4,8 @@ from dataclasses import dataclass
 
 from measured_report.changes.query import Query
 from measured_report.editions.release import read_label
-from measured_report.files.config import config
 from measured_report.findings.chapters import Releases
-from report.shared import HOLDS, Outcome, Quantity, Results, beyond
+from report.shared import HOLDS, Outcome, Quantity, Results, beyond, settings_of
 
 
 def released(releases: Releases, shown: str) -> Releases:
@@ -28,7 +27,8 @@ class Ends:
 
     @property
     def names(self) -> dict[str, str]:
-        return {"a": config().name_of(self.old), "b": config().name_of(self.new)}
+        settings = settings_of(self.releases)
+        return {"a": settings.name_of(self.old), "b": settings.name_of(self.new)}
 
     @property
     def one(self) -> Outcome | None:

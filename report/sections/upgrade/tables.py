@@ -3,10 +3,9 @@
 from markupsafe import Markup
 
 from measured_report.changes.query import Query, points
-from measured_report.files.config import config
 from measured_report.findings.chapters import Releases
 from measured_report.values.format import unit_label
-from report.shared import Figure, Quantity, Table, table_of
+from report.shared import Figure, Quantity, Table, settings_of, table_of
 
 SHIPPED = "as-shipped"
 SWITCHED = "as-shipped-kf-off"
@@ -56,8 +55,9 @@ DRAWN = {
 
 
 def side_by_side(heading: str, releases: Releases, queries: dict[str, Query]) -> Table:
+    settings = settings_of(releases)
     columns = {
-        config().short_name(release): [
+        settings.short_name(release): [
             query.cell(chapters, release).bare for query in queries.values()
         ]
         for release, chapters in releases.items()
@@ -67,7 +67,8 @@ def side_by_side(heading: str, releases: Releases, queries: dict[str, Query]) ->
 
 def option_table(releases: Releases) -> Table:
     """Show the settings that differ; of their rows each has a name and a value."""
-    kinds = config().changes.settings
+    report_settings = settings_of(releases)
+    kinds = report_settings.changes.settings
     measured = {name: each for name, each in releases.items() if "upgrade" in each}
     settings: dict[str, dict[str, Quantity | str]] = {}
     for release, chapters in measured.items():
@@ -85,7 +86,7 @@ def option_table(releases: Releases) -> Table:
     shown = {name: values for name, values in settings.items() if differs(values)}
     shown = shown or {"none": dict.fromkeys(measured, "")}
     columns = {
-        config().short_name(release): [
+        report_settings.short_name(release): [
             Markup("{}").format(values.get(release, "–")) for values in shown.values()
         ]
         for release in measured
@@ -98,7 +99,8 @@ def slip_figure(releases: Releases, steps: list[tuple[str, str]]) -> Figure:
         query: [query.cell(chapters, name) for name, chapters in releases.items()]
         for query in DRAWN
     }
-    slips = zip(map(config().name_of, releases), lines[SLIP], strict=True)
+    names = map(settings_of(releases).name_of, releases)
+    slips = zip(names, lines[SLIP], strict=True)
     cells = [cell for line in lines.values() for cell in line]
     numbers = {"slips": list(slips), "steps": steps}
     return Figure(lambda: _draw_slips(releases, lines), cells, numbers)
@@ -121,7 +123,9 @@ def _draw_slips(releases: Releases, lines: dict[Query, list[Quantity]]):
         shared.mark_points(axes, points, marker="o", label=label, **look)
     axes.set_yscale("log")
     tick_125(axes.yaxis)
-    axes.set_xticks(range(len(releases)), map(config().short_name, releases))
+    axes.set_xticks(
+        range(len(releases)), map(settings_of(releases).short_name, releases)
+    )
     axes.set(
         xlim=(-0.3, len(releases) - 0.5), xlabel="Newton release", ylabel="slip [mm]"
     )
@@ -131,9 +135,10 @@ def _draw_slips(releases: Releases, lines: dict[Query, list[Quantity]]):
 
 def number_table(releases: Releases) -> Table:
     """Show the headlines, marked where one differs from the release before."""
+    settings = settings_of(releases)
     names = []
     columns: dict[str, list[Markup]] = {name: [] for name in releases}
-    for label, text in config().changes.headlines.items():
+    for label, text in settings.changes.headlines.items():
         query = Query(text, label=label)
         history = points(releases, query)
         if not history:
@@ -148,5 +153,5 @@ def number_table(releases: Releases) -> Table:
                 moved = Markup('{} <span class="moved {}">{}</span>')
                 number = moved.format(number, mark, mark)
             columns[name].append(number)
-    columns = {config().short_name(name): cells for name, cells in columns.items()}
+    columns = {settings.short_name(name): cells for name, cells in columns.items()}
     return table_of("number", names, columns)

@@ -3,10 +3,10 @@
 from dataclasses import replace
 
 import pytest
+from current_columns import units_of
 from deriving import assert_found
 
 from measured_report.files.root import ROOT
-from measured_report.records.columns import units_of
 from measured_report.records.record import load_record
 from measured_report.values.results import Results
 from report.sections.error_runtime.runs import ERROR, TIME, front

@@ -7,7 +7,7 @@ import pytest
 from conftest import contents
 from deriving import chapters_with, found_in, near, only, read
 
-from measured_report.files.config import config
+from measured_report.files.config import report
 from measured_report.files.errors import ReportError
 from measured_report.files.root import ROOT
 from measured_report.findings.editions import Edition
@@ -37,7 +37,7 @@ def texts(editions, templates, release: str) -> dict[str, str]:
     [page] = [
         content
         for content in contents(editions, templates, release)
-        if content.page == config().front
+        if content.page == report().settings.front
     ]
     front, story, _ = page.texts
     drawn = {

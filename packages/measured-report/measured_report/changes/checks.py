@@ -8,11 +8,11 @@ from itertools import chain
 
 from measured_report.changes.moves import CHOSEN_SHARE
 from measured_report.changes.query import Query
+from measured_report.files.columns import columns_of, unbelieved
 from measured_report.files.config import FILE
 from measured_report.files.errors import ReportError, suggestion
 from measured_report.findings.editions import Edition
 from measured_report.parts.claim import WITHIN
-from measured_report.records.columns import columns_of, unbelieved
 from measured_report.records.identity import sections
 from measured_report.values.format import format_share
 from measured_report.values.quantities import Quantity

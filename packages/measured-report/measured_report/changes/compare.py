@@ -9,13 +9,13 @@ from typing import Any
 from markupsafe import Markup
 
 from measured_report.changes.moves import Move, cost_terms, moves_between
+from measured_report.files.columns import unbelieved
 from measured_report.files.config import Config, Page, Report
 from measured_report.files.groups import grouped
 from measured_report.findings.chapters import Chapter, Chapters, Releases
 from measured_report.findings.editions import Edition
 from measured_report.parts.claim import Claim
 from measured_report.parts.macros import macros
-from measured_report.records.columns import unbelieved
 from measured_report.records.record import Record
 from measured_report.values.noise import FALSE_SHARE, discoveries
 from measured_report.values.quantities import Pointer

@@ -6,10 +6,10 @@ from dataclasses import dataclass, field, replace
 from functools import partial
 from typing import Any
 
+from measured_report.files.columns import REASON, Column, Schema, is_number
 from measured_report.files.groups import single
 from measured_report.files.settings import Changes
 from measured_report.findings.chapters import Chapter
-from measured_report.records.columns import REASON, Column, Schema, is_number
 from measured_report.records.record import Record
 from measured_report.values.evidence import (
     EDGES,

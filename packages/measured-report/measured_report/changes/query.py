@@ -10,9 +10,9 @@ from typing import Any
 
 from measured_report.changes.moves import direction
 from measured_report.editions.status import aligned
+from measured_report.files.columns import PLAIN, Schema
 from measured_report.findings.chapters import Chapters, Releases
 from measured_report.parts.claim import Claim
-from measured_report.records.columns import PLAIN, Schema
 from measured_report.values.noise import FALSE_SHARE, LEAST_RUNS, NORMAL, TINY, Z
 from measured_report.values.quantities import Quantity, absent
 from measured_report.values.results import Results, Row

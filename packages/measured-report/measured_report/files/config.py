@@ -1,12 +1,11 @@
 """Config: a report, with all that is known of it, and the current one."""
 
 import sys
-from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import cache, cached_property
 from pathlib import Path
 from types import ModuleType
-from typing import Any, TypeVar
+from typing import TypeVar
 
 from measured_report.files import root
 from measured_report.files.columns import Schema, case_parameters
@@ -99,8 +98,6 @@ class Report:
         ]
         sys.modules.update(self._modules)
         root.ROOT = self.root
-        for function in _cached:
-            function.cache_clear()
 
 
 @cache
@@ -109,25 +106,8 @@ def report_in(folder: Path) -> Report:
 
 
 _entered = [report_in(root.ROOT)]
-_cached: list[Any] = []
 
 
 def report() -> Report:
     """Return the current report: at first that of ``files/root.py``."""
     return _entered[-1]
-
-
-def config() -> Config:
-    """Return what the current report says of itself."""
-    return report().settings
-
-
-def module_of(setting: str) -> ModuleType:
-    """Import the module that a setting names; ReportError, one line, where there is none."""
-    return module_named(setting, getattr(config(), setting).partition(":")[0])
-
-
-def cached_in_report(function: Callable[..., T]) -> Callable[..., T]:
-    """Keep what a function returns, as ``functools.cache`` does, until another report is the current one."""
-    _cached.append(cache(function))
-    return _cached[-1]

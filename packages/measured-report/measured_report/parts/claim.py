@@ -10,10 +10,10 @@ from typing import Any
 
 from markupsafe import Markup
 
+from measured_report.files.columns import Schema
 from measured_report.files.errors import ReportError
 from measured_report.parts.macros import macros
 from measured_report.parts.words import Wording
-from measured_report.records.columns import Schema
 from measured_report.values.quantities import (
     VALUES_FILE,
     Quantity,

@@ -7,11 +7,11 @@ from typing import TYPE_CHECKING, Any
 
 from markupsafe import Markup
 
+from measured_report.files.columns import PLAIN, Schema, unlike
 from measured_report.files.errors import ReportError, bug_of
 from measured_report.parts.claim import Claim
 from measured_report.parts.macros import Picture, macros
 from measured_report.parts.words import Wording
-from measured_report.records.columns import PLAIN, Schema, unlike
 from measured_report.values.format import ABSENT, unit_label
 from measured_report.values.quantities import VALUES_FILE, Quantity
 from measured_report.values.results import ResultsError, Series

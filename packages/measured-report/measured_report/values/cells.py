@@ -6,8 +6,8 @@ from dataclasses import dataclass, field
 from statistics import fmean, median
 from typing import Any
 
+from measured_report.files.columns import REASON, Column, Schema
 from measured_report.files.groups import single
-from measured_report.records.columns import REASON, Column, Schema
 from measured_report.records.record import Record
 from measured_report.values.evidence import (
     MEAN,

@@ -13,9 +13,9 @@ from dataclasses import dataclass, field
 from statistics import NormalDist, fmean
 from typing import Any, NamedTuple
 
+from measured_report.files.columns import Column, Schema, is_number
 from measured_report.files.errors import ReportError
 from measured_report.files.groups import grouped
-from measured_report.records.columns import Column, Schema, is_number
 from measured_report.values.noise import (
     Estimate,
     Z,

@@ -15,8 +15,8 @@ from typing import Any
 
 from markupsafe import Markup, escape
 
+from measured_report.files.columns import PLAIN
 from measured_report.files.errors import ReportError
-from measured_report.records.columns import PLAIN
 from measured_report.records.record import Origin
 from measured_report.values.format import (
     LEAST,

@@ -9,10 +9,10 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from measured_report.files.atomic import RecordError
+from measured_report.files.columns import PLAIN, REASON, Schema
 from measured_report.files.config import report
 from measured_report.files.errors import ReportError, suggestion
 from measured_report.files.groups import single
-from measured_report.records.columns import PLAIN, REASON, Schema
 from measured_report.records.record import Origin, Record, trace_path
 from measured_report.records.traces import load_trace
 from measured_report.values.evidence import Evidence
@@ -145,6 +145,11 @@ class Row:
         """Return what is known of one of its numbers; None where nobody knows how that scatters."""
         results = self._results
         return results.evidence.estimate(column, self.plain, results.columns)
+
+    @property
+    def columns(self) -> Schema:
+        """Return the schema of the columns of its record."""
+        return self._results.columns
 
     @property
     def label(self) -> str:

@@ -16,7 +16,7 @@ from measured_report.commands.new import SKELETON
 from measured_report.commands.upgrade import base_of, lacking
 from measured_report.editions.project import Manifest, Project, write_manifest
 from measured_report.editions.release import release_of
-from measured_report.files.config import config, report_in
+from measured_report.files.config import report, report_in
 from measured_report.files.errors import UsageError
 from measured_report.files.settings import Columns
 
@@ -173,9 +173,9 @@ def test_why_names_what_was_set_otherwise_and_an_edition_without_a_name_is_not_n
                 for row in ROWS
             ]
         )
-    changed = replace(config().changes, thresholds={"toy.soft.slip_mm": 0.05})
-    columns = [*config().columns, Columns(names=["damping"], kind="computed")]
-    rules = replace(config(), changes=changed, columns=columns)
+    changed = replace(report().settings.changes, thresholds={"toy.soft.slip_mm": 0.05})
+    columns = [*report().settings.columns, Columns(names=["damping"], kind="computed")]
+    rules = replace(report().settings, changes=changed, columns=columns)
     with report_in(toy.project.root) as entered:
         monkeypatch.setitem(vars(entered), "settings", rules)
         vars(entered).pop("columns", None)

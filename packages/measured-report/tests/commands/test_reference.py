@@ -4,13 +4,13 @@ import re
 from dataclasses import fields
 
 import pytest
+from current_columns import units
 
 from measured_report.commands.new import SKELETON
 from measured_report.commands.reference import reference
 from measured_report.files.config import Report
 from measured_report.files.root import ROOT
 from measured_report.files.settings import Changes, Columns, ColumnTraits, Config
-from measured_report.records.columns import units
 
 TEXT = reference(Report(SKELETON / "pendulum"))
 

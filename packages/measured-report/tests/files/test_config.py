@@ -4,13 +4,13 @@ import subprocess
 import sys
 
 import pytest
+from current_columns import parameters, units
 
 from measured_report.commands.new import SKELETON
 from measured_report.files.config import Report, module_named, report
 from measured_report.files.errors import ReportError
 from measured_report.measuring.accelerator import accelerator
 from measured_report.measuring.host import host
-from measured_report.records.columns import parameters, units
 
 
 def plugins():

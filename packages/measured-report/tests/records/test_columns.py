@@ -2,13 +2,9 @@
 
 from dataclasses import MISSING, replace
 
+import current_columns as columns
 import pytest
-
-from measured_report.files.atomic import RecordError
-from measured_report.files.config import Config
-from measured_report.files.errors import ReportError
-from measured_report.records import columns
-from measured_report.records.columns import (
+from current_columns import (
     Schema,
     column_of,
     is_unit,
@@ -18,6 +14,10 @@ from measured_report.records.columns import (
     units_of,
     unlike,
 )
+
+from measured_report.files.atomic import RecordError
+from measured_report.files.config import Config
+from measured_report.files.errors import ReportError
 from measured_report.records.record import read_record, record_text
 from measured_report.records.replicas import mismatch
 

@@ -25,7 +25,7 @@ def measure(conditions):
     return [firm(run) - loose(run) for run in range(RUNS)]
 ''',
     "experiments/middle.py": """from experiments.far import scaled
-from measured_report.records.columns import PLAIN
+from current_columns import PLAIN
 
 ROBOT = "assets/robot.urdf"
 

@@ -5,12 +5,12 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from current_columns import column_of, number_problem, units_of
 from damage import unsealed
 
 from measured_report.files.atomic import RecordError
 from measured_report.files.config import report
 from measured_report.measuring.section import believable
-from measured_report.records.columns import column_of, number_problem, units_of
 from measured_report.records.record import load_record, trace_path, write_record
 from measured_report.records.traces import load_trace, packed
 

@@ -10,7 +10,7 @@ import pytest
 from markupsafe import Markup
 from toys import MODULE, ROWS, TEMPLATE
 
-from measured_report.files.config import config, report
+from measured_report.files.config import report
 from measured_report.files.errors import ReportError
 from measured_report.pages import prose
 from measured_report.parts.prose import CLOSE, OPEN, Prose
@@ -43,10 +43,10 @@ def test_the_headlines_of_all_editions_are_a_page_with_where_they_changed(
     toy, monkeypatch
 ):
     rules = replace(
-        config().changes,
+        report().settings.changes,
         headlines={"the slip": "toy.soft.slip_mm", "the gain": "toy.gain"},
     )
-    told = replace(config(), changes=rules)
+    told = replace(report().settings, changes=rules)
     monkeypatch.setitem(vars(report()), "settings", told)
     vars(report()).pop("columns", None)
     toy.build()

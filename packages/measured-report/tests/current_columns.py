@@ -1,4 +1,4 @@
-"""Columns of the current report, for rooms that are not yet given one."""
+"""The columns of the current report, for tests."""
 
 import re
 from collections.abc import Mapping, Sequence
