@@ -84,9 +84,8 @@ class Project:
     release: str
     profile: str = "full"  # `full`, or `quick` for small grids and short runs, which are kept apart
     root: Path = field(default_factory=lambda: current().root)
-    own_release: str | None = (
-        None  # the release that is meant where none is named; None: this one
-    )
+    own_release: str | None = None
+    """The release that is meant where none is named; None: this one."""
     aside: str = ""  # the folder below `results` that has what was measured on the way to something else; empty: none
 
     @property

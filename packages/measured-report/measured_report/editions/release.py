@@ -49,14 +49,12 @@ class Release:
     source: str = ""  # `g` and a commit, maybe `.edited`; `w` or `x` and the digest of a wheel or folder; or a release
     pins: tuple[tuple[str, str], ...] = ()
     machine: str = ""  # name of the machine that measured it, when the label without it is of another machine
-    requirement: str = (
-        ""  # told to the installer; empty where only the results are known
-    )
+    requirement: str = ""
+    """Told to the installer; empty where only the results are known."""
     asked: str = ""
     date: str = ""  # day of the commit, as 2026-11-11; of a release `release_date` asks the index
-    checkout: Path | None = (
-        None  # the folder that is installed as it lies there, so that what is edited counts
-    )
+    checkout: Path | None = None
+    """The folder that is installed as it lies there, so that what is edited counts."""
     settings: Config = field(default_factory=Config, repr=False, compare=False)
 
     def __str__(self) -> str:

@@ -27,12 +27,10 @@ class ColumnTraits:
     """Describes what ``report.toml`` may tell of a column."""
 
     better: Literal["", "less", "more"] = ""  # which numbers are better; empty: neither
-    resolution: Annotated[float, Meta(ge=0.0)] = (
-        0.0  # least difference that counts, whatever the noise
-    )
-    rate_of: str = (
-        ""  # the column of the time that makes this rate, whose share of noise it has
-    )
+    resolution: Annotated[float, Meta(ge=0.0)] = 0.0
+    """The least difference that counts, whatever the noise."""
+    rate_of: str = ""
+    """The column of the time that makes this rate, whose share of noise it has."""
     known_within: str = ""  # the column with its relative uncertainty, which replaces the measured noise unless it is 0
     grows_with: str = ""  # the column with the duration over which it accumulates; noise is scaled by it
     trials: str = ""  # the column that says of how many trials this many, or this share, succeeded: noise is binomial
@@ -50,18 +48,16 @@ class Columns(ColumnTraits):
     ] = ""
     """``parameter`` (like a field of the case), ``setting`` (set before a run as well), ``computed`` (of
     settings), ``cost``, ``uncompared`` (between editions) or ``failure`` (of a run, whose numbers are then chance)."""
-    signed: bool | None = (
-        None  # whether its numbers have a sign; None: its unit says so
-    )
+    signed: bool | None = None
+    """Whether its numbers have a sign; None: its unit says so."""
 
 
 @dataclass(frozen=True)
 class Changes:
     """Holds the table ``changes``: what comparing editions takes to know of this report's sections and rows."""
 
-    upgrade_sections: Sequence[
-        str
-    ] = ()  # sections that make upgrade measures, the longest first; none: all
+    upgrade_sections: Sequence[str] = ()
+    """Sections that make upgrade measures, the longest first; none: all."""
     headlines: Mapping[str, str] = field(
         default_factory=dict
     )  # values that the history shows, by what they are called
@@ -70,18 +66,14 @@ class Changes:
     setting_threshold: Annotated[float, Meta(gt=0.0)] = 0.05  # the same for any setting
     settings: Mapping[str, str] = field(default_factory=dict)
     """Kinds of rows that are defaults and options, with what each is called: their values are compared exactly."""
-    explanation: str = (
-        ""  # the claim that, where it holds, explains why editions differ
-    )
-    equivalent_sections: Sequence[
-        str
-    ] = ()  # sections of the same runs: where one lacks a case, another's is taken
-    package_groups: Sequence[
-        Sequence[str]
-    ] = ()  # groups of packages that bisect swaps as one
-    keys: Sequence[str] = (
-        "case",
-    )  # columns that tell the rows of one section apart, where they are there
+    explanation: str = ""
+    """The claim that, where it holds, explains why editions differ."""
+    equivalent_sections: Sequence[str] = ()
+    """Sections of the same runs: where one lacks a case, another's is taken."""
+    package_groups: Sequence[Sequence[str]] = ()
+    """Groups of packages that bisect swaps as one."""
+    keys: Sequence[str] = ("case",)
+    """Columns that tell the rows of one section apart, where they are there."""
     endings: str = ""  # the column that lists how the repeats of a run ended; where they differ, no row is compared
 
 
@@ -111,9 +103,8 @@ class Config:
     """Holds the fields of ``report.toml``, as they are without it."""
 
     edition: str = ""  # the package whose releases the report compares
-    packages: Sequence[
-        str
-    ] = ()  # others whose versions a record depends on; it is read with `edition` before them
+    packages: Sequence[str] = ()
+    """Others whose versions a record depends on; it is read with `edition` before them."""
     requirement: str = ""  # that package as pyproject.toml asks for it, with its extras and without a version
     edition_name: str = ""  # what people call it
     short_names: Mapping[str, str] = field(
@@ -124,35 +115,29 @@ class Config:
     )  # what people call labels with other packages
     host: str = "measured_report.measuring.host"  # the module that measures on a host; this one on the CPU
     accelerator: str = "measured_report.measuring.accelerator"  # the module of what accelerates it; this one of nothing
-    case: ClassName = (
-        ""  # the dataclass, as `module:name`, whose fields are what a run was set to
-    )
+    case: ClassName = ""
+    """The dataclass, as `module:name`, whose fields are what a run was set to."""
     noise_section: str = ""  # the section that has repeats: rows that are runs of one and the same case, as `of` says
     repeating: Mapping[str, Sequence[str | bool | int]] = field(default_factory=dict)
     """Rows with one of these values are deterministic: noise 0, except columns of the kind ``cost``."""
     units: Mapping[str, str] = field(
         default_factory=dict
     )  # by the end of a column's name, besides the known ones
-    cost_terms: Sequence[
-        str
-    ] = ()  # columns that two rows must share for their costs to be compared
+    cost_terms: Sequence[str] = ()
+    """Columns that two rows must share for their costs to be compared."""
     columns: Sequence[Columns] = ()  # the tables ``columns``
-    baseline: str = (
-        "the baseline"  # what people call the case that all others are changed from
-    )
+    baseline: str = "the baseline"
+    """What people call the case that all others are changed from."""
     changes: Changes = field(default_factory=Changes)  # the table of that name
     title: str = "A report"  # what its data are of, where nothing else of it is at hand
     name: str = "report"  # its name in citations
     repository: Address = ""  # the page of its sources on the web; where nothing is said, pages lead to none
-    pages: Sequence[Page] = (
-        Page("index", texts=("front.md.j2",)),
-        Page("results"),
-    )  # in order, the front page first
+    pages: Sequence[Page] = (Page("index", texts=("front.md.j2",)), Page("results"))
+    """In order, the front page first."""
     text_modules: str = ""  # the package with a module for each text of a page: `front` derives what `front.md.j2` says
     plugins: str = "measured_report.pages.plugins"  # the module of what else it shows; this says what it may
-    formulas: Sequence[
-        str
-    ] = ()  # patterns of names and formulas in drawings and table cells, which lead to no record
+    formulas: Sequence[str] = ()
+    """Patterns of names and formulas in drawings and table cells, which lead to no record."""
 
     @property
     def front(self) -> Page:

@@ -43,9 +43,8 @@ class Batch:
         ..., Any
     ]  # function of a module. It and what it returns travel as bytes
     arguments: tuple[Any, ...] = ()
-    exclusive: bool = (
-        False  # measures times, so that nothing else is measured on its host meanwhile
-    )
+    exclusive: bool = False
+    """Measures times, so that nothing else is measured on its host meanwhile."""
 
 
 Plan: TypeAlias = Generator[Sequence[Batch], Sequence[Any], Measurement]

@@ -17,20 +17,20 @@ X = "experiments/pendulum.py"
 MISTAKES = [
     (
         X,
-        '{"case": case,',
-        '{"cas": case,',
+        '"case": case,',
+        '"cas": case,',
         "it returned no rows, or one without a case",
     ),
     (
         X,
         "    seconds =",
         "    1 / 0\n    seconds =",
-        "experiments/pendulum.py:45: ZeroDivisionError",
+        "experiments/pendulum.py:52: ZeroDivisionError",
     ),
     (
         X,
-        ": error}",
-        ': float("nan")}',
+        ": error,",
+        ': float("nan"),',
         "can raise no alarm: euler: the measurement gave nan",
     ),
     ("report.toml", 'edition = "numpy"', "", 'report.toml has no edition = "NAME"'),
