@@ -91,8 +91,11 @@ class Sections:
         return derived.get(name) or absent(PLAIN, self._reason(section))
 
     def cell(self, section: str, case: str, column: str) -> Quantity:
-        row = self.results[section].row.get(case) if section in self.results else None
-        return cell_or_absent(row, column, self._reason(section))
+        reason = self._reason(section)
+        if section in self.results:
+            return cell_or_absent(self.results[section].row[case], column, reason)
+        others = [results.columns for results in self.results.values()]
+        return absent(others[0][column].unit if others else PLAIN, reason)
 
     def rows(self, section: str) -> list[Row]:
         return self.results[section].rows if section in self.results else []
@@ -130,12 +133,12 @@ def rows_with(results: Results, *columns: str) -> list[Row]:
 
 
 def cell_or_absent(
-    row: Row | None, column: str, reason: str = "it was not measured"
+    row: Row, column: str, reason: str = "it was not measured"
 ) -> Quantity:
     """Return a cell that not every record has, or a missing number with the reason."""
     if row and column in row:
         return row[column]
-    return absent(row.columns[column].unit if row is not None else PLAIN, reason)
+    return absent(row.columns[column].unit, reason)
 
 
 def is_held(row: Row) -> bool:

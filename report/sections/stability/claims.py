@@ -351,7 +351,7 @@ def gravity(results: Results) -> Claim:
 
 def long(results: Results) -> Claim:
     rows = family(results, "long")
-    row = rows[0] if rows else None
+    row = rows[0] if rows else results.row["long"]
     first = cell_or_absent(row, "increment_first_mm_per_cycle")
     last = cell_or_absent(row, "increment_last_mm_per_cycle")
     bound = results.chosen("long_growth_bound", "hardly more", GROWTH_LARGEST)

@@ -20,11 +20,10 @@ def results(toy) -> Results:
 def test_a_cell_that_is_not_there_says_why(results):
     soft = results.row["soft"]
     assert arithmetic.cell_or_absent(soft, "slip_mm") == soft.slip_mm
-    for row, column in ((soft, "drift_mm"), (None, "slip_mm")):
-        assert arithmetic.cell_or_absent(row, column, "it fell") == absent(
-            "mm", "it fell"
-        )
+    lost = absent("mm", "it fell")
+    assert arithmetic.cell_or_absent(soft, "drift_mm", "it fell") == lost
     found = arithmetic.Sections({"toy": results})
+    assert found.cell("noise", "soft", "slip_mm").unit == "mm"
     assert found.cell("toy", "soft", "slip_mm") == soft.slip_mm
     for section, case, reason in (
         ("toy", "firm", "does not say"),
