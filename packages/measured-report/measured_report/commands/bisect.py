@@ -23,7 +23,7 @@ def run(project: Project, arguments: Arguments) -> int:
     if query.section not in names or query.section == query.text:
         similar = suggestion(query.section, names)
         raise UsageError(f"{query.text} is in no section{similar}")
-    between = points_between(arguments.a, arguments.b)
+    between = points_between(project, arguments.a, arguments.b)
     count = 2 + math.ceil(math.log2(len(between) - 1))
     step = f"{project.profile} run of {query.section}"
     print(f"about {count} steps, each a {step} where there is none", flush=True)

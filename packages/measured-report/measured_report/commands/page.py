@@ -5,9 +5,8 @@ import sys
 from collections.abc import Iterable
 
 from measured_report.commands.options import Arguments, refuse_unmeasured, shared
-from measured_report.editions.kind import Kind
 from measured_report.editions.project import Project
-from measured_report.editions.status import State
+from measured_report.editions.status import Kind, State
 from measured_report.measuring.machine import needs_device
 from measured_report.measuring.measure import machines_besides
 from measured_report.records.identity import sections

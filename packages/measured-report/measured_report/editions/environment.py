@@ -1,4 +1,4 @@
-"""Environments: one of its own for each edition but the project's, which leaves the lock alone. uv makes them."""
+"""Environments: each edition has one of its own, except the project's. uv makes them."""
 
 import hashlib
 import os
@@ -19,90 +19,51 @@ from measured_report.files.config import report as current
 from measured_report.files.errors import ReportError, UsageError
 from measured_report.records.identity import MISSING, package_versions
 
-MEASURING = (
-    "measured_report",
-    "msgspec",
-    "packaging",
-    "tqdm",
-    "tomli",
-)  # what it imports, the generator included
+MEASURING = ("measured_report", "msgspec", "packaging", "tqdm", "tomli")
+"""What the generator imports to measure, itself included."""
 VERSION = re.compile(r"[0-9]+(\.[0-9]+)*[a-z0-9.]*(\+[a-z0-9.]+)?")
 NAME = re.compile(r"[^A-Za-z0-9-].*")
-FILTER = "UV_EXCLUDE_NEWER"  # uv's variable for another day than the one on which a release came out
+FILTER = "UV_EXCLUDE_NEWER"  # uv's variable for another day than that of the release
 READY = ".ready"  # in an environment that is whole: the digest of what it was made from
 
 
 def add_group(
     name: str, root: Path, python: Path = Path(sys.executable), kind: str = "group"
 ) -> None:
-    """Install a group, or an ``extra`` that there is, of pyproject.toml; a Python not of the project is left alone."""
+    """Install a group, or an ``extra``, of pyproject.toml, unless the Python is not one of the project."""
     file = root / "pyproject.toml"
-    extra = (
-        read_toml(file)["project"].get("optional-dependencies", {}).get(name, ())
-        if kind == "extra"
-        else ()
-    )
-    if python.parents[2] != root or (kind == "extra" and not extra):
+    extras = read_toml(file)["project"].get("optional-dependencies", {})
+    if python.parents[2] != root or (kind == "extra" and name not in extras):
         return
     if python.parents[1].name == ".venv":
         with locked(root):
-            _run(
-                [
-                    "sync",
-                    "--frozen",
-                    "--inexact",
-                    f"--{kind}",
-                    name,
-                    "--project",
-                    str(root),
-                ],
-                name,
-            )
+            wanted = ["--frozen", "--inexact", f"--{kind}", name]
+            _run(["sync", *wanted, "--project", str(root)], name)
     else:
-        _run(
-            [
-                "pip",
-                "install",
-                "--python",
-                str(python),
-                *(extra or ["--group", f"{file}:{name}"]),
-            ],
-            name,
-        )
+        wanted = extras[name] if kind == "extra" else ["--group", f"{file}:{name}"]
+        _run(["pip", "install", "--python", str(python), *wanted], name)
 
 
 def python_of(release: Release, packages: Mapping[str, str], root: Path) -> Path:
-    """Return the Python that has a release, and the ``packages`` that it was measured with; it is made if need be."""
+    """Return a Python with a release, and with the ``packages`` that it was measured with; it is made if need be."""
     settings = release.settings
-    package, option = settings.edition, settings.option
+    package = settings.edition
     if release.is_installed_with(package_versions(settings)):
         return Path(sys.executable)
     if not release.requirement:
-        example = f"a path or git+https://HOST/{package}.git@COMMIT"
+        example = f"git+https://HOST/{package}.git@COMMIT"
         raise UsageError(
-            f"{option}={release} does not say where its code is; {example} does"
+            f"{settings.option}={release} does not say where its code is; {example} does"
         )
-    folder = environment_of(release, root)
-    if release.checkout or not (folder / READY).exists():
-        versions = {
-            name: version for name, version in packages.items() if name != package
-        }
-        installs = requirements(
-            root, {package: MISSING, **versions, **dict(release.pins)}, settings
-        )
-        edits = (
-            (release.checkout / "pyproject.toml").read_text(encoding="utf-8")
-            if release.checkout
-            else ""
-        )
+    label = replace(release, machine="")
+    folder = root / f".venv-{settings.edition_folder(str(label))}"
+    if not (folder / READY).exists():
+        wanted = {**packages, package: MISSING, **dict(release.pins)}
         pins = [f"{name}=={version}" for name, version in release.pins]
-        _make(
-            folder,
-            f"{option}={release.asked}",
-            _asked_for(release, installs),
-            pins,
-            edits,
-        )
+        installs = requirements(root, wanted, settings)
+        asked = f"{settings.option}={release.asked}"
+        day = _of_its_day(release, asked, installs)
+        _make(folder, asked, [*day, *installs, release.requirement], pins)
     _lend(folder)
     return folder / "bin" / "python"
 
@@ -113,108 +74,70 @@ def _lend(folder: Path) -> None:
     lent.mkdir(exist_ok=True)
     for name in MEASURING:
         if spec := find_spec(name):
-            link, source = lent / name, Path(str(spec.origin)).parent
+            link = lent / name
+            source = Path(str(spec.origin)).parent
             if not link.exists() or link.resolve() != source.resolve():
                 link.unlink(missing_ok=True)
                 link.symlink_to(source)
     for packages in folder.glob("lib/python*/site-packages"):
-        path, text = packages / "measured-report.pth", f"{lent}\n"
-        if (
-            not path.exists() or path.read_text(encoding="utf-8") != text
-        ):  # another process may just begin to read it
-            write_file(path, text)
+        path = packages / "measured-report.pth"
+        # Another process may just begin to read it.
+        if not path.exists() or path.read_text(encoding="utf-8") != f"{lent}\n":
+            write_file(path, f"{lent}\n")
 
 
 def python_with(name: str, requirements: Sequence[str]) -> Path:
-    """Return the Python of ``.venv-<name>``, which has these requirements alone; it is made when it is not there."""
+    """Return the Python of ``.venv-<name>``, which has these requirements alone; it is made if need be."""
     folder = current().root / f".venv-{name}"
     _make(folder, name, requirements)
     return folder / "bin" / "python"
 
 
-def environment_of(release: Release, root: Path) -> Path:
-    """Name the folder of a release's environment; that of a checkout serves all that is edited in it."""
-    name = str(replace(release, machine=""))
-    if release.checkout:
-        pins = "".join(f"+{pin}" for pin in name.split("+")[2:])
-        name = f"{release.checkout.name}-{hashlib.sha256(str(release.checkout).encode()).hexdigest()[:7]}{pins}"
-    return root / f".venv-{release.settings.edition_folder(name)}"
-
-
 def requirements(
     root: Path, packages: Mapping[str, str], settings: Config
 ) -> list[str]:
-    """Read the project's requirements with these versions in the place of its own, ``missing`` ones as they come."""
+    """Return the project's requirements with these versions in place of its own, ``missing`` ones as they come."""
+    pinned = {}
     for name, version in packages.items():
-        if name not in settings.packages or (
-            not VERSION.fullmatch(version) and version != MISSING
-        ):
+        is_version = version == MISSING or VERSION.fullmatch(version)
+        if name not in settings.packages or not is_version:
             raise ReportError(
                 f"{name} {version!r:.60} is no package of this report with a plain version"
             )
-    dependencies = (
-        read_toml(root / "pyproject.toml").get("project", {}).get("dependencies", ())
-    )
-    pinned = {name: version for name, version in packages.items() if version != MISSING}
+        if version != MISSING:
+            pinned[name] = f"{settings.requirement_of(name)}=={version}"
     replaced = {*pinned, settings.edition}.union(*settings.changes.package_groups)
-    remaining = [
-        requirement
-        for requirement in dependencies
-        if NAME.sub("", requirement) not in replaced
-    ]
-    return remaining + [
-        f"{settings.requirement_of(name)}=={version}"
-        for name, version in pinned.items()
-    ]
+    project = read_toml(root / "pyproject.toml").get("project", {})
+    dependencies = project.get("dependencies", ())
+    others = [each for each in dependencies if NAME.sub("", each) not in replaced]
+    return [*others, *pinned.values()]
 
 
-def _asked_for(release: Release, installs: Sequence[str]) -> list[str]:
-    """Write what ``uv pip install`` is told: packages that nobody named are those of the day on which it came out."""
-    options = []
-    named = [
-        requirement.partition("==")[0]
-        for requirement in installs
-        if "==" in requirement
-    ]
-    if not os.environ.get(FILTER) and (day := release_date(release)):
-        asked = f"{release.settings.option}={release.asked}"
-        print(
-            f"{asked} came out on {day}; its packages are of that day, and {FILTER}={date.today()} takes later ones"
-        )
-        options += [
-            "--exclude-newer",
-            (date.fromisoformat(day) + timedelta(days=1)).isoformat(),
-        ]
-        options += [
-            argument
-            for name in named
-            for argument in ("--exclude-newer-package", f"{name}=2100-01-01")
-        ]
-    extras = release.settings.requirement.removeprefix(release.settings.edition)
-    target = (
-        ["--editable", f"{release.checkout}{extras}"]
-        if release.checkout
-        else [release.requirement]
+def _of_its_day(release: Release, asked: str, installs: Sequence[str]) -> list[str]:
+    """Return uv's options for packages of the day on which a release came out, except those with a version."""
+    day = release_date(release)
+    if os.environ.get(FILTER) or not day:
+        return []
+    print(
+        f"{asked} came out on {day}; its packages are of that day, and {FILTER}={date.today()} takes later ones"
     )
-    return [*options, *installs, *target]
+    next_day = date.fromisoformat(day) + timedelta(days=1)
+    options = ["--exclude-newer", next_day.isoformat()]
+    for requirement in installs:
+        name, is_named, _ = requirement.partition("==")
+        if is_named:
+            options += ["--exclude-newer-package", f"{name}=2100-01-01"]
+    return options
 
 
 def _make(
-    folder: Path,
-    name: str,
-    arguments: Sequence[str],
-    pins: Sequence[str] = (),
-    edits: str = "",
+    folder: Path, name: str, arguments: Sequence[str], pins: Sequence[str] = ()
 ) -> None:
     """Make an environment of what is asked for, unless it is there; ``pins`` count whatever other packages ask for."""
-    digest, ready = (
-        hashlib.sha256("\n".join([edits, *arguments, *pins]).encode()).hexdigest(),
-        folder / READY,
-    )
-    install, overrides = (
-        ["pip", "install", "--python", f"{folder}/bin/python"],
-        folder / "overrides.txt",
-    )
+    digest = hashlib.sha256("\n".join(["", *arguments, *pins]).encode()).hexdigest()
+    ready = folder / READY
+    overrides = folder / "overrides.txt"
+    install = ["pip", "install", "--python", f"{folder}/bin/python"]
     with locked(folder.parent):
         if ready.is_file() and ready.read_text(encoding="utf-8") == digest:
             return
@@ -229,31 +152,22 @@ def _make(
 
 
 def _run(arguments: Sequence[str], name: str) -> None:
-    """Run uv, which may take a while; UsageError, one line, with the cause where it fails."""
-    tools = (
-        current().root / ".venv.tools" / "bin"
-    )  # where the Makefile has put it, on a host that has none
-    if not (
-        uv := shutil.which("uv")
-        or shutil.which("uv", path=f"{Path(sys.executable).parent}{os.pathsep}{tools}")
-    ):
+    """Run uv, which may take a while; raise UsageError with the cause if it fails."""
+    # The Makefile puts it into .venv.tools on a host that has none.
+    folders = [Path(sys.executable).parent, current().root / ".venv.tools" / "bin"]
+    path = os.pathsep.join([os.environ.get("PATH", ""), *map(str, folders)])
+    uv = shutil.which("uv", path=path)
+    if not uv:
         raise UsageError(
             f"{name} cannot be installed: uv is not there; https://docs.astral.sh/uv says how to get it"
         )
-    if sys.stdout.isatty():  # a log has the one line that says why it failed
+    if sys.stdout.isatty():
         print(f"{name}: uv {' '.join(arguments[:2])} …", flush=True)
     process = subprocess.run(
         [uv, *arguments], stdout=-1, stderr=-2, text=True, errors="replace", check=False
     )
     if process.returncode:
-        lines = [
-            *filter(
-                None, (line.strip(" ×╰─▶\t") for line in process.stdout.splitlines())
-            )
-        ]
-        cause = (
-            "".join(" ".join(lines).partition("Because ")[1:])
-            or "".join(lines[-1:])
-            or "no reason was given"
-        )
-        raise UsageError(f"{name} cannot be installed: {cause}")
+        lines = [line.strip(" ×╰─▶\t") for line in process.stdout.splitlines()]
+        lines = [*filter(None, lines)] or ["no reason was given"]
+        _, because, cause = " ".join(lines).partition("Because ")
+        raise UsageError(f"{name} cannot be installed: {because + cause or lines[-1]}")

@@ -33,40 +33,36 @@ BYTE_LIMIT = 1 << 20
 
 
 class Manifest(Struct, frozen=True, forbid_unknown_fields=True):
-    """Keep what is known of an edition besides its records."""
+    """Holds what is known of an edition besides its records."""
 
-    asked: str  # as the command that measured it named its package: a release, a path or an address
+    asked: str  # the release or address that was measured, as the command named it
     date: str
     sections: tuple[str, ...]
 
 
-def read_manifest(results: Path, settings: Config | None = None) -> Manifest | None:
-    """Read the manifest in a folder of results; None where there is none, RecordError for one that is damaged."""
+def read_manifest(results: Path) -> Manifest | None:
+    """Return the manifest in a folder of results, or None; raise RecordError if it is damaged."""
     path = results / MANIFEST
     if not os.path.lexists(path):
         return None
     content = read_file(path, BYTE_LIMIT)
     try:
         fields = tomllib.loads(content.decode("utf-8"))
-        if any(
-            name_problem(str(text))
-            for text in (*fields.values(), *fields.get("sections", ()))
-        ):
-            raise ValueError("it has a text with what can't be printed")
-        package = (settings or current().settings).edition
-        return convert({"asked": fields.pop(package), **fields}, Manifest)
+        for text in (*fields.values(), *fields.get("sections", ())):
+            if name_problem(str(text)):
+                raise ValueError("it has a text that cannot be printed")
+        asked = fields.pop(current().settings.edition)
+        return convert({"asked": asked, **fields}, Manifest)
     except (KeyError, ValueError, RecursionError) as error:
+        message = " ".join(str(error).split())
         raise RecordError(
-            f"{short_path(path)} is no whole manifest: {' '.join(str(error).split()):.200}"
+            f"{short_path(path)} is no whole manifest: {message:.200}"
         ) from None
 
 
-def write_manifest(
-    results: Path, manifest: Manifest, settings: Config | None = None
-) -> None:
-    package = (settings or current().settings).edition
+def write_manifest(results: Path, manifest: Manifest) -> None:
     fields = {
-        package: manifest.asked,
+        current().settings.edition: manifest.asked,
         "date": manifest.date,
         "sections": manifest.sections,
     }
@@ -79,14 +75,14 @@ def write_manifest(
 
 @dataclass(frozen=True)
 class Project:
-    """Name the folders, editions and commands of a report in one checkout."""
+    """Names the folders, editions and commands of a report in one checkout."""
 
     release: str
-    profile: str = "full"  # `full`, or `quick` for small grids and short runs, which are kept apart
+    profile: str = "full"  # or `quick`: small grids and short runs, which are kept apart
     root: Path = field(default_factory=lambda: current().root)
     own_release: str | None = None
-    """The release that is meant where none is named; None: this one."""
-    aside: str = ""  # the folder below `results` that has what was measured on the way to something else; empty: none
+    """The release that is meant if none is named; None: this one."""
+    aside: str = ""  # a folder below `results` for what only a search or a comparison measures
 
     @property
     def is_own(self) -> bool:
@@ -94,7 +90,7 @@ class Project:
 
     @property
     def report(self) -> Report:
-        """Return the report that it is of: the current one where its folder has, or links, no other ``report.toml``."""
+        """Return the report in its folder, or the current one if that has, or links, no other ``report.toml``."""
         file = (self.root / FILE).resolve()
         return report_in(file.parent) if file.is_file() else current()
 
@@ -108,12 +104,12 @@ class Project:
 
     @property
     def results(self) -> Path:
-        """Name the folder of the edition's records; only those of the full profile are tracked."""
+        """Return the folder of the edition's records; only those of the full profile are tracked."""
         parts = [self.aside] if self.aside else []
-        parts += [self.profile] if self.aside or self.profile != "full" else []
-        return self.root.joinpath(
-            "results", *parts, self.settings.edition_folder(self.release)
-        )
+        if self.aside or self.profile != "full":
+            parts.append(self.profile)
+        folder = self.settings.edition_folder(self.release)
+        return self.root.joinpath("results", *parts, folder)
 
     @property
     def templates(self) -> Path:
@@ -127,81 +123,64 @@ class Project:
 
     @property
     def manifest(self) -> Manifest | None:
-        """Read the edition's manifest; None where there is none, or none that can be read."""
+        """Return the edition's manifest; None if there is none that can be read."""
         try:
-            return read_manifest(self.results, self.settings)
+            return read_manifest(self.results)
         except RecordError:
             return None
 
     @property
     def releases(self) -> list[str]:
-        """List the editions that have results, and this one, by version and date."""
-        folders = {
-            path.parent.name
-            for path in self.results.parent.glob(
-                self.settings.edition_folder("*/*.json")
-            )
-        }
-        labels = {
-            label
-            for label in map(self.settings.edition_in, folders)
-            if read_label(label, self.settings)
-        }
+        """Return the editions that have results, and this one, by version and date."""
+        records = self.results.parent.glob(self.settings.edition_folder("*/*.json"))
+        labels = {self.settings.edition_in(path.parent.name) for path in records}
+        releases = {label for label in labels if read_label(label, self.settings)}
         return sorted(
-            {self.release, *labels}, key=lambda release: self.of(release).order
+            {self.release, *releases}, key=lambda release: self.of(release).order
         )
 
     @property
     def order(self) -> tuple[Any, ...]:
-        """Sort editions by version, those of one version by date, and what is pinned after the same without."""
-        named, manifest = self.named, self.manifest
-        # A release has its place by its version; a commit that was not measured yet is taken for the newest.
-        date = ((manifest and manifest.date) or "9999") if named.source else ""
+        """Return a key that sorts editions by version, commits by date, and what is pinned after the same without."""
+        named = self.named
+        date = ""
+        if named.source:  # a commit that was not measured yet counts as the newest
+            manifest = self.manifest
+            date = manifest.date if manifest and manifest.date else "9999"
         return named.order, date, named.source, named.pins, named.machine
 
     def of(self, release: str) -> "Project":
-        return replace(
-            self, release=release, own_release=self.own_release or self.release
-        )
+        own = self.own_release or self.release
+        return replace(self, release=release, own_release=own)
 
     def record_path(self, section: str) -> Path:
         return self.results / f"{section}.json"
 
     def rerun(self, section: str, device: str | None = None) -> str:
-        """Say the command that measures a section, on ``device`` if one is named, or on a CPU if these are of one."""
-        device = device or ("cpu" if self.named.machine == "cpu" else "")
-        edition = "" if self.is_own else self.asked
-        profile = "" if self.profile == "full" else self.profile
+        """Return the command that measures a section, on ``device`` if one is named, or on a CPU if these are of one."""
         options = {
             "SECTION": section,
-            "DEVICE": device,
-            self.settings.option: edition,
-            "PROFILE": profile,
+            "DEVICE": device or ("cpu" if self.named.machine == "cpu" else ""),
+            self.settings.option: "" if self.is_own else self.asked,
+            "PROFILE": "" if self.profile == "full" else self.profile,
         }
-        return " ".join(
-            [
-                "make rerun",
-                *(
-                    shlex.quote(f"{name}={value}")
-                    for name, value in options.items()
-                    if value
-                ),
-            ]
-        )
+        set_options = [f"{name}={value}" for name, value in options.items() if value]
+        return shlex.join(["make", "rerun", *set_options])
 
     @property
     def asked(self) -> str:
-        """Name this edition to make: by its label, unless that does not say where its code is."""
+        """Return how a command names this edition: by its label, or by the address of a commit."""
         manifest = self.manifest if self.named.source else None
         return manifest.asked if manifest else self.release
 
 
 def own_release(root: Path | None = None, report: Report | None = None) -> str:
-    """Find the project's own release, which is meant where none is named: the one that pyproject.toml asks for."""
+    """Return the project's own release, which is meant if none is named: the one that pyproject.toml asks for."""
     report = report or current()
     requirement = report.settings.requirement_of(report.settings.edition)
     text = ((root or report.root) / "pyproject.toml").read_text(encoding="utf-8")
-    if not (match := re.search(rf'"{re.escape(requirement)}==([0-9.]+)"', text)):
+    match = re.search(rf'"{re.escape(requirement)}==([0-9.]+)"', text)
+    if not match:
         line = (
             f'"{requirement}==1.2.3"'
             if requirement

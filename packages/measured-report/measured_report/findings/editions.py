@@ -6,9 +6,8 @@ from functools import cached_property, partial
 from importlib import import_module
 from typing import Any
 
-from measured_report.editions.kind import Kind
 from measured_report.editions.project import MANIFEST, Project, read_manifest
-from measured_report.editions.status import State, states_of
+from measured_report.editions.status import Kind, State, states_of
 from measured_report.files.atomic import RecordError, short_path
 from measured_report.files.config import Page, Report, module_named
 from measured_report.files.errors import ReportError, bug_of

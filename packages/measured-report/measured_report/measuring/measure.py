@@ -187,13 +187,9 @@ def _note_measured(project: Project, release: Release) -> None:
             for section in all_sections(project.root)
             if project.record_path(section).exists()
         }
-        manifest = read_manifest(
-            project.results, project.settings
-        )  # of a damaged one what it said is not lost unseen
+        # What a damaged manifest held must not be lost unseen.
+        manifest = read_manifest(project.results)
         day = manifest.date if manifest else release_date(release)
         if names := sorted({*present, *(manifest.sections if manifest else ())}):
-            write_manifest(
-                project.results,
-                Manifest(release.asked, day, tuple(names)),
-                project.settings,
-            )
+            manifest = Manifest(release.asked, day, tuple(names))
+            write_manifest(project.results, manifest)

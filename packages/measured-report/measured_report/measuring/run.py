@@ -32,7 +32,7 @@ from measured_report.measuring.measure import UNFIT, batches_at_once
 from measured_report.measuring.pool import gather, host_pools
 from measured_report.measuring.section import Loop, Section, section_of
 from measured_report.records.code import Code
-from measured_report.records.identity import EDITED, package_versions, sections
+from measured_report.records.identity import package_versions, sections
 from measured_report.records.record import basis_of
 
 
@@ -170,14 +170,13 @@ def section_module(section: str) -> ModuleType:
 def edition_of(requested: str | None, report: Report | None = None) -> str:
     """Return the label of what is installed here; ReportError when another one was asked for."""
     settings = (report or current()).settings
-    installed, package = package_versions(settings), settings.edition
-    version, edits, _ = installed[package].partition(f"{EDITED}.")
-    version += EDITED if edits else ""
-    label = read_label(requested or version, settings)
-    if label is None or not label.is_installed_with({**installed, package: version}):
+    installed = package_versions(settings)
+    asked = requested or installed[settings.edition]
+    label = read_label(asked, settings)
+    if label is None or not label.is_installed_with(installed):
         have = ", ".join(f"{name} {release}" for name, release in installed.items())
         raise ReportError(
-            f"{settings.option}={requested or version} is not what is installed here ({have})"
+            f"{settings.option}={asked} is not what is installed here ({have})"
         )
     return str(label)
 

@@ -7,9 +7,8 @@ from typing import Any
 
 from markupsafe import Markup
 
-from measured_report.editions.kind import Kind
 from measured_report.editions.project import Project
-from measured_report.editions.status import State
+from measured_report.editions.status import Kind, State
 from measured_report.files.errors import ReportError
 from measured_report.files.settings import Page
 from measured_report.findings.chapters import Chapter, Releases, before

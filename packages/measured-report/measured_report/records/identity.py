@@ -11,14 +11,12 @@ from dataclasses import dataclass, field
 from importlib import metadata
 from pathlib import Path
 from typing import Annotated
-from urllib.parse import unquote, urlparse
 
 from msgspec import Meta
 
 from measured_report.files.config import Config
 from measured_report.files.config import report as current
 from measured_report.files.errors import ReportError, UsageError
-from measured_report.files.git import git
 from measured_report.records.code import GENERATOR, Code, digest_of
 
 Digest = Annotated[str, Meta(pattern=r"\A[0-9a-f]{64}\Z")]
@@ -123,7 +121,9 @@ def sections(root: Path | None = None) -> list[str]:
     return shown
 
 
-SHORT_COMMIT, EDITED, MISSING = 7, ".edited", "missing"
+SHORT_COMMIT = 7
+MISSING = "missing"  # version of a package that is not installed
+UNNAMED = "unnamed"  # stands in a version for code that no commit names
 BYTE_LIMIT = 1 << 30  # of a file that is digested: wheels have hundreds of MiB
 
 
@@ -159,41 +159,11 @@ def package_changes(before: Mapping[str, str], after: Mapping[str, str]) -> list
 
 def _source(package: str) -> str:
     """Return the part of a version that names the code installed here; empty for a package from an index."""
-    origin = json.loads(
-        metadata.distribution(package).read_text("direct_url.json") or "{}"
-    )
-    if "vcs_info" in origin:
-        return f"g{origin['vcs_info']['commit_id'][:SHORT_COMMIT]}"
-    address = origin.get("url", "")
-    path = Path(unquote(urlparse(address).path))
-    if "dir_info" in origin:
-        return checkout_source(path, package)
-    return wheel_source(path) if address.startswith("file:") else ""
-
-
-def checkout_source(folder: Path, package: str) -> str:
-    """Name the commit that a package's checkout is at, with ``.edited.`` and the digest of its code if that differs."""
-    module = package.replace("-", "_")
-    code = code_in(folder, package)
-    if not (commit := git(folder, "rev-parse", "HEAD")[:SHORT_COMMIT]):
-        return f"x{code}"
-    is_edited = git(folder, "status", "--porcelain", "--", module, f"src/{module}")
-    return f"g{commit}{EDITED}.{code}" if is_edited else f"g{commit}"
-
-
-def code_in(folder: Path, package: str) -> str:
-    """Digest the modules of a package in its checkout."""
-    module = package.replace("-", "_")
-    paths = [
-        path
-        for parent in (folder, folder / "src")
-        for path in (parent / module).rglob("*.py")
-    ]
-    return files_digest(paths, folder)[:SHORT_COMMIT]
-
-
-def wheel_source(path: Path) -> str:
-    return f"w{files_digest([path], path.parent)[:SHORT_COMMIT]}"
+    text = metadata.distribution(package).read_text("direct_url.json")
+    if not text:
+        return ""
+    commit = json.loads(text).get("vcs_info", {}).get("commit_id", "")
+    return f"g{commit[:SHORT_COMMIT]}" if commit else UNNAMED
 
 
 def files_digest(paths: Iterable[Path], root: Path) -> str:

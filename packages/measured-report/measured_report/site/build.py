@@ -12,7 +12,7 @@ from measured_report.changes.checks import (
     refuse_unknown_names,
 )
 from measured_report.editions.project import INPUTS, Project
-from measured_report.editions.status import State, package_version
+from measured_report.editions.status import State
 from measured_report.files.atomic import (
     digests_below,
     replace,
@@ -154,15 +154,12 @@ def inputs_digest(project: Project, address: str = "") -> str:
         project.profile,
         project.own_release,
     )  # and not where the folder lies
-    # A checkout may be edited, and lie elsewhere.
-    checkouts = [package_version(project.of(release)) for release in project.releases]
     made_from = (
         selection,
         address,
         sources(),
         package_versions(),
         installed(),
-        checkouts,
         digests,
     )
     return hashlib.sha256(repr(made_from).encode()).hexdigest()

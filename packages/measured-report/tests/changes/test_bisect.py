@@ -118,7 +118,7 @@ def test_what_a_search_measured_by_code_of_before_is_measured_again(
         searched(search)
 
 
-def test_between_two_commits_of_one_repository_its_commits_are_searched(checkout):
+def test_between_two_commits_of_one_repository_its_commits_are_searched(toy, checkout):
     for value in range(2, 5):
         (checkout / "newton/__init__.py").write_text(f"x = {value}\n")
         git(checkout, "commit", "--quiet", "-a", "-m", f"x is {value}")
@@ -126,7 +126,7 @@ def test_between_two_commits_of_one_repository_its_commits_are_searched(checkout
     first, last = (
         release_of(f"{checkout}@{reference}") for reference in (commits[0], "main")
     )
-    points = points_between(first, last)
+    points = points_between(toy.project, first, last)
     folder = first.asked.rpartition("@")[0]
     assert points == [
         first.asked,
@@ -134,7 +134,7 @@ def test_between_two_commits_of_one_repository_its_commits_are_searched(checkout
         last.asked,
     ]
     assert release_of(points[1]).source == f"g{commits[1][:7]}"
-    assert points_between(first, release_of("1.4.0")) == [first.asked, "1.4.0"]
+    assert points_between(toy.project, first, release_of("1.4.0")) == [first.asked, "1.4.0"]
 
 
 @pytest.fixture

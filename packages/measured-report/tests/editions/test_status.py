@@ -1,6 +1,7 @@
 """What ``make status`` says of sections that are stale."""
 
-from measured_report.editions.status import State, changes_text
+from measured_report.commands.status import changes_text
+from measured_report.editions.status import State
 
 
 def test_each_change_is_said_once_with_its_sections():
