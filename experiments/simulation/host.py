@@ -19,7 +19,7 @@ from experiments.simulation.measurement import Conditions
 from experiments.simulation.simulation import Simulation
 from measured_report.files.errors import ReportError
 from measured_report.files.processes import workers
-from measured_report.measuring.accelerator import lacks
+from measured_report.measuring.machine import lacks
 from measured_report.measuring.pool import gather, start
 from measured_report.records.identity import package_versions
 

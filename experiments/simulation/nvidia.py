@@ -1,9 +1,9 @@
-"""NVIDIA's GPUs; see ``measured_report.measuring.accelerator``."""
+"""NVIDIA's GPUs; see ``measured_report.measuring.host``."""
 
 import os
 from pathlib import Path
 
-from measured_report.measuring.accelerator import Accelerator
+from measured_report.measuring.host import Accelerator
 from measured_report.measuring.machine import said
 
 KIND, NOUN = "cuda", "GPU"

@@ -9,7 +9,6 @@ from measured_report.commands.options import refuse_unmeasured, shared
 from measured_report.editions.project import Project
 from measured_report.files.errors import ReportError
 from measured_report.findings.editions import Edition, derive_edition
-from measured_report.measuring.accelerator import accelerator
 from measured_report.measuring.machine import measuring_device
 from measured_report.measuring.measure import measure_headline
 from measured_report.parts.claim import within
@@ -33,8 +32,9 @@ WORDS = {
 def run(project: Project, arguments: argparse.Namespace) -> int:
     """Print both and whether they agree within the noise; 1 when they differ."""
     refuse_unmeasured(project, arguments.release.asked)
+    accelerators = project.report.accelerator.accelerators
     device = measuring_device(
-        arguments.device or ("cuda" if accelerator().accelerators() else "cpu"),
+        arguments.device or ("cuda" if accelerators() else "cpu"),
         project.profile,
     )
     found = measure_headline(

@@ -165,9 +165,7 @@ INSTALLED = {
     "mujoco": "3.10.0",
 }
 """Packages that are told to be installed where the report is current, as its editions are of the first."""
-CARDS = (
-    'from measured_report.measuring.accelerator import *\nKIND, NOUN = "cuda", "GPU"\n'
-)
+CARDS = 'from measured_report.measuring.host import *\nKIND, NOUN = "cuda", "GPU"\n'
 SETTINGS = """
 edition = "newton"
 packages = ["warp-lang", "mujoco-warp", "mujoco"]

@@ -5,7 +5,7 @@ from toys import program
 
 from experiments.simulation import nvidia
 from experiments.simulation.nvidia import VISIBLE, accelerators, share_count
-from measured_report.measuring.accelerator import Accelerator
+from measured_report.measuring.host import Accelerator
 from measured_report.measuring.machine import measuring_device
 
 FIRST = """

@@ -172,9 +172,7 @@ def _which_package(
     for names in settings.changes.package_groups:
         if any(old[name] != new[name] for name in names):
             if any(new[name] == MISSING for name in names):
-                return (
-                    "which package did it cannot be told: one of them is not in both"
-                )
+                return "which package did it cannot be told: one of them is not in both"
             groups.append(names)
             pins += [f"{name}=={new[name]}" for name in names]
             pinned = release_of(

@@ -1,11 +1,9 @@
 """Carry records over a change of code that changes no number: old and new code run quick, on a CPU."""
 
 from measured_report.changes.carry import carried
-from measured_report.commands.options import Arguments, shared
+from measured_report.commands.options import Arguments, read_section, shared
 from measured_report.editions.project import Project
-from measured_report.editions.status import states_of
-from measured_report.files.errors import UsageError, suggestion
-from measured_report.records.identity import sections
+from measured_report.editions.status import Kind, states_of
 
 SECTION = {"default": "", "help": "section to carry; without one all that are stale"}
 OPTIONS = {"section": SECTION, **shared("edition")}
@@ -13,13 +11,8 @@ OPTIONS = {"section": SECTION, **shared("edition")}
 
 def run(project: Project, arguments: Arguments) -> int:
     """Print of each section whether it was carried, and if not why; 1 when one was not."""
-    names = sections(project.root)
-    if arguments.section and arguments.section not in names:
-        raise UsageError(
-            f"SECTION={arguments.section} is no section{suggestion(arguments.section, names)}"
-        )
-    stale = [state.section for state in states_of(project) if state.kind == "stale"]
-    chosen = [arguments.section] if arguments.section else stale
+    stale = [state.section for state in states_of(project) if state.kind == Kind.STALE]
+    chosen = [read_section(arguments.section)] if arguments.section else stale
     if not chosen:
         print("there is nothing to carry: no section is stale")
         return 0

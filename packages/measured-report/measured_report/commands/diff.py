@@ -17,7 +17,7 @@ OPTIONS = shared("a", "b", "profile", "format")
 
 def run(project: Project, arguments: Arguments) -> int:
     """Print what differs; 1 when one edition can't be trusted or a claim flipped."""
-    refuse_itself(str(arguments.a), str(arguments.b))
+    refuse_itself(project, str(arguments.a), str(arguments.b))
     for release in (arguments.a, arguments.b):
         refuse_unmeasured(project.of(str(release)), release.asked)
     names = [str(arguments.a), str(arguments.b)]

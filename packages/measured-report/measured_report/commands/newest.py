@@ -12,31 +12,28 @@ from measured_report.files.errors import ReportError
 def run(project: Project, arguments: Arguments) -> int:
     settings = project.settings
     package = settings.edition
-    sides = (replace(project, profile=profile) for profile in PROFILES)
+    sides = [replace(project, profile=profile) for profile in PROFILES]
     projects = [side.of(release) for side in sides for release in side.releases]
-    newest = max(
-        (edition.named for edition in projects), key=lambda release: release.order
-    )
-    if not (releases := releases_of(package, settings)):
+    newest = max((each.named for each in projects), key=lambda named: named.order)
+    releases = releases_of(package, settings)
+    if not releases:
         raise ReportError(
-            f"the index says of no release of {package}; this takes the network"
+            f"No releases of {package} found on the package index (are you offline?)"
         )
-    new = [(str(releases[-1]), "")] if releases[-1].order > newest.order else []
+    found = None
+    if releases[-1].order > newest.order:
+        found = str(releases[-1]), ""
     for partner, *_ in settings.changes.package_groups:
+        latest = releases_of(partner, settings)[-1:]
         used = {
             record.identity.packages[partner]
             for edition in projects
             for record in records_of(edition)
         }
-        last = [str(release) for release in releases_of(partner, settings)[-1:]]
-        new += [
-            (newest.version, f"{partner}=={version}")
-            for version in last
-            if version not in used
-        ]
-    for release, pins in new[
-        :1
-    ]:  # under the package's name, and for a workflow that knows none
+        if not found and latest and str(latest[0]) not in used:
+            found = newest.version, f"{partner}=={latest[0]}"
+    if found:  # under the package's name, and for a workflow that knows none
+        release, pins = found
         label = release_of(release, pins, report=project.report)
         print(
             f"{package}={release}\nwith={pins}\noption={settings.flag}\nrelease={release}\nlabel={label}"

@@ -7,21 +7,17 @@ from typing import Any
 
 from measured_report.editions.project import PROFILES, Project
 from measured_report.editions.release import release_of
-from measured_report.files.config import Config
-from measured_report.files.config import report as current
-from measured_report.files.errors import UsageError
-from measured_report.measuring.accelerator import read_device
+from measured_report.files.errors import UsageError, suggestion
+from measured_report.measuring.machine import read_device
 from measured_report.records.identity import sections
 
-Arguments = Namespace  # what a command is given: its options by their names, and the `release` that is asked for
+Arguments = Namespace  # the options of a command, and the `release` that is asked for
 
 
 def read_cluster(cluster: str) -> str:
-    if cluster != "local" and not re.fullmatch(
-        r"(tcp|tls)://[^\s/@]+:[0-9]{1,5}", cluster
-    ):
+    if not re.fullmatch(r"(tcp|tls)://[^\s/@]+:[0-9]{1,5}", cluster):
         raise UsageError(
-            f"CLUSTER={cluster:.80} names no workers; use local, or a scheduler as tls://HOST:8786"
+            f"CLUSTER={cluster:.80} is no Dask scheduler; use one as tls://HOST:8786"
         )
     return cluster
 
@@ -34,13 +30,21 @@ def read_address(address: str) -> str:
     return f"{address.rstrip('/')}/" if address else ""
 
 
-FORMATS = ("text", "markdown", "json")
+def read_section(section: str) -> str:
+    names = sections()
+    if section not in names:
+        raise UsageError(
+            f"SECTION={section} is no section{suggestion(section, names)}; use one of: {', '.join(names)}"
+        )
+    return section
+
+
 SHARED: dict[str, dict[str, Any]] = {
     "edition": {  # which is typed as the report calls it
         "dest": "edition",
         "default": "",
-        "help": "edition where not the project's own: a release, a checkout, a wheel, "
-        "git+https://HOST/NAME.git@ref, or the label of what has results, as 1.2.3@cpu",
+        "help": "edition other than the project's own: a release, git+https://HOST/NAME.git@COMMIT, "
+        "FOLDER@COMMIT, or the label of what has results, as 1.2.3@cpu",
     },
     "with": {
         "dest": "pins",
@@ -58,7 +62,7 @@ SHARED: dict[str, dict[str, Any]] = {
     },
     "cluster": {
         "type": read_cluster,
-        "help": "who measures: local (all devices of this host) or tls://scheduler:8786",
+        "help": "a Dask scheduler whose workers measure, as tls://HOST:8786",
     },
     "address": {
         "type": read_address,
@@ -81,7 +85,7 @@ SHARED: dict[str, dict[str, Any]] = {
         "help": "value, as SECTION.NAME of the page, or SECTION.CASE.COLUMN of a row",
     },
     "format": {
-        "choices": FORMATS,
+        "choices": ("text", "markdown", "json"),
         "default": "text",
         "help": "text, markdown or json (docs/alarm.md)",
     },
@@ -89,36 +93,29 @@ SHARED: dict[str, dict[str, Any]] = {
 
 
 def shared(*names: str) -> dict[str, dict[str, Any]]:
-    """Pick shared options by their names; ``edition`` brings ``with``."""
-    options = (
-        option
-        for name in names
-        for option in ((name, "with") if name == "edition" else (name,))
-    )
-    return {option: SHARED[option] for option in options}
+    """Return shared options by their names; ``edition`` brings ``with``."""
+    options = {}
+    for name in names:
+        options[name] = SHARED[name]
+        if name == "edition":
+            options["with"] = SHARED["with"]
+    return options
 
 
 def refuse_unmeasured(project: Project, name: str) -> None:
-    """Refuse an edition without results where nothing is to be measured, but for the project's own."""
-    if not project.is_own and not any(
-        project.record_path(section).exists() for section in sections(project.root)
-    ):
-        measured = (
-            ", ".join(
-                release for release in project.releases if release != project.release
-            )
-            or "none"
-        )
+    """Raise UsageError for an edition without results, unless it is the project's own."""
+    paths = map(project.record_path, sections(project.root))
+    if not project.is_own and not any(path.exists() for path in paths):
+        others = [each for each in project.releases if each != project.release]
         name = f"{project.settings.option}={name}"
         raise UsageError(
-            f"{name} has no results (there are: {measured}); make upgrade {name} measures it"
+            f"{name} has no results (there are: {', '.join(others) or 'none'}); make upgrade {name} measures it"
         )
 
 
-def refuse_itself(before: str, after: str, settings: Config | None = None) -> None:
+def refuse_itself(project: Project, before: str, after: str) -> None:
     if before == after:
-        settings = settings or current().settings
-        name, option = settings.name_of(after), settings.option
+        settings = project.settings
         raise UsageError(
-            f"{name} would be compared with itself; {option}= names another edition, as make newest does"
+            f"{settings.name_of(after)} would be compared with itself; {settings.option}= names another edition, as make newest does"
         )

@@ -7,29 +7,29 @@ from measured_report.commands.options import Arguments, refuse_unmeasured, share
 from measured_report.commands.page import build_site
 from measured_report.editions.project import Project
 from measured_report.editions.release import Release
-from measured_report.editions.status import states_of
+from measured_report.editions.status import Kind, states_of
 from measured_report.files.errors import ReportError, UsageError
-from measured_report.measuring.accelerator import kinds, lacks
-from measured_report.measuring.machine import measuring_device
+from measured_report.measuring.machine import lacks, measuring_device
 from measured_report.measuring.measure import measure
 
 OPTIONS = shared("edition", "device", "cluster", "profile", "address")
 
 
 def run(project: Project, arguments: Arguments) -> int:
-    if not (device := device_of(project, arguments)):
+    cluster = arguments.cluster
+    device = measuring_device(arguments.device, project.profile, cluster)
+    if not device:
         refuse_unmeasured(project, arguments.release.asked)
-    stale_sections = [
-        state.section for state in states_of(project) if state.kind != "fresh"
-    ]
+    states = states_of(project) if device else []
+    names = [state.section for state in states if state.kind != Kind.FRESH]
     is_done = True
-    if stale_sections and device:
+    if names and device:
         project, is_done = measure_what_can(
-            project, arguments.release, stale_sections, device, arguments.cluster
+            project, arguments.release, names, device, cluster
         )
     damaged, lacking = build_site(project, arguments.address)
     if lacking and not device:
-        print(f"{lacks(project.report)}, in up to hours")
+        print(f"{lacks()}, in up to hours")
     return int(damaged or not is_done)
 
 
@@ -40,7 +40,7 @@ def measure_what_can(
     device: str,
     cluster: str | None = None,
 ) -> tuple[Project, bool]:
-    """Measure sections and say what can't be; return the report that has them, and whether all could."""
+    """Measure sections and say what can't be; return the project that has them, and whether all could."""
     try:
         return measure(project, release, sections, device, cluster), True
     except UsageError:
@@ -49,10 +49,3 @@ def measure_what_can(
         if str(error):  # what measured may have said it
             print(error, file=sys.stderr)
         return project, False
-
-
-def device_of(project: Project, arguments: Arguments) -> str | None:
-    """Return the device to measure on; hosts elsewhere have accelerators, unless a CPU is asked for."""
-    if arguments.cluster not in (None, "local"):
-        return arguments.device or kinds(project.report)[0]
-    return measuring_device(arguments.device, project.profile, project.report)

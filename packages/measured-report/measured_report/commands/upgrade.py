@@ -27,8 +27,7 @@ from measured_report.editions.status import records_of, states_of
 from measured_report.files.atomic import write_file
 from measured_report.files.errors import UsageError
 from measured_report.findings.editions import Edition, derive_edition, editions_of
-from measured_report.measuring.accelerator import lacks
-from measured_report.measuring.machine import machine_name, measuring_device
+from measured_report.measuring.machine import lacks, machine_name, measuring_device
 from measured_report.measuring.measure import kept_by
 from measured_report.pages.wording import sentences_of
 from measured_report.parts.claim import HOLDS
@@ -55,7 +54,7 @@ def run(project: Project, arguments: Arguments) -> int:
     base = arguments.since or release_of(
         base_of(project, names) or project.own_release or project.release
     )
-    refuse_itself(str(base), project.release)
+    refuse_itself(project, str(base), project.release)
     answer = sys.stdout if arguments.format == "text" else _answer_file()
     # The newer edition goes first: if it cannot be installed, no base is measured for it.
     releases = [arguments.release, base]
@@ -119,7 +118,10 @@ def _measured(
     package = project.report.settings.edition
     print(f"{package} {edition.release}: measuring {', '.join(names)}", flush=True)
     return measure_what_can(
-        kept_by(edition, machine_name(device), names), release, names, device
+        kept_by(edition, machine_name(device, project.report), names),
+        release,
+        names,
+        device,
     )[0]
 
 

@@ -78,11 +78,15 @@ class Project:
     """Names the folders, editions and commands of a report in one checkout."""
 
     release: str
-    profile: str = "full"  # or `quick`: small grids and short runs, which are kept apart
+    profile: str = (
+        "full"  # or `quick`: small grids and short runs, which are kept apart
+    )
     root: Path = field(default_factory=lambda: current().root)
     own_release: str | None = None
     """The release that is meant if none is named; None: this one."""
-    aside: str = ""  # a folder below `results` for what only a search or a comparison measures
+    aside: str = (
+        ""  # a folder below `results` for what only a search or a comparison measures
+    )
 
     @property
     def is_own(self) -> bool:

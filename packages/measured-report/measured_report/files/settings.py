@@ -114,7 +114,7 @@ class Config:
         default_factory=dict
     )  # what people call labels with other packages
     host: str = "measured_report.measuring.host"  # the module that measures on a host; this one on the CPU
-    accelerator: str = "measured_report.measuring.accelerator"  # the module of what accelerates it; this one of nothing
+    accelerator: str = "measured_report.measuring.host"  # the module of what accelerates it; this one of nothing
     case: ClassName = ""
     """The dataclass, as `module:name`, whose fields are what a run was set to."""
     noise_section: str = ""  # the section that has repeats: rows that are runs of one and the same case, as `of` says

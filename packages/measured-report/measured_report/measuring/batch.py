@@ -29,19 +29,16 @@ from measured_report.measuring.measurement import Measurement
 OUT_OF_MEMORY = re.compile(
     "out of memory|failed to allocate|cannot allocate|bad_alloc", re.IGNORECASE
 )
-LOCK = (
-    Path(tempfile.gettempdir()) / f"measured-report-{os.getuid()}"
-)  # by which two runs of `make` spoil no times
+LOCK = Path(tempfile.gettempdir()) / f"measured-report-{os.getuid()}"
+"""A lock by which two runs of ``make`` spoil no times of each other."""
 
 
 @dataclass(frozen=True)
 class Batch:
-    """Describe a call that a process of its own can make."""
+    """Describes a call that a process of its own can make."""
 
-    name: str  # name that no other of its section has: lower-case words, numbers and hyphens
-    function: Callable[
-        ..., Any
-    ]  # function of a module. It and what it returns travel as bytes
+    name: str  # unlike all others of its section: lower-case words, numbers and hyphens
+    function: Callable[..., Any]  # a function of a module; what it returns is pickled
     arguments: tuple[Any, ...] = ()
     exclusive: bool = False
     """Measures times, so that nothing else is measured on its host meanwhile."""
@@ -52,7 +49,7 @@ Plan: TypeAlias = Generator[Sequence[Batch], Sequence[Any], Measurement]
 
 @dataclass(frozen=True)
 class Result:
-    value: Any  # travels as bytes, which are read where an error costs this batch alone
+    value: bytes  # pickled, and read where an error costs this batch alone
     machine: Mapping[str, Any]
     started: str
     ended: str
@@ -60,45 +57,42 @@ class Result:
 
 
 def device_lock(*, exclusive: bool) -> AbstractContextManager[None]:
-    """Measure beside others or, ``exclusive``, alone; whoever has to wait for it says so."""
+    """Hold the lock of this host, together with others unless it is ``exclusive``."""
     LOCK.mkdir(mode=0o700, exist_ok=True)
     return locked(LOCK, alone=exclusive)
 
 
-class BatchError(Exception):
-    """Say why a batch failed, in a line."""
-
-
-def measure_batch(batch: Batch, device: str) -> Result:
-    """Measure a batch in this process, on a kind of device; BatchError when it fails."""
-    report = current()
+def measure_batch(packed: bytes, device: str) -> Result:
+    """Measure a pickled batch in this process, on a kind of device; raise ReportError if it fails."""
     try:
-        description = machine(device, report)
-        gc.collect()  # frames take longer in a process that keeps simulations of earlier batches
+        batch = pickle.loads(packed)
+        description = machine(device)
+        gc.collect()  # earlier simulations that are kept make frames take longer
         with device_lock(exclusive=batch.exclusive):
-            started, start = now(), time.perf_counter()
+            started = now()
+            start = time.perf_counter()
             value = batch.function(*batch.arguments)
             seconds = time.perf_counter() - start
-        ended = started + timedelta(
-            seconds=seconds
-        )  # whatever the clock does meanwhile
-        times = [time.isoformat(timespec="seconds") for time in (started, ended)]
+        ended = started + timedelta(seconds=seconds)  # whatever the clock does
         return Result(
-            pickle.dumps(value), description, times[0], times[1], round(seconds, 1)
+            pickle.dumps(value),
+            description,
+            started.isoformat(timespec="seconds"),
+            ended.isoformat(timespec="seconds"),
+            round(seconds, 1),
         )
-    except (
-        BaseException
-    ) as error:  # sys.exit too: a fault of a section must not end the process
-        raise BatchError(reason_of(error, report)) from None
+    # sys.exit too: a fault of a section must not end the process.
+    except BaseException as error:
+        raise ReportError(reason_of(error, current())) from None
 
 
 def reason_of(error: BaseException, report: Report) -> str:
-    """Say why measuring failed, in one line, with what to do."""
+    """Return why measuring failed, in one line, with what to do."""
     message = " ".join(str(error).split())
     if is_out_of_memory(error):
         return f"the memory is too small ({message:.200}); free some of it, or PROFILE=quick measures small grids"
     if explained := report.host.explained(error):
-        return explained
+        return str(explained)
     if isinstance(error, OSError):
         message = error.strerror or message or type(error).__name__
         return f"{error.filename}: {message}" if error.filename else message
@@ -110,7 +104,8 @@ def is_out_of_memory(error: BaseException) -> bool:
 
 
 def now() -> datetime:
-    """Return the time; ReportError where the clock does not go, as no record may have what it says."""
-    if (time := datetime.now(timezone.utc)).year not in range(2000, 2100):
-        raise ReportError(f"the clock of this machine says {time:%Y-%m-%d}")
+    """Return the time; raise ReportError if the clock is not set, since no record may have such a time."""
+    time = datetime.now(timezone.utc)
+    if time.year not in range(2000, 2100):
+        raise ReportError(f"the clock of this machine says {time:%Y-%m-%d}: set it")
     return time

@@ -1,20 +1,45 @@
-"""A host: what a report that measures on the CPU does with it; ``report.toml`` names a module with these names.
+"""The host: devices and a simulator, as a report that measures on the CPU has them.
 
-It may have ``note_work(note)`` too, after which ``note`` is called with each piece of work that a device is given, in
-words: what is timed is the same where these are, which ``make carry`` asks.
+``report.toml`` names modules with the same names: as ``accelerator`` one with those up to ``driver``, which is asked
+before anything is measured, and as ``host`` one with the others.
 """
 
-from types import ModuleType
+from collections.abc import Mapping
+from typing import NamedTuple
 
-from measured_report.files.config import report as current
 from measured_report.files.errors import ReportError
-from measured_report.measuring.measurement import Conditions
+from measured_report.measuring.measurement import Conditions as Conditions
 
-__all__ = ["Conditions", "be_quiet", "card", "explained", "host", "prepare"]
+KIND = ""  # how DEVICE= calls an accelerator
+NOUN = ""  # how people call it
+NONE: Mapping[str, str] = {}  # environment of a process that may use none
+ALONE: Mapping[str, str] = {}
+"""Environment of a process that measures times, past what lets others share an accelerator."""
+
+
+class Accelerator(NamedTuple):
+    name: str
+    memory_mib: int
+    settings: Mapping[str, str]  # environment of a process that may use this one alone
+
+
+def accelerators() -> list[Accelerator]:
+    """Return the accelerators that this process may use."""
+    return []
+
+
+def share_count(shared: Accelerator, count: int = 1) -> int:
+    """Return how many processes share one of ``count`` accelerators."""
+    return 1
+
+
+def driver() -> str | None:
+    """Return the driver, as records name it."""
+    return None
 
 
 def card(kind: str) -> tuple[str | None, str | None]:
-    """Return name and uuid of the accelerator to measure on, nothing of a CPU; ReportError where there is none."""
+    """Return name and uuid of the accelerator to measure on, both None for a CPU."""
     if kind != "cpu":
         raise ReportError(
             f"DEVICE={kind}: this report measures on the CPU; DEVICE=cpu does"
@@ -23,17 +48,13 @@ def card(kind: str) -> tuple[str | None, str | None]:
 
 
 def prepare(kind: str) -> None:
-    """Make ready what all sections need on a kind of device; ReportError when it can't be."""
+    """Prepare what all sections need on a kind of device."""
 
 
 def be_quiet() -> None:
-    """Say nothing in a process beside others, which have said it; called before a section is imported."""
+    """Print nothing but errors from now on; called before a section is imported."""
 
 
 def explained(error: Exception) -> str:
-    """Say what an error of the simulator means, in a line; empty where its own text has to do."""
+    """Return what an error of the simulator means, in one line; empty if its own text says it."""
     return ""
-
-
-def host() -> ModuleType:
-    return current().host

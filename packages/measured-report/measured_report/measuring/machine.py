@@ -13,119 +13,113 @@ from measured_report.files.config import Report
 from measured_report.files.config import report as current
 from measured_report.files.errors import UsageError
 from measured_report.files.git import git
-from measured_report.measuring.accelerator import lacks
 from measured_report.records.code import Code
 from measured_report.records.record import Record
 
-KIND = (
-    "device",
-    "gpu",
-    "driver",
-    "cpu",
-    "cores",
-)  # what of a machine is the same for all batches of a section
+KIND = ("device", "gpu", "driver", "cpu", "cores")
+"""What of a machine is the same for all batches of a section."""
 
 
 @cache
-def machine(kind: str, report: Report | None = None) -> dict[str, str | None]:
+def machine(kind: str) -> dict[str, str | None]:
     """Return the machine that measures; host and card tell of two records whether they ran side by side."""
-    report = report or current()
+    report = current()
     card, uuid = report.host.card(kind)
-    driver = None if kind == "cpu" else report.accelerator.driver()
-    system = f"{platform.system()} {platform.machine()}"
-    devices = {
+    return {
         "device": kind,
         "gpu": card,
-        "driver": driver,
+        "driver": None if kind == "cpu" else report.accelerator.driver(),
         "cpu": cpu_name(),
         "cores": str(os.cpu_count()),
-    }
-    return {
-        **devices,
         "python": platform.python_version(),
         "host": None if uuid else host_digest(report.settings.edition),
         "gpu_uuid": uuid,
-        "system": system,
+        "system": f"{platform.system()} {platform.machine()}",
     }
 
 
 def host_digest(edition: str) -> str | None:
-    """Return a digest of a number drawn by chance when this host was set up, or begun; a name would be guessed."""
-    for path in map(Path, ("/etc/machine-id", "/proc/sys/kernel/random/boot_id")):
-        if os.access(path, os.R_OK) and (
-            number := path.read_text(encoding="utf-8").strip()
-        ):
+    """Return a digest of the host's random number; its name would be guessed."""
+    for name in ("/etc/machine-id", "/proc/sys/kernel/random/boot_id"):
+        if os.access(name, os.R_OK):
+            number = Path(name).read_text(encoding="utf-8").strip()
             return hashlib.sha256(f"{edition} {number}".encode()).hexdigest()[:12]
     return None
 
 
 def cpu_name() -> str:
     path = Path("/proc/cpuinfo")
-    named = re.search(
-        r"^model name\s*:(.*)",
-        path.read_text(encoding="utf-8") if path.exists() else "",
-        re.MULTILINE,
-    )
+    text = path.read_text(encoding="utf-8") if path.exists() else ""
+    named = re.search(r"^model name\s*:(.*)", text, re.MULTILINE)
     return named[1].strip() if named else platform.processor() or platform.machine()
 
 
-def commit(root: Path | None = None) -> str | None:
-    """Return the commit that is checked out, marked where the tree differs; of a copy the environment's GIT_COMMIT."""
+def commit() -> str | None:
+    """Return the commit that is checked out, marked if the tree differs; of a copy the environment's GIT_COMMIT."""
     if name := os.environ.get("GIT_COMMIT"):
         return name
-    root = root or current().root
+    root = current().root
     name = git(root, "describe", "--always", "--abbrev=12", "--exclude=*", "--dirty")
-    untracked = git(
-        root, "ls-files", "--others", "--exclude-standard", "experiments", "assets"
-    )
-    return (
-        f"{name.removesuffix('-dirty')}-dirty" if name and untracked else name or None
-    )
+    folders = ("experiments", "assets")
+    if git(root, "ls-files", "--others", "--exclude-standard", *folders) and name:
+        return f"{name.removesuffix('-dirty')}-dirty"
+    return name or None
 
 
 def said(*command: str) -> str:
-    """Return what a command prints; nothing when it fails or is not there."""
+    """Return the output of a command; nothing if it fails or does not exist."""
     try:
-        return subprocess.run(
-            command, cwd=current().root, capture_output=True, text=True, check=False
-        ).stdout.strip()
+        process = subprocess.run(command, capture_output=True, text=True, check=False)
     except OSError:
         return ""
+    return process.stdout.strip()
 
 
 def needs_device(section: str, project: Project) -> bool:
-    """Tell whether numbers depend on the device: a section with ``NEEDS_GPU = False`` stands with any."""
+    """Return whether numbers depend on the device: a section with ``NEEDS_GPU = False`` stands with any."""
     code = Code(project.root)
-    file = (
-        code.module(f"experiments.{section}")
-        or f"{project.root}/experiments/{section}.py"
-    )
-    return bool(code.source(file).top.get("NEEDS_GPU", project.settings.needs_device))
+    module = code.module(f"experiments.{section}")
+    top = code.source(module).top if module else {}
+    return bool(top.get("NEEDS_GPU", project.settings.needs_device))
+
+
+def read_device(kind: str) -> str:
+    """Return a kind of device; raise UsageError if there is none of that name."""
+    kinds = [*filter(None, [current().accelerator.KIND]), "cpu"]
+    if kind not in kinds:
+        raise UsageError(
+            f"DEVICE={kind:.80} is no device; use one of: {', '.join(kinds)}"
+        )
+    return kind
+
+
+def lacks() -> str:
+    """Say that this machine has no accelerator."""
+    kind = current().accelerator.KIND.upper() or "other"
+    return f"this machine has no {kind} device; DEVICE=cpu measures on its CPU"
 
 
 def measuring_device(
-    device: str | None, profile: str, report: Report | None = None
+    device: str | None, profile: str, cluster: str | None = None
 ) -> str | None:
-    """Choose the device to measure on; None where it has to be asked for: full measurements take hours on a CPU."""
-    report = report or current()
+    """Return the device to measure on; None if it has to be asked for, since full measurements take hours on a CPU."""
+    report = current()
+    kind = str(report.accelerator.KIND)
     if device == "cpu" or not (device or report.settings.needs_device):
         return "cpu"
-    if report.accelerator.accelerators():
-        return str(report.accelerator.KIND)
+    if cluster or report.accelerator.accelerators():
+        return kind
     if device:
-        raise UsageError(f"DEVICE={device}: {lacks(report)}")
+        raise UsageError(f"DEVICE={device}: {lacks()}")
     return "cpu" if profile == "quick" else None
 
 
-def machine_name(device: str, report: Report | None = None) -> str:
-    """Name this machine for a label when it measures on ``device``: by its accelerator, or ``cpu``."""
+def machine_name(device: str, report: Report) -> str:
+    """Return the name of this machine in labels: its accelerator, or ``cpu``."""
     if device == "cpu":
         return device
-    return slug(
-        next(
-            (card.name for card in (report or current()).accelerator.accelerators()), ""
-        )
-    )
+    cards = report.accelerator.accelerators()
+    return slug(cards[0].name) if cards else ""
 
 
 def machine_of(record: Record) -> str:

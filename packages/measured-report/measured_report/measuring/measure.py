@@ -27,10 +27,8 @@ from measured_report.records.identity import sections as all_sections
 
 T = TypeVar("T")
 MODULE = "measured_report.measuring.run"
-FAILED, UNFIT = (
-    1,
-    2,
-)  # exit statuses of a measurement that failed, or could not begin, which has said why
+FAILED, UNFIT = 1, 2
+"""Exit statuses of a measurement that failed, or could not begin, which has said why."""
 
 
 def measure(
@@ -40,45 +38,29 @@ def measure(
     device: str,
     cluster: str | None = None,
 ) -> Project:
-    """Measure the sections; return the report that has them, which is apart from that of another machine."""
-    machine, options = (
-        machine_name(device, project.report),
-        ["--profile", project.profile, "--aside", project.aside],
-    )
+    """Measure sections; return the project that has them, which is apart from that of another machine."""
+    options = ["--profile", project.profile, "--aside", project.aside]
+    machine = machine_name(device, project.report)
     if cluster:
-        add_group(
-            "cluster",
-            project.root,
-            python_of(release, expected_packages(project), project.root),
-            "extra",
-        )
+        python = python_of(release, expected_packages(project), project.root)
+        add_group("cluster", project.root, python, "extra")
         options += ["--cluster", cluster]
-    if device != "cpu":
-        if cluster not in (None, "local"):
+        if device != "cpu":
             add_group("cluster", project.root, kind="extra")
             from measured_report.measuring.cluster import card_of
 
-            machine = card_of(cluster, project.report)
-        options += ["--processor", machine]
+            machine = card_of(cluster)
     edition = kept_by(project, machine, sections)
     edition.results.mkdir(parents=True, exist_ok=True)
     if not os.access(edition.results, os.W_OK):
         raise ReportError(f"what is measured could not be kept in {edition.results}")
+    options += ["--edition", edition.release]
     try:
-        _run(
-            edition,
-            release,
-            MODULE,
-            device,
-            *sections,
-            *options,
-            "--edition",
-            edition.release,
-        )
+        _run(edition, release, MODULE, device, *sections, *options)
     finally:
         _note_measured(edition, release)
         with suppress(OSError):
-            edition.results.rmdir()  # which is empty where nothing came of it
+            edition.results.rmdir()  # which is empty if nothing came of it
     return edition
 
 
@@ -92,24 +74,9 @@ def measure_headline(
     """Measure the headline and keep nothing of it; return what is done ``beside``, and what ``program`` writes."""
     with TemporaryDirectory() as folder:
         path = Path(folder) / "headline.json"
-        done = _run(
-            project, release, program, device, "--json", str(path), beside=beside
-        )
+        options = ("--json", str(path))
+        done = _run(project, release, program, device, *options, beside=beside)
         return done, json.loads(path.read_text(encoding="utf-8"))
-
-
-def batches_at_once(project: Project, device: str) -> int:
-    """Return how many batches are measured at once: on a CPU quick ones and any that need no more."""
-    if device != "cpu":
-        accelerator = project.report.accelerator
-        return next(
-            (accelerator.share_count(card) for card in accelerator.accelerators()), 1
-        )
-    return (
-        (os.cpu_count() or 1)
-        if project.profile == "quick" or not project.settings.needs_device
-        else 1
-    )
 
 
 def _run(
@@ -121,14 +88,12 @@ def _run(
     beside: Callable[[], T] | None = None,
 ) -> T | None:
     python = python_of(release, expected_packages(project), project.root)
-    command = [str(python), "-m", module, "--device", device, *options]
-    env = {
-        **os.environ,
-        "TQDM_DISABLE": "1",
-    }  # a log has a line for each section, a terminal one line for all
-    env |= project.report.accelerator.NONE if device == "cpu" else {}
+    # A log has a line for each section.
+    env = {**os.environ, "TQDM_DISABLE": "1"}
+    if device == "cpu":
+        env |= project.report.accelerator.NONE
     process = subprocess.Popen(
-        command,
+        [str(python), "-m", module, "--device", device, *options],
         cwd=project.root,
         env=env,
         preexec_fn=end_with_parent,
@@ -142,25 +107,29 @@ def _run(
         raise
     if status == UNFIT:
         raise UsageError("")
+    if status == FAILED:
+        raise ReportError("")
     if status:
-        words = f"measuring ended with exit status {status}; what was there is kept"
-        raise ReportError("" if status == FAILED else words)
+        raise ReportError(
+            f"measuring ended with exit status {status}; what was there is kept"
+        )
     return done
 
 
 def kept_by(project: Project, machine: str, sections: Sequence[str]) -> Project:
-    """Return the report for results of ``machine``: its own where others' are there that needed a device, as these."""
-    named, option = project.named, f"{project.settings.option}={project.release}"
+    """Return the project for results of ``machine``: its own if there are others' that needed a device, as these."""
+    named = project.named
+    option = f"{project.settings.option}={project.release}"
     if not any(needs_device(section, project) for section in sections):
         return project
-    if named.machine not in ("", machine):
-        raise UsageError(
-            f"{option} has the results of {named.machine}, and this is {machine}"
-        )
-    if (
-        not (machines := dict.fromkeys(machines_besides(project, machine)))
-        or named.machine
-    ):
+    if named.machine:
+        if named.machine != machine:
+            raise UsageError(
+                f"{option} has the results of {named.machine}, and this is {machine}"
+            )
+        return project
+    machines = dict.fromkeys(machines_besides(project, machine))
+    if not machines:
         return project
     edition = project.of(str(replace(named, machine=machine)))
     print(
@@ -170,26 +139,24 @@ def kept_by(project: Project, machine: str, sections: Sequence[str]) -> Project:
 
 
 def machines_besides(project: Project, machine: str) -> Iterator[str]:
-    """Yield the other machines that the report has results of, which those of ``machine`` never replace, by section."""
-    records = (
-        record
-        for record in records_of(project)
-        if needs_device(record.section, project)
-    )
-    return filter(machine.__ne__, map(machine_of, records))
+    """Yield the other machines that a project has results of, which those of ``machine`` never replace."""
+    for record in records_of(project):
+        if needs_device(record.section, project) and machine_of(record) != machine:
+            yield machine_of(record)
 
 
 def _note_measured(project: Project, release: Release) -> None:
     """Note which sections have been measured, so that one that goes is missed."""
     with locked(project.results.parent):
-        present = {
+        # What a damaged manifest held must not be lost unseen.
+        manifest = read_manifest(project.results)
+        names = {*manifest.sections} if manifest else set()
+        names |= {
             section
             for section in all_sections(project.root)
             if project.record_path(section).exists()
         }
-        # What a damaged manifest held must not be lost unseen.
-        manifest = read_manifest(project.results)
-        day = manifest.date if manifest else release_date(release)
-        if names := sorted({*present, *(manifest.sections if manifest else ())}):
-            manifest = Manifest(release.asked, day, tuple(names))
+        if names:
+            day = manifest.date if manifest else release_date(release)
+            manifest = Manifest(release.asked, day, tuple(sorted(names)))
             write_manifest(project.results, manifest)

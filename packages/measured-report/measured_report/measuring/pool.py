@@ -7,22 +7,26 @@ from concurrent.futures.process import BrokenProcessPool
 from contextlib import AbstractContextManager, contextmanager
 from functools import partial
 from multiprocessing import active_children, get_context
+from multiprocessing.queues import SimpleQueue
 from typing import Any
 
 from tqdm import tqdm
 
+from measured_report.files.config import Report
 from measured_report.files.config import report as current
 from measured_report.files.processes import begin, workers
 
+Settings = Mapping[str, str]  # environment of a process
+
 
 class HostPool:
-    """Submit to forks of this process, which has loaded the simulator but no device, and to new ones after a kill."""
+    """Submits to forks of this process, which has loaded the simulator but no device, and to new ones after a kill."""
 
     lost: type[Exception] = BrokenProcessPool
 
-    def __init__(self, limit: int, settings: Mapping[str, str]):
-        self.limit = limit
-        self._begin = partial(_begin, settings)
+    def __init__(self, environments: Sequence[Settings]):
+        self.environments = environments  # of a process each
+        self.limit = len(environments)
         self.pool = self._opened()
 
     def submit(self, function: Callable[..., Any], *arguments: Any) -> Future[Any]:
@@ -33,34 +37,50 @@ class HostPool:
             return self.pool.submit(function, *arguments)
 
     def _opened(self) -> Executor:
-        return ProcessPoolExecutor(
-            self.limit, get_context("fork"), begin, (self._begin,)
-        )
+        context = get_context("fork")
+        waiting = context.SimpleQueue()
+        for environment in self.environments:
+            waiting.put(environment)
+        start = partial(_begin, waiting)
+        return ProcessPoolExecutor(self.limit, context, begin, (start,))
 
 
 @contextmanager
 def host_pools(
-    count: int, alone: Mapping[str, str]
+    shared: Sequence[Settings], alone: Settings
 ) -> Iterator[tuple[HostPool, HostPool]]:
-    """Open a pool for ``count`` batches that share this host, and one for exclusive ones, with ``alone`` set."""
-    shared, exclusive = HostPool(count, {}), HostPool(1, alone)
+    """Open a pool for batches that share this host, and one for those that are exclusive."""
+    opened = HostPool(shared), HostPool([alone])
     try:
-        yield shared, exclusive
+        yield opened
     finally:
         for process in active_children():
             process.kill()
-        for opened in (
-            shared,
-            exclusive,
-        ):  # the thread that leads the processes must not meet the end of the program
-            opened.pool.shutdown(cancel_futures=True)
+        # The thread that leads the processes must not meet the end of the program.
+        for each in opened:
+            each.pool.shutdown(cancel_futures=True)
+
+
+def environments(device: str, profile: str, report: Report) -> list[Settings]:
+    """Return the environments of the processes that share this host: as many as its accelerators take, or on a CPU as
+    it has cores, except for full measurements of what needs an accelerator."""
+    accelerator = report.accelerator
+    if device == "cpu":
+        is_light = profile == "quick" or not report.settings.needs_device
+        return [{}] * ((os.cpu_count() or 1) if is_light else 1)
+    cards = accelerator.accelerators()
+    counts = [accelerator.share_count(card, len(cards)) for card in cards]
+    found = []
+    for number in range(max(counts, default=0)):
+        for card, count in zip(cards, counts, strict=True):
+            if number < count:
+                found.append(card.settings)
+    return found or [{}]
 
 
 def processes(count: int) -> AbstractContextManager[Executor]:
     """Open a pool for ``count`` calls, of functions of modules, as many at once as there are cores; time nothing."""
-    return workers(
-        max(1, min(count, os.cpu_count() or 1)), "spawn", partial(_begin, {})
-    )
+    return workers(max(1, min(count, os.cpu_count() or 1)), "spawn", _be_quiet)
 
 
 def start(
@@ -70,13 +90,15 @@ def start(
 
 
 def gather(waiting: Iterable[Future[Any]], title: str) -> list[Any]:
-    """Wait for what was started, in that order."""
-    return [
-        result.result()
-        for result in tqdm(list(waiting), desc=title, unit="run", delay=3.0)
-    ]
+    """Wait for what was started, and return the results in that order."""
+    bar = tqdm(list(waiting), desc=title, unit="run", delay=3.0)
+    return [future.result() for future in bar]
 
 
-def _begin(settings: Mapping[str, str]) -> None:
-    os.environ.update(settings)
+def _begin(waiting: "SimpleQueue[Settings]") -> None:
+    os.environ.update(waiting.get())
+    _be_quiet()
+
+
+def _be_quiet() -> None:
     current().host.be_quiet()

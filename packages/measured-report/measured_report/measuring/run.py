@@ -2,9 +2,8 @@
 
 import signal
 
-signal.signal(
-    signal.SIGINT, signal.SIG_DFL
-)  # records are put in place whole: there is nothing to tidy up
+# Records are put in place whole, so that there is nothing to tidy up after Ctrl-C.
+signal.signal(signal.SIGINT, signal.SIG_DFL)
 
 import argparse
 import gc
@@ -26,10 +25,14 @@ from measured_report.files.config import Report
 from measured_report.files.config import report as current
 from measured_report.files.errors import ReportError, bug_of
 from measured_report.files.processes import KILLED
-from measured_report.measuring.accelerator import read_device
-from measured_report.measuring.machine import machine, measuring_device, needs_device
-from measured_report.measuring.measure import UNFIT, batches_at_once
-from measured_report.measuring.pool import gather, host_pools
+from measured_report.measuring.machine import (
+    machine,
+    measuring_device,
+    needs_device,
+    read_device,
+)
+from measured_report.measuring.measure import UNFIT
+from measured_report.measuring.pool import environments, gather, host_pools
 from measured_report.measuring.section import Loop, Section, section_of
 from measured_report.records.code import Code
 from measured_report.records.identity import package_versions, sections
@@ -37,43 +40,24 @@ from measured_report.records.record import basis_of
 
 
 def main() -> int:
-    tqdm.monitor_interval = (
-        0  # a thread of its own, which no process may be forked beside
-    )
-    parser = argparse.ArgumentParser(
-        prog="python -m measured_report.measuring.run",
-        description=__doc__.split(":")[0],
-    )
-    parser.add_argument(
-        "section", nargs="+", metavar="SECTION", help=", ".join(sections())
-    )
-    parser.add_argument("--device", default="", help="kind of device to measure on")
+    tqdm.monitor_interval = 0  # no process may be forked beside a thread
+    parser = argparse.ArgumentParser(prog="python -m measured_report.measuring.run")
+    parser.add_argument("section", nargs="+")
+    parser.add_argument("--device", default="")
     parser.add_argument("--profile", choices=("full", "quick"), default="full")
-    parser.add_argument(
-        "--edition",
-        metavar="LABEL",
-        help="what the results are kept as; default: what is installed",
-    )
-    parser.add_argument(
-        "--aside",
-        metavar="FOLDER",
-        default="",
-        help="where below results/ they are kept apart",
-    )
-    parser.add_argument(
-        "--cluster",
-        metavar="CLUSTER",
-        help="who measures: local, tcp://HOST:PORT or tls://HOST:PORT",
-    )
-    parser.add_argument(
-        "--processor",
-        metavar="NAME",
-        help="the only accelerator that the cluster may measure on",
-    )
-    arguments, status = parser.parse_args(), UNFIT
+    parser.add_argument("--edition", help="label of the results")
+    parser.add_argument("--aside", default="", help="folder below results/")
+    parser.add_argument("--cluster", help="address of a Dask scheduler")
+    arguments = parser.parse_args()
+    report = current()
+    status = UNFIT
     try:
-        requested = sections_asked(arguments)
-        with pools(arguments, requested) as (shared, exclusive):
+        release = edition_of(arguments.edition, report)
+        own = own_release(report=report)
+        project = Project(release, arguments.profile, report.root, own, arguments.aside)
+        asked = arguments.device or measuring_device(None, "quick") or "cpu"
+        requested = sections_asked(project, arguments.section, asked)
+        with pools(report, arguments.cluster, requested) as (shared, exclusive):
             status = 1
             return int(Loop(requested, shared, exclusive).run())
     except ReportError as error:
@@ -81,37 +65,28 @@ def main() -> int:
         return status
 
 
-def sections_asked(arguments: argparse.Namespace) -> Sequence[Section]:
-    """Return the sections that were asked for; ReportError where they can't be measured here."""
-    report = current()
-    label = edition_of(arguments.edition, report)
-    project = Project(
-        label,
-        arguments.profile,
-        report.root,
-        own_release(report=report),
-        arguments.aside,
-    )
-    # What the accelerator waits for least begins first: batches of the processor alone are few and long.
+def sections_asked(
+    project: Project, names: Sequence[str], device: str
+) -> Sequence[Section]:
+    """Return the sections of these names; raise ReportError if they cannot be measured here."""
     code = Code(project.root)
-    for name in arguments.section:
+    for name in names:
         if not name.isidentifier() or not code.module(f"experiments.{name}"):
             raise ReportError(
                 f"SECTION={name} is no section; use one of: {', '.join(sections())}"
             )
-    names = sorted(arguments.section, key=lambda name: needs_device(name, project))
+    # Batches of the processor alone begin first: they are few and long.
+    ordered = sorted(names, key=lambda name: needs_device(name, project))
     # Before anything of the report is imported, such as the modules of devices.
     bases = [
         basis_of(name, project.record_path(name), project.profile, project.root)
-        for name in names
+        for name in ordered
     ]
-    arguments.device = read_device(
-        arguments.device or measuring_device(None, "quick", report) or "cpu", report
-    )
+    device = read_device(device)
     gc.disable()  # looking for garbage takes half the time of loading a simulator
-    report.host.be_quiet()
+    project.report.host.be_quiet()
     found = [
-        section_of(project, basis, section_module(basis.section), arguments.device)
+        section_of(project, basis, section_module(basis.section), device)
         for basis in bases
     ]
     gc.freeze()
@@ -121,41 +96,33 @@ def sections_asked(arguments: argparse.Namespace) -> Sequence[Section]:
 
 @contextmanager
 def pools(
-    arguments: argparse.Namespace, requested: Sequence[Section]
-) -> Iterator[tuple[Any, Any]]:
+    report: Report, cluster: str | None, requested: Sequence[Section]
+) -> Iterator[Any]:
     """Open the pools that measure: of this host, or of a cluster's workers."""
-    report = requested[0].project.report
-    count = batches_at_once(requested[0].project, arguments.device)
-    if arguments.cluster:
-        try:
-            from measured_report.measuring.cluster import cluster_pools
-        except ImportError as error:
-            raise ReportError(
-                f"CLUSTER takes {error.name}, which {sys.executable} lacks; install it there"
-            ) from None
-        with cluster_pools(
-            arguments.cluster, arguments.device, arguments.processor, report, count
-        ) as opened:
-            yield opened
+    devices = sorted({section.device for section in requested})
+    if cluster:
+        from measured_report.measuring.cluster import cluster_pools, connected
+
+        with connected(cluster) as client:
+            yield cluster_pools(client, devices[-1], report)
         return
-    if arguments.device == "cpu":
-        machine(
-            "cpu", report
-        )  # once for all forks, which inherit what has no accelerator
-    with host_pools(count, report.accelerator.ALONE) as (shared, exclusive):
+    alone = {}
+    shared = environments(devices[-1], requested[0].project.profile, report)
+    if devices[-1] == "cpu":
+        machine("cpu")  # once for all forks, which inherit it
+    else:
+        alone = {**shared[0], **report.accelerator.ALONE}
+    with host_pools(shared, alone) as opened:
+        prepare = report.host.prepare
         try:
-            devices = sorted({section.device for section in requested})
-            gather(
-                [shared.submit(report.host.prepare, device) for device in devices],
-                "kernels",
-            )
+            gather([opened[0].submit(prepare, each) for each in devices], "kernels")
         except BrokenProcessPool:
             raise ReportError(KILLED) from None
-        yield shared, exclusive
+        yield opened
 
 
 def section_module(section: str) -> ModuleType:
-    """Import the module that measures a section; ReportError when it cannot be imported."""
+    """Import the module that measures a section; raise ReportError if it cannot be imported."""
     try:
         module = importlib.import_module(f"experiments.{section}")
     except (Exception, SystemExit) as error:
@@ -168,13 +135,13 @@ def section_module(section: str) -> ModuleType:
 
 
 def edition_of(requested: str | None, report: Report | None = None) -> str:
-    """Return the label of what is installed here; ReportError when another one was asked for."""
+    """Return the label of what is installed here; raise ReportError if another one was asked for."""
     settings = (report or current()).settings
     installed = package_versions(settings)
     asked = requested or installed[settings.edition]
     label = read_label(asked, settings)
     if label is None or not label.is_installed_with(installed):
-        have = ", ".join(f"{name} {release}" for name, release in installed.items())
+        have = ", ".join(f"{name} {version}" for name, version in installed.items())
         raise ReportError(
             f"{settings.option}={asked} is not what is installed here ({have})"
         )

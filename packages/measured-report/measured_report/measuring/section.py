@@ -17,7 +17,6 @@ from measured_report.files.columns import REASON, UNBELIEVED, Schema, is_number,
 from measured_report.files.errors import ReportError
 from measured_report.measuring.batch import (
     Batch,
-    BatchError,
     Plan,
     Result,
     measure_batch,
@@ -47,7 +46,7 @@ class Section:
     has_failed: bool = False
 
     def is_exclusive(self, batch: Batch) -> bool:
-        """Tell whether it is measured alone, as is one that may have killed its process and those beside it."""
+        """Return whether it is measured alone, as is one that may have killed its process."""
         return batch.exclusive or batch.name in self.lost
 
     def advance(self) -> None:
@@ -58,20 +57,17 @@ class Section:
             ):
                 values = [self.results[batch.name].value for batch in self.stage]
                 try:
-                    self.stage = self.waiting = list(self.plan.send(values or None))  # type: ignore[arg-type]
+                    self.stage = list(self.plan.send(values or None))  # type: ignore[arg-type]
                 except StopIteration as end:
                     self._write(end.value)
                     return
                 assert all(isinstance(batch, Batch) for batch in self.stage), (
                     "it yields no Batch: rows are returned"
                 )
-                names = [batch.name for batch in self.stage]
-                if not names or len({*names, *self.results}) < len(names) + len(
-                    self.results
-                ):
-                    raise ValueError(
-                        f"batches need names of their own: {', '.join(names)}"
-                    )
+                names = [*self.results, *(batch.name for batch in self.stage)]
+                if not self.stage or len({*names}) < len(names):
+                    raise ValueError(f"batches need names of their own: {names}")
+                self.waiting = self.stage
         except Exception as error:  # a fault of the section must not cost the others
             self.fail(reason_of(error, self.project.report))
 
@@ -83,11 +79,11 @@ class Section:
             )
         elif not self.is_over:
             self.lost.add(batch.name)
+            self.waiting = [*self.waiting, batch]
             tqdm.write(
                 f"{self.name}/{batch.name}: its process was killed; it is tried again alone",
                 file=sys.stderr,
             )
-            self.waiting = [*self.waiting, batch]
 
     def fail(self, reason: str) -> None:
         if not self.is_over:
@@ -99,12 +95,14 @@ class Section:
             )
 
     def _write(self, measurement: Measurement) -> None:
-        results, path = list(self.results.values()), self.project.record_path(self.name)
-        columns = self.project.report.columns
+        """Write the record and the traces of what the section returned."""
+        report = self.project.report
+        path = self.project.record_path(self.name)
+        results = list(self.results.values())
         try:
-            rows = [believable(row, columns) for row in measurement.rows]
+            rows = [believable(row, report.columns) for row in measurement.rows]
             traces = {
-                case: packed(path, case, table, columns)
+                case: packed(path, case, table, report.columns)
                 for case, table in measurement.traces.items()
             }
         except (AttributeError, TypeError) as error:
@@ -113,58 +111,43 @@ class Section:
             ) from None
         if not rows or not all("case" in row for row in rows):
             raise ReportError("it returned no rows, or one without a case")
-        if len({tuple(map(result.machine.get, KIND)) for result in results}) > 1:
-            raise ReportError(
-                "its batches were measured on different kinds of machines"
-            )
-        names = {
-            name: {result.machine[name] for result in results} - {None}
-            for name in results[0].machine
-        }
-        machine = {
-            name: ", ".join(sorted(values)) or None for name, values in names.items()
-        }
-        started, ended = (
-            min(result.started for result in results),
-            max(result.ended for result in results),
-        )
+        machine = {}
+        for name in results[0].machine:
+            texts = {result.machine[name] for result in results}
+            if name in KIND and len(texts) > 1:
+                raise ReportError(
+                    "its batches were measured on different kinds of machines"
+                )
+            machine[name] = ", ".join(sorted(filter(None, texts))) or None
+        ended = max(result.ended for result in results)
         seconds = round(sum(result.seconds for result in results), 1)
         measured: dict[str, Any] = {
             "date": ended,
-            "started": started,
+            "started": min(result.started for result in results),
             "ended": ended,
-            "commit": commit(self.project.report.root),
-        }
-        measured |= {
-            "command": self.project.rerun(self.name, results[0].machine["device"]),
+            "commit": commit(),
+            "command": self.project.rerun(self.name, machine["device"]),
             "seconds": seconds,
         }
-        self.basis.write(
-            Record(
-                self.name,
-                self.basis.identity,
-                machine,
-                measured,
-                columns.units_of(rows),
-                rows,
-            ),
-            traces,
-        )
+        units = report.columns.units_of(rows)
+        identity = self.basis.identity
+        record = Record(self.name, identity, machine, measured, units, rows)
+        self.basis.write(record, traces)
         self.is_over = True
-        tqdm.write(
-            f"{self.name}: {len(rows)} rows in {seconds:.0f} s → {path.relative_to(self.project.root)}"
-        )
+        shown = path.relative_to(self.project.root)
+        tqdm.write(f"{self.name}: {len(rows)} rows in {seconds:.0f} s → {shown}")
 
 
 class Loop:
-    """Measure sections by a pool for batches that share their host and one for those that are exclusive there."""
+    """Measures sections by a pool for batches that share their host and one for those that are exclusive there."""
 
     def __init__(self, sections: Sequence[Section], shared: Any, exclusive: Any):
-        self.sections, self.shared, self.exclusive = sections, shared, exclusive
+        self.sections = sections
+        self.pools = {False: shared, True: exclusive}
         self.running: dict[Future[Any], tuple[Section, Batch]] = {}
 
     def run(self) -> bool:
-        """Measure all sections; tell whether any failed."""
+        """Measure all sections; return whether any failed."""
         for section in self.sections:
             section.advance()
         with tqdm(unit="batch", leave=False, disable=not sys.stderr.isatty()) as bar:
@@ -175,51 +158,47 @@ class Loop:
         return any(section.has_failed for section in self.sections)
 
     def _submit(self) -> bool:
-        for pool, is_exclusive in ((self.shared, False), (self.exclusive, True)):
-            if all(
-                section.is_exclusive(batch) == is_exclusive
-                for section, batch in self.running.values()
-            ):
-                waiting = [
-                    (section, batch)
-                    for section in self.sections
-                    for batch in section.waiting
-                ]
-                ready = [
-                    (section, batch)
-                    for section, batch in waiting
-                    if section.is_exclusive(batch) == is_exclusive
-                ]
-                for section, batch in ready[: max(0, pool.limit - len(self.running))]:
-                    section.waiting = [
-                        candidate
-                        for candidate in section.waiting
-                        if candidate is not batch
-                    ]
-                    self.running[pool.submit(measure_batch, batch, section.device)] = (
-                        section,
-                        batch,
-                    )
+        """Submit what can be; return whether anything runs."""
+        for is_exclusive, pool in self.pools.items():
+            for section in self.sections:
+                for batch in list(section.waiting):
+                    is_of_pool = section.is_exclusive(batch) == is_exclusive
+                    if is_of_pool and self._has_room(pool, is_exclusive):
+                        section.waiting = [
+                            each for each in section.waiting if each is not batch
+                        ]
+                        self._start(pool, section, batch)
         return bool(self.running)
 
+    def _has_room(self, pool: Any, is_exclusive: bool) -> bool:
+        return len(self.running) < pool.limit and all(
+            section.is_exclusive(batch) == is_exclusive
+            for section, batch in self.running.values()
+        )
+
+    def _start(self, pool: Any, section: Section, batch: Batch) -> None:
+        try:
+            content = pickle.dumps(batch)
+        except Exception as error:
+            section.fail(f"{batch.name}: {reason_of(error, section.project.report)}")
+            return
+        future = pool.submit(measure_batch, content, section.device)
+        self.running[future] = section, batch
+
     def _take(self, future: Future[Any], section: Section, batch: Batch) -> None:
-        pool = self.exclusive if section.is_exclusive(batch) else self.shared
+        pool = self.pools[section.is_exclusive(batch)]
         try:
             result = future.result()
-            section.results[batch.name] = replace(
-                result, value=pickle.loads(result.value)
-            )
+            value = pickle.loads(result.value)
         except pool.lost:
             section.lose(batch)
         except CancelledError:
             raise ReportError(GONE) from None
-        except BatchError as error:
-            section.fail(
-                str(error) if batch.name == WHOLE else f"{batch.name}: {error}"
-            )
-        except Exception as error:  # what it returns, or is given, can't travel
-            section.fail(f"{batch.name}: {reason_of(error, section.project.report)}")
+        except Exception as error:
+            reason = reason_of(error, section.project.report)
+            section.fail(reason if batch.name == WHOLE else f"{batch.name}: {reason}")
         else:
+            section.results[batch.name] = replace(result, value=value)
             section.advance()
 
 
@@ -229,18 +208,14 @@ def section_of(
     """Return the section that a module measures, as one batch if it declares none."""
     name = basis.section
     device = device if needs_device(name, project) else "cpu"
-    alias = (
-        "cpu" if device == "cpu" else f"{device}:0"
-    )  # of the only device of its kind that a process measures on
-    conditions = project.report.host.Conditions(
-        device=alias, quick=project.profile == "quick"
-    )
-    plans = inspect.isgeneratorfunction(module.measure)
-    plan = (
-        module.measure(conditions)
-        if plans
-        else _as_one(Batch(WHOLE, module.measure, (conditions,)))
-    )
+    # A process measures on the only device of its kind that it has.
+    alias = "cpu" if device == "cpu" else f"{device}:0"
+    is_quick = project.profile == "quick"
+    conditions = project.report.host.Conditions(device=alias, quick=is_quick)
+    if inspect.isgeneratorfunction(module.measure):
+        plan = module.measure(conditions)
+    else:
+        plan = _as_one(Batch(WHOLE, module.measure, (conditions,)))
     return Section(project, name, device, plan, basis)
 
 
@@ -251,21 +226,16 @@ def _as_one(batch: Batch) -> Plan:
 
 def believable(row: Mapping[str, object], columns: Schema) -> dict[str, object]:
     """Return the row in plain numbers, with None, and the reason, for each that no record may hold."""
-    row = {str(name): plain(value, str(name)) for name, value in row.items()}
-    if wrong := [name for name in row if not re.fullmatch(NAME, name)]:
-        raise ReportError(
-            f"the column {wrong[0]!r} is not called in small letters, digits and _, as rebound_mm"
-        )
-    lost = [
-        name
-        for name, value in row.items()
-        if is_number(value) and columns.number_problem(name, value)
-    ]
-    lost += [
-        name
-        for name in row
-        if row[name] is None and name + REASON not in row and columns[name].unit != "1"
-    ]
-    return {**row, **dict.fromkeys(lost)} | {
-        f"{name}_reason": f"{UNBELIEVED}{row[name]!s:.40}" for name in lost
-    }
+    cells = {str(name): plain(value, str(name)) for name, value in row.items()}
+    lost = {}
+    for name, cell in cells.items():
+        if not re.fullmatch(NAME, name):
+            raise ReportError(
+                f"the column {name!r} is not called in small letters, digits and _, as rebound_mm"
+            )
+        is_wrong = is_number(cell) and columns.number_problem(name, cell)
+        is_absent = cell is None and columns[name].unit != "1"
+        if is_wrong or (is_absent and name + REASON not in cells):
+            lost[name] = f"{UNBELIEVED}{cell!s:.40}"
+    reasons = {name + REASON: reason for name, reason in lost.items()}
+    return {**cells, **dict.fromkeys(lost), **reasons}

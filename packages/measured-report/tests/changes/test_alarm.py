@@ -13,7 +13,6 @@ from measured_report.changes.alarm import check_text, diff_text
 from measured_report.changes.compare import Comparison
 from measured_report.commands import check as check_command
 from measured_report.commands import diff
-from measured_report.commands.options import FORMATS
 from measured_report.editions.project import Project
 from measured_report.editions.release import release_of
 from measured_report.files.config import report
@@ -62,6 +61,9 @@ def test_a_section_that_is_gone_or_damaged_is_named_first(toy, capsys):
             .out.splitlines()[2]
             .startswith(f"{kind}: newton 1.8.0, toy: ")
         )
+
+
+FORMATS = ("text", "markdown", "json")
 
 
 @pytest.mark.parametrize("form", FORMATS)

@@ -134,7 +134,10 @@ def test_between_two_commits_of_one_repository_its_commits_are_searched(toy, che
         last.asked,
     ]
     assert release_of(points[1]).source == f"g{commits[1][:7]}"
-    assert points_between(toy.project, first, release_of("1.4.0")) == [first.asked, "1.4.0"]
+    assert points_between(toy.project, first, release_of("1.4.0")) == [
+        first.asked,
+        "1.4.0",
+    ]
 
 
 @pytest.fixture

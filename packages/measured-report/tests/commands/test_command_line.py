@@ -88,7 +88,7 @@ def test_outputs_that_are_closed_or_full_end_nothing_in_a_traceback(outside, clo
         (["nothing"], "report"),
         (["report", "--device", "tpu"], "tpu"),
         (["report", "--device", "cuda"], "no CUDA device"),
-        (["report", "--cluster", "local:0"], "CLUSTER=local:0"),
+        (["report", "--cluster", "local"], "CLUSTER=local"),
         (["status", "--newton", "new"], "NEWTON=new"),
         (["report", "--newton", "99.0"], "NEWTON=99.0"),
         (["diff"], "required: --a, --b"),

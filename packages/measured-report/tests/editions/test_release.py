@@ -101,9 +101,7 @@ def test_what_is_kept_of_a_path_names_nobody(
             release.asked == asked
             and release_of(asked).package_version == release.package_version
         )
-    assert (
-        str(UsageError(f"{home}/x and file://{home}/x")) == "~/x and file://~/x"
-    )
+    assert str(UsageError(f"{home}/x and file://{home}/x")) == "~/x and file://~/x"
 
 
 def test_a_host_s_name_is_in_no_record(monkeypatch):

@@ -9,15 +9,21 @@ from current_columns import parameters, units
 from measured_report.commands.new import SKELETON
 from measured_report.files.config import Report, module_named, report
 from measured_report.files.errors import ReportError
-from measured_report.measuring.accelerator import accelerator
-from measured_report.measuring.host import host
+
+
+def accelerator():
+    return report().accelerator
+
+
+def host():
+    return report().host
 
 
 def plugins():
     return module_named("plugins", report().settings.plugins)
 
 
-TEXT = (SKELETON / "pendulum/report.toml").read_text(encoding="utf-8")
+TEXT = (SKELETON / "report.toml").read_text(encoding="utf-8")
 
 
 @pytest.mark.parametrize(

@@ -22,7 +22,7 @@ from measured_report.files.config import report
 from measured_report.files.errors import ReportError
 from measured_report.measuring import cluster, section
 from measured_report.measuring.batch import Batch
-from measured_report.measuring.cluster import cluster_pools, connected, digest_here
+from measured_report.measuring.cluster import cluster_pools, connected
 from measured_report.measuring.section import Loop
 
 SCHEDULER = """
@@ -118,7 +118,8 @@ def test_a_killed_worker_costs_nothing_but_what_it_measured(
     doomed = section_of(
         toy, batches.single(Batch("die", batches.die, (str(log), 99))), "doomed"
     )
-    with cluster_pools(scheduler, "cpu", None, report(), 1) as pools:
+    with connected(scheduler) as client:
+        pools = cluster_pools(client, "cpu", report())
         assert not Loop([whole, mortal], *pools).run()
         assert Loop([doomed], *pools).run()
     reason = "die: its process was killed, and once more when it was alone"
@@ -135,36 +136,14 @@ def test_a_killed_worker_costs_nothing_but_what_it_measured(
         )
 
 
-@pytest.mark.parametrize(
-    ("device", "processor", "reason"),
-    [
-        ("cpu", None, "has other code or packages"),
-        ("cpu", "nvidia-h200", "has no CUDA device, and this is of nvidia-h200"),
-        ("cuda", "nvidia-h200", "DEVICE=cuda"),
-    ],
-)
-def test_an_unfit_worker_is_refused_in_one_line(
-    scheduler, monkeypatch, device, processor, reason
-):
-    if not processor:
-        monkeypatch.setattr(cluster, "digest_here", lambda report: "0" * 64)
-    with (
-        pytest.raises(ReportError, match=reason) as error,
-        cluster_pools(scheduler, device, processor, report(), 1),
-    ):
-        pass
-    assert str(error.value).startswith(os.uname().nodename) and "\n" not in str(
-        error.value
-    )
-
-
-def test_a_worker_that_came_later_with_other_code_or_returns_garbage_costs_its_section_alone(
+def test_a_worker_that_has_other_code_or_returns_garbage_costs_its_section_alone(
     toy, scheduler, monkeypatch, capsys
 ):
     assert scheduler.startswith("tls://")
     monkeypatch.setattr(section, "measure_batch", batches.garbage)
     names = [*map(str, range(len(batches.GARBAGE)))]
-    with cluster_pools(scheduler, "cpu", None, report(), 1) as pools:
+    with connected(scheduler) as client:
+        pools = cluster_pools(client, "cpu", report())
         assert Loop(
             [
                 section_of(toy, batches.single(Batch(name, id)), f"s{name}")
@@ -172,7 +151,7 @@ def test_a_worker_that_came_later_with_other_code_or_returns_garbage_costs_its_s
             ],
             *pools,
         ).run()
-        pools[0]._digest = "0" * 64
+        pools[0].digest = "0" * 64
         assert Loop(
             [section_of(toy, batches.single(Batch("0", id)), "later")], *pools
         ).run()
@@ -195,11 +174,7 @@ def test_a_cluster_for_which_nobody_has_a_certificate_is_refused_in_one_line():
     refused = pytest.raises(
         ReportError, match=r"^CLUSTER=tls://127\.0\.0\.1:1: no workers [^\n]+TLS[^\n]+$"
     )
-    with (
-        dask.config.set(none),
-        refused,
-        connected("tls://127.0.0.1:1", "cpu", report()),
-    ):
+    with dask.config.set(none), refused, connected("tls://127.0.0.1:1"):
         pass
 
 
@@ -211,35 +186,20 @@ def test_a_scheduler_that_ends_is_noticed(outside, toy, capfd):
         lacks = pytest.raises(
             ReportError, match="no worker was started with --resources exclusive=1"
         )
-        with lacks, cluster_pools(address, "cpu", None, report(), 1):
-            pass
         gone = pytest.raises(
             ReportError, match="the scheduler is gone; what is finished is kept"
         )
-        with gone, connected(address, "cpu", report()) as client:
-            pools = [
-                cluster.ClusterPool(client, resource, digest_here(report()))
-                for resource in ("shared", "exclusive")
-            ]
+        with connected(address) as client:
+            with lacks:
+                cluster_pools(client, "cpu", report())
+            pools = [cluster.ClusterPool(client, each) for each in cluster.RESOURCES]
             batch = Batch("end", os.kill, (process.pid, signal.SIGKILL))
-            Loop([section_of(toy, batches.single(batch))], *pools).run()
+            with gone:
+                Loop([section_of(toy, batches.single(batch))], *pools).run()
         unreachable = pytest.raises(
-            ReportError,
-            match=f"CLUSTER={address}: no workers could be started or reached",
+            ReportError, match=f"CLUSTER={address}: no workers could be reached"
         )
-        with unreachable, connected(address, "cpu", report()):
+        with unreachable, connected(address):
             pass
         process.wait()
     assert not re.search("Traceback|ERROR", capfd.readouterr().err)
-
-
-def test_finding_6_only_who_has_the_key_of_the_run_is_let_in():
-    with connected("local", "cpu", report()) as client:
-        client.wait_for_workers(2, timeout=30.0)
-        assert (
-            client.submit(os.getpid, resources={"exclusive": 1}).result() != os.getpid()
-        )
-        addresses = [client.scheduler.address, *client.nthreads()]
-        assert all(address.startswith("tls://127.0.0.1:") for address in addresses), (
-            "Dask asks for the run's own key"
-        )

@@ -1,5 +1,6 @@
 """The schedule: how many batches run at once, what is alone, and what a record says of the time that they took."""
 
+import os
 import pickle
 from concurrent.futures import Future
 from types import SimpleNamespace
@@ -8,13 +9,13 @@ import numpy as np
 import pytest
 from batches import all_of, section_of
 
-from measured_report.editions.project import Project
 from measured_report.files.config import report
 from measured_report.files.errors import ReportError, UsageError
 from measured_report.measuring import batch
 from measured_report.measuring.batch import Batch, Result
+from measured_report.measuring.host import Accelerator
 from measured_report.measuring.machine import measuring_device
-from measured_report.measuring.measure import batches_at_once
+from measured_report.measuring.pool import environments, host_pools
 from measured_report.measuring.section import Loop, believable
 from measured_report.records.record import load_record
 
@@ -121,7 +122,7 @@ def test_a_batch_ends_as_long_after_its_beginning_as_it_took(monkeypatch):
     monkeypatch.setattr(
         batch, "time", SimpleNamespace(perf_counter=lambda: next(ticks))
     )
-    found = batch.measure_batch(Batch("a", int), "cpu")
+    found = batch.measure_batch(pickle.dumps(Batch("a", int)), "cpu")
     start, stop = (
         batch.datetime.fromisoformat(each) for each in (found.started, found.ended)
     )
@@ -156,11 +157,9 @@ def test_a_number_that_no_record_may_hold_is_none_and_says_what_it_was():
 
 def test_a_cpu_measures_where_there_is_nothing_else(toy, monkeypatch):
     monkeypatch.setattr("os.cpu_count", lambda: 6)
-    quick = Project("1.4.0", "quick", root=toy.project.root)
-    assert [
-        batches_at_once(*each)
-        for each in ((quick, "cpu"), (toy.project, "cpu"), (quick, "cuda"))
-    ] == [6, 1, 1]
+    kinds = (("cpu", "quick"), ("cpu", "full"), ("cuda", "quick"))
+    counts = [len(environments(*each, toy.project.report)) for each in kinds]
+    assert counts == [6, 1, 1]
     assert measuring_device(None, "full") is None
     assert measuring_device(None, "quick") == measuring_device("cpu", "full") == "cpu"
     with pytest.raises(
@@ -168,3 +167,17 @@ def test_a_cpu_measures_where_there_is_nothing_else(toy, monkeypatch):
         match="DEVICE=cuda: this machine has no CUDA device; DEVICE=cpu measures on its CPU",
     ):
         measuring_device("cuda", "full")
+
+
+def test_processes_are_spread_over_all_accelerators(toy, monkeypatch):
+    cards = [Accelerator(name, 1024, {"VISIBLE": name}) for name in "ab"]
+    module = toy.project.report.accelerator
+    monkeypatch.setattr(module, "accelerators", lambda: cards)
+    counts = {"a": 2, "b": 1}
+    monkeypatch.setattr(module, "share_count", lambda card, _: counts[card.name])
+    found = environments("cuda", "full", toy.project.report)
+    assert [each["VISIBLE"] for each in found] == ["a", "b", "a"]
+    with host_pools(found, {"VISIBLE": "alone"}) as (shared, exclusive):
+        running = [shared.submit(os.getenv, "VISIBLE") for _ in range(20)]
+        assert {future.result() for future in running} <= {"a", "b"}
+        assert exclusive.submit(os.getenv, "VISIBLE").result() == "alone"

@@ -2,6 +2,7 @@
 
 import importlib
 import os
+import pickle
 import re
 import signal
 import subprocess
@@ -18,7 +19,7 @@ from toys import program
 
 from measured_report.files.errors import ReportError
 from measured_report.measuring import batch
-from measured_report.measuring.batch import Batch, BatchError, Plan, measure_batch
+from measured_report.measuring.batch import Batch, Plan, measure_batch
 from measured_report.measuring.measure import MODULE
 from measured_report.measuring.pool import host_pools
 from measured_report.measuring.run import section_module
@@ -28,7 +29,7 @@ from measured_report.records.record import load_record
 
 def fails(*sections, count: int = 1) -> bool:
     """Measure sections; whether one fails."""
-    with host_pools(count, {}) as pools:
+    with host_pools([{}] * count, {}) as pools:
         return Loop(sections, *pools).run()
 
 
@@ -100,11 +101,11 @@ def test_a_clock_that_is_put_back_turns_no_times_around_and_one_that_does_not_go
         "2026-01-01T00:00:00+00:00",
         "1970-01-01T00:00:00+00:00",
     )
-    result = measure_batch(Batch("a", int), "cpu")
+    result = measure_batch(pickle.dumps(Batch("a", int)), "cpu")
     assert result.started <= result.ended
     TOLD[:] = TOLD[-1:]
-    with pytest.raises(BatchError, match="the clock of this machine says 1970-01-01"):
-        measure_batch(Batch("a", int), "cpu")
+    with pytest.raises(ReportError, match="the clock of this machine says 1970-01-01"):
+        measure_batch(pickle.dumps(Batch("a", int)), "cpu")
 
 
 def test_a_killed_process_costs_nothing_but_what_it_measured(toy, log, capsys):
@@ -205,7 +206,7 @@ signal.signal(signal.SIGINT, signal.SIG_DFL)
 root, log = sys.argv[1:]
 toy = SimpleNamespace(project=Project("1.4.0", root=Path(root)))
 slow = batches.single(Batch("slow", batches.work, (log, "slow", 600.0)))
-with host_pools(2, {}) as pools:
+with host_pools([{}, {}], {}) as pools:
     Loop([batches.section_of(toy, batches.plan(log, "ab")), batches.section_of(toy, slow, "slow")], *pools).run()
 """
 
