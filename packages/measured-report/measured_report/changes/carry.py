@@ -37,10 +37,8 @@ def carried(
     """Carry the records of sections; yield each with the reason why it could not be carried, or empty."""
     with worktree(project.root) as old, worktree(project.root) as new:
         python = python_of(release, expected_packages(project), project.root)
+        sides = [replace(project, profile="quick", root=root) for root in (old, new)]
         for name in names:
-            sides = [
-                replace(project, profile="quick", root=root) for root in (old, new)
-            ]
             try:
                 carry(project, name, sides, python)
                 yield name, ""
@@ -49,46 +47,47 @@ def carried(
 
 
 def carry(project: Project, name: str, sides: Sequence[Project], python: Path) -> None:
-    """Carry one record; ReportError if that is not proven, and then nothing is written."""
-    old, new = sides
+    """Carry one record; raise ReportError, and write nothing, unless it is proven that no number changes."""
+    old, new = (side.root for side in sides)
     path = project.record_path(name)
-    basis = basis_of(
-        name, path, project.profile, project.root, expected_packages(project)
-    )
+    packages = expected_packages(project)
+    basis = basis_of(name, path, project.profile, project.root, packages)
     record = load_record(path)
     recorded = record.identity
     if basis.identity.code == recorded.code:
         raise ReportError("its code did not change")
     if replace(basis.identity, code=recorded.code, files=recorded.files) != recorded:
         raise ReportError(f"more than its code changed: make rerun SECTION={name}")
-    columns = [project.report.columns[name] for name in record.units]
+    columns = [project.report.columns[each] for each in record.units]
     # The time of a whole batch is a cost that nothing compares.
     if any(each.is_cost and "uncompared" not in each.kinds for each in columns):
         raise ReportError(
             f"it has times, which are not carried: make rerun SECTION={name}"
         )
-    new_code = identity_of(name, project.profile, new.root, recorded.packages).code
-    if new_code != basis.identity.code:
+    committed = identity_of(name, project.profile, new, recorded.packages)
+    if committed.code != basis.identity.code:
         raise ReportError("its code has changes without a commit; commit them first")
-    old_commit = _check_out_measured(record, old.root)
+    old_commit = _check_out_measured(record, old)[:SHORT]
+    new_commit = git(new, "rev-parse", "HEAD")[:SHORT]
     with tempfile.TemporaryDirectory() as folder:
         log = Path(folder) / "executed"
         log.touch()
         with ThreadPoolExecutor() as pool:
             before, after = pool.map(partial(_run, name, python, log), sides)
         called = _places(log)
-    if reason := first_difference(before, after) or uncovered(
-        Program(name, old.root), Program(name, new.root), called
-    ):
+    reason = first_difference(before, after)
+    reason = reason or uncovered(Program(name, old), Program(name, new), called)
+    if reason:
         raise ReportError(reason)
-    commits = old_commit[:SHORT], git(new.root, "rev-parse", "HEAD")[:SHORT]
-    cell_count = sum(map(len, after.rows))
     change = Carried(
-        recorded.code, *commits, now().isoformat(timespec="seconds"), cell_count
+        recorded.code,
+        old_commit,
+        new_commit,
+        date=now().isoformat(timespec="seconds"),
+        cells=sum(map(len, after.rows)),
     )
-    basis.write(
-        replace(record, identity=basis.identity, carried=(*record.carried, change))
-    )
+    changes = (*record.carried, change)
+    basis.write(replace(record, identity=basis.identity, carried=changes))
 
 
 @contextmanager
@@ -103,9 +102,8 @@ def worktree(root: Path) -> Iterator[Path]:
         run_git(root, "worktree", "add", "--quiet", "--detach", str(tree))
         try:
             tree_root = tree / git(root, "rev-parse", "--show-prefix")
-            for made in root.glob(
-                ".venv-*"
-            ):  # environments, which take minutes to make
+            # Environments take minutes to make.
+            for made in root.glob(".venv-*"):
                 (tree_root / made.name).symlink_to(made)
             yield tree_root
         finally:
@@ -114,29 +112,22 @@ def worktree(root: Path) -> Iterator[Path]:
 
 def _check_out_measured(record: Record, root: Path) -> str:
     """Check out the newest commit with the code of a record; return its name."""
-    files = [f":(top,glob)**/{file}" for file in record.identity.files]
+    identity = record.identity
+    files = [f":(top,glob)**/{file}" for file in identity.files]
     head = git(root, "rev-parse", "HEAD")
     limit = f"--max-count={COMMIT_LIMIT}"
-    parents = git(
-        root, "log", "--format=%P", limit, head, "--", *files
-    ).split()  # before each change of a file
-    noted = [carried.new for carried in record.carried[-1:]] + [
-        str(record.measured["commit"])
-    ]
+    # Commits before each change of a file.
+    parents = git(root, "log", "--format=%P", limit, head, "--", *files).split()
+    noted = [change.new for change in record.carried[-1:]]
+    noted.append(str(record.measured["commit"]).removesuffix("-dirty"))
+    check_out = partial(run_git, root, "checkout", "--quiet", "--force", "--detach")
     for commit in dict.fromkeys([*noted, head, *parents]):
         with suppress(ReportError):  # the commit is not here, or has no such section
-            run_git(
-                root,
-                "checkout",
-                "--quiet",
-                "--force",
-                "--detach",
-                commit.removesuffix("-dirty"),
-            )
+            check_out(commit)
             found = identity_of(
-                record.section, record.identity.profile, root, record.identity.packages
+                record.section, identity.profile, root, identity.packages
             )
-            if found.code == record.identity.code:
+            if found.code == identity.code:
                 return git(root, "rev-parse", "HEAD")
     raise ReportError(
         f"none of the {COMMIT_LIMIT} newest commits that change its files has the code that was measured"
@@ -153,40 +144,30 @@ def _run(name: str, python: Path, log: Path, side: Project) -> Record:
         (start / "sitecustomize.py").symlink_to(executed.__file__)
     packages = map(str, sorted((side.root / "packages").glob("*")))
     paths = [str(start), *packages, *filter(None, [os.environ.get("PYTHONPATH")])]
-    settings = {
-        "PYTHONPATH": os.pathsep.join(paths),
-        "TQDM_DISABLE": "1",
-        executed.VARIABLE: os.pathsep.join([str(log), f"{side.root}/"]),
+    env = environment(
+        PYTHONPATH=os.pathsep.join(paths),
+        TQDM_DISABLE="1",
+        **{executed.VARIABLE: os.pathsep.join([str(log), f"{side.root}/"])},
         **side.report.accelerator.NONE,
-    }
-    command = [
-        str(python),
-        "-m",
-        MODULE,
-        name,
-        "--device",
-        "cpu",
-        "--profile",
-        side.profile,
-        "--edition",
-        side.release,
-    ]
-    env = environment(**settings)
+    )
+    options = ["--device", "cpu", "--profile", "quick", "--edition", side.release]
+    command = [str(python), "-m", MODULE, name, *options]
     process = subprocess.run(
         command, cwd=side.root, env=env, capture_output=True, text=True, check=False
     )
     if process.returncode or not path.exists():
-        reason = [*filter(None, process.stderr.splitlines()), "no reason was given"][
-            -1 if process.returncode else 0
-        ]
-        raise ReportError(f"both codes could not be measured: {reason}")
+        lines = process.stderr.strip().splitlines() or ["no reason was given"]
+        raise ReportError(f"both codes could not be measured: {lines[-1]}")
     return load_record(path)
 
 
 def _places(log: Path) -> set[Place]:
     """Return the functions that were called."""
-    fields = (line.split("\t") for line in log.read_text(encoding="utf-8").splitlines())
-    return {(file, int(line), name) for file, line, name in fields}
+    places = set()
+    for text in log.read_text(encoding="utf-8").splitlines():
+        file, line, name = text.split("\t")
+        places.add((file, int(line), name))
+    return places
 
 
 def first_difference(before: Record, after: Record) -> str:
@@ -195,9 +176,10 @@ def first_difference(before: Record, after: Record) -> str:
         return f"there were {len(before.rows)} rows, and are {len(after.rows)}"
     for old, new in zip(before.rows, after.rows, strict=True):
         for column in {**old, **new}:
-            if repr(old.get(column, ...)) != repr(new.get(column, ...)):
-                cells = f"{old.get(column, 'nothing')!r} and is {new.get(column, 'nothing')!r}"
-                return f"{column} of {new['case']} was {cells}"
+            was = repr(old.get(column, "nothing"))
+            now = repr(new.get(column, "nothing"))
+            if was != now:
+                return f"{column} of {new['case']} was {was} and is {now}"
     for case in {**before.traces, **after.traces}:
         if before.traces.get(case) != after.traces.get(case):
             return f"the trace of {case} differs"

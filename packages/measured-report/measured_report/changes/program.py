@@ -6,7 +6,7 @@ profile uses, so all changed functions together must have the same ones before a
 
 import ast
 from collections import Counter
-from collections.abc import Iterator, Sequence, Set
+from collections.abc import Collection, Iterable, Iterator, Sequence, Set
 from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
 from typing import Any
@@ -14,7 +14,6 @@ from typing import Any
 from measured_report.records.code import (
     GENERATOR,
     Code,
-    digest_of,
     imported_names,
     is_docstring,
     plain,
@@ -28,8 +27,8 @@ Token = tuple[str, str]  # kind and text
 
 @dataclass(frozen=True)
 class Function:
-    form: str  # digest of its syntax
-    header: str  # digest of its decorators and defaults, which run when it is defined; empty if it has none
+    body: Any  # its parameters and statements, as `plain` returns them
+    header: Any  # its decorators and defaults, which run when it is defined
     tokens: Counter[Token]
     place: Place
 
@@ -40,102 +39,71 @@ class Program:
     def __init__(self, section: str, root: Path):
         self.code = Code(root)
         self.functions: dict[str, Function] = {}
-        self.statements: dict[
-            str, list[Any]
-        ] = {}  # by file, those that run when it is imported
+        self.statements: dict[str, Any] = {}
+        """By file, those that run when it is imported."""
         self.defined: set[str] = set()  # all names that the project gives to something
-        for file in self.code.closure(
-            self.code.module(f"experiments.{section}"), GENERATOR
-        ):
-            self._read(file)
+        start = self.code.module(f"experiments.{section}")
+        for file in self.code.closure(start, GENERATOR):
+            name = self.code.name_of(file)
+            tree = ast.parse(Path(file).read_bytes())
+            _resolve_imports(tree, name)
+            self.defined |= _names_defined(ast.walk(tree))
+            self.statements[name] = _import_time(tree.body)
+            self._find(tree, f"{name}:", file, frozenset())
 
-    def _read(self, file: str) -> None:
-        name = self.code.name_of(file)
-        tree = ast.parse(Path(file).read_bytes())
-        nodes = list(ast.walk(tree))
-        imports = dict(
-            pair
-            for node in nodes
-            for pair in imported_names(node, PurePosixPath(name).parts[:-1])
-        )
-        for node in nodes:
-            self.defined.update(_names_defined(node))
-            if isinstance(node, ast.Name):
-                node.id = imports.get(node.id, node.id)
-        self.statements[name] = _import_time(tree.body)
-        for qualified, outer in _outer_functions(tree, f"{name}:"):
-            inside = list(ast.walk(outer))
-            local = {
-                name
-                for node in inside
-                for name in _names_defined(node)
-                if not isinstance(node, ast.Attribute)
-            }
-            for node in inside:
-                if isinstance(node, FUNCTIONS):
-                    nested = (
-                        qualified if node is outer else f"{qualified}.{_name(node)}"
-                    )
-                    while nested in self.functions:
-                        nested += "'"  # as a second lambda of one function
-                    self.functions[nested] = self._function(node, file, local)
+    def _find(self, node: ast.AST, prefix: str, file: str, local: Set[str]) -> None:
+        """Note the functions below a node; ``local`` are names of the outermost function around it."""
+        for child in ast.iter_child_nodes(node):
+            below = prefix
+            names = local
+            if isinstance(child, (*FUNCTIONS, ast.ClassDef)):
+                below += _name(child)
+                while below in self.functions:
+                    below += "'"  # as a second lambda of one function
+            if isinstance(child, FUNCTIONS):
+                inside = [each for each in ast.walk(child) if not _is_attribute(each)]
+                names = local or _names_defined(inside)
+                self.functions[below] = self._function(child, file, names)
+            if below != prefix:
+                below += "."
+            self._find(child, below, file, names)
 
     def _function(self, node: Any, file: str, local: Set[str]) -> Function:
         body = node.body if isinstance(node.body, list) else [node.body]
         decorators = getattr(node, "decorator_list", [])
-        at_definition = [
-            *decorators,
-            *node.args.defaults,
-            *filter(None, node.args.kw_defaults),
-        ]
-        header = (
-            digest_of(plain([*at_definition, *([node.args] if decorators else [])]))
-            if at_definition
-            else ""
-        )
-        tokens = Counter(self._tokens(_own_nodes(body), local))
-        tokens.update([("header", header)] if header else [])
+        header = [*decorators, *node.args.defaults]
+        header += filter(None, node.args.kw_defaults)
+        tokens = Counter(self._tokens(_own_nodes([*header, *body]), local))
         line = min([node.lineno, *(decorator.lineno for decorator in decorators)])
-        parameters = [
-            child.arg
-            for child in ast.iter_child_nodes(node.args)
-            if isinstance(child, ast.arg)
-        ]
-        return Function(
-            digest_of([parameters, plain(body)]),
-            header,
-            tokens,
-            (file, line, _name(node)),
-        )
+        arguments = [each.arg for each in ast.walk(node.args) if hasattr(each, "arg")]
+        if decorators:  # which may ask for names and kinds of parameters
+            header.append(node.args)
+        place = file, line, _name(node)
+        return Function([arguments, plain(body)], plain(header), tokens, place)
 
-    def _tokens(self, nodes: Iterator[ast.AST], local: Set[str]) -> Iterator[Token]:
+    def _tokens(self, nodes: Iterable[Any], local: Set[str]) -> Iterator[Token]:
         for node in nodes:
             if isinstance(node, ast.Constant):
                 yield "constant", ascii(node.value)
             elif isinstance(node, OPERATORS):
                 yield "operator", type(node).__name__
-            elif isinstance(node, ast.Attribute | ast.keyword):
-                yield (
-                    "name",
-                    str(node.attr if isinstance(node, ast.Attribute) else node.arg),
-                )
-            elif (
-                isinstance(node, ast.Name)
-                and node.id not in local
-                and not self.code.module(node.id)
-            ):
-                yield "name", node.id.rpartition(".")[2]
+            elif isinstance(node, ast.Attribute):
+                yield "name", node.attr
+            elif isinstance(node, ast.keyword):
+                yield "name", str(node.arg)
+            elif isinstance(node, ast.Name):
+                if not (node.id in local or self.code.module(node.id)):
+                    yield "name", node.id.rpartition(".")[2]
 
-    def of_both(self, other: "Program", names: Sequence[str]) -> Counter[Token]:
-        """Count the tokens of functions, without names that only one of both programs defines: those were renamed."""
-        renamed = {("name", name) for name in self.defined ^ other.defined}
-        tokens = sum(
-            (self.functions[name].tokens for name in names if name in self.functions),
-            Counter[Token](),
-        )
-        return Counter(
-            {token: count for token, count in tokens.items() if token not in renamed}
-        )
+    def tokens_of(self, names: Collection[str], renamed: Set[str]) -> Counter[Token]:
+        """Count the tokens of functions, without names that were ``renamed``."""
+        tokens = Counter[Token]()
+        for name in names:
+            if name in self.functions:
+                tokens += self.functions[name].tokens
+        for name in renamed:
+            tokens.pop(("name", name), None)
+        return tokens
 
 
 def uncovered(old: Program, new: Program, called: Set[Place]) -> str:
@@ -143,71 +111,52 @@ def uncovered(old: Program, new: Program, called: Set[Place]) -> str:
     for name in sorted({*old.statements, *new.statements}):
         if old.statements.get(name, []) != new.statements.get(name, []):
             return f"a statement that runs when {name} is imported changed"
-    names = sorted({*old.functions, *new.functions})
-    pairs = {name: (old.functions.get(name), new.functions.get(name)) for name in names}
-    changed = {
-        name: (a, b)
-        for name, (a, b) in pairs.items()
-        if not (a and b and _is_same(a, b))
-    }
-    places = Counter(
-        function.place
-        for program in (old, new)
-        for function in program.functions.values()
-    )
-    for name, (before, after) in changed.items():
-        if before and after and before.header != after.header:
+    functions = [*old.functions.values(), *new.functions.values()]
+    places = Counter(function.place for function in functions)
+    changed = []
+    for name in sorted({*old.functions, *new.functions}):
+        sides = [side.functions.get(name) for side in (old, new)]
+        forms = [(side.body, side.header) for side in sides if side]
+        if len(forms) == 2 and forms[0] == forms[1]:
+            continue
+        if len(forms) == 2 and forms[0][1] != forms[1][1]:
             return f"a default or a decorator of {name} changed"
-        for function in filter(None, (before, after)):
+        for function in filter(None, sides):
             if function.place not in called or places[function.place] > 1:
                 return f"no run calls {name}"
-    gone = old.of_both(new, [*changed])
-    come = new.of_both(old, [*changed])
+        changed.append(name)
+    renamed = old.defined ^ new.defined
+    gone = old.tokens_of(changed, renamed)
+    come = new.tokens_of(changed, renamed)
     for kind, text in sorted((gone - come) | (come - gone)):
         return f"a run may not show the {kind} {text} of {', '.join(changed)}"
     return ""
 
 
-def _is_same(a: Function, b: Function) -> bool:
-    return (a.form, a.header) == (b.form, b.header)
+def _resolve_imports(tree: ast.Module, name: str) -> None:
+    """Write imported names as the paths that they stand for."""
+    package = PurePosixPath(name).parts[:-1]
+    imports: dict[str, str] = {}
+    for node in ast.walk(tree):
+        imports.update(imported_names(node, package))
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Name):
+            node.id = imports.get(node.id, node.id)
 
 
-def _outer_functions(node: ast.AST, prefix: str) -> Iterator[tuple[str, ast.AST]]:
-    """Yield the functions below a node that are in no other one, with their qualified names."""
-    for child in ast.iter_child_nodes(node):
-        if isinstance(child, FUNCTIONS):
-            yield prefix + _name(child), child
-        else:
-            yield from _outer_functions(
-                child,
-                f"{prefix}{child.name}." if isinstance(child, ast.ClassDef) else prefix,
-            )
+def _name(node: Any) -> str:
+    return getattr(node, "name", "<lambda>")
 
 
-def _name(function: Any) -> str:
-    return getattr(function, "name", "<lambda>")
-
-
-def _own_nodes(nodes: Sequence[ast.AST]) -> Iterator[ast.AST]:
-    """Yield nodes and those below them, without checks and their texts, and without the bodies of functions."""
+def _own_nodes(nodes: Iterable[ast.AST]) -> Iterator[ast.AST]:
+    """Yield nodes with those below them, without docstrings, checks, and the bodies of functions."""
     for node in nodes:
-        if is_docstring(node) or _is_check(node):
-            continue
         if isinstance(node, FUNCTIONS):
-            yield from _own_nodes(
-                [*node.args.defaults, *filter(None, node.args.kw_defaults)]
-            )
-        elif isinstance(node, ast.JoinedStr):
-            yield from _own_nodes(
-                [
-                    part.value
-                    for part in node.values
-                    if isinstance(part, ast.FormattedValue)
-                ]
-            )
-        else:
+            defaults = [*node.args.defaults, *filter(None, node.args.kw_defaults)]
+            yield from _own_nodes(defaults)
+        elif not is_docstring(node) and not _is_check(node):
             yield node
-            yield from _own_nodes(list(ast.iter_child_nodes(node)))
+            yield from _own_nodes(ast.iter_child_nodes(node))
 
 
 def _is_check(node: ast.AST) -> bool:
@@ -225,27 +174,30 @@ def _is_check(node: ast.AST) -> bool:
 
 def _import_time(body: Sequence[ast.stmt]) -> list[Any]:
     """Return what the statements of a module or a class do when it is imported, besides importing and defining."""
+    skipped = (*FUNCTIONS, ast.Import, ast.ImportFrom)
     forms: list[Any] = []
     for node in body:
         if isinstance(node, ast.ClassDef):
-            parts = [
-                plain(part) for part in (node.bases, node.keywords, node.decorator_list)
-            ]
-            if any(inside := [*parts, _import_time(node.body)]):
-                forms.append([node.name, inside])
-        elif not isinstance(
-            node, (*FUNCTIONS, ast.Import, ast.ImportFrom)
-        ) and not is_docstring(node):
+            header = [*node.bases, *node.keywords, *node.decorator_list]
+            inside = [*plain(header), *_import_time(node.body)]
+            forms += [[node.name, inside]] if inside else []
+        elif not isinstance(node, skipped) and not is_docstring(node):
             forms.append(plain(node))
     return forms
 
 
-def _names_defined(node: ast.AST) -> Iterator[str]:
-    if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef | ast.ClassDef):
-        yield node.name
-    elif isinstance(node, ast.arg):
-        yield node.arg
-    elif isinstance(node, ast.Name) and not isinstance(node.ctx, ast.Load):
-        yield node.id
-    elif isinstance(node, ast.Attribute) and not isinstance(node.ctx, ast.Load):
-        yield node.attr
+def _names_defined(nodes: Iterable[Any]) -> set[str]:
+    """Return the names that functions, classes, parameters, variables and attributes get."""
+    names = set[str]()
+    for node in nodes:
+        if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef | ast.ClassDef):
+            names.add(node.name)
+        elif isinstance(node, ast.arg):
+            names.add(node.arg)
+        elif not isinstance(getattr(node, "ctx", ast.Load()), ast.Load):
+            names.add(getattr(node, "id", None) or getattr(node, "attr", ""))
+    return names
+
+
+def _is_attribute(node: ast.AST) -> bool:
+    return isinstance(node, ast.Attribute)

@@ -10,18 +10,15 @@ from measured_report.editions.project import Project
 def run(project: Project, arguments: Arguments) -> int:
     texts: dict[str, str] = {}
     for name, path in commands(project.root).items():
-        options = {**options_of(module := import_module(path), project.settings)}
+        module = import_module(path)
+        options = {**options_of(module, project.settings)}
         if not project.settings.needs_device:
             options.pop("DEVICE", None)
-        print(
-            f"make {name:9} {help_of(module)}"
-            + (f" [{' '.join(options)}]" if options else "")
-        )
+        shown = f" [{' '.join(options)}]" if options else ""
+        print(f"make {name:9} {help_of(module)}{shown}")
         texts |= {variable: option["help"] for variable, option in options.items()}
+    texts["PYTHON"] = "a Python that has everything, on a host without network"
     print()
-    for name, text in {
-        **texts,
-        "PYTHON": "a Python that has everything already, on a host without network",
-    }.items():
+    for name, text in texts.items():
         print(f"{f'{name}=':10} {text}")
     return 0

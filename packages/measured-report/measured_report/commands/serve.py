@@ -10,7 +10,6 @@ from contextlib import suppress
 from functools import partial
 from http import HTTPStatus
 from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
-from itertools import chain
 from pathlib import Path
 from typing import Any
 
@@ -28,42 +27,25 @@ def run(project: Project, arguments: Arguments) -> int:
     print(
         f"serving {project.site.name}/ at http://127.0.0.1:{arguments.port}", flush=True
     )
-    options = [
-        f"--{project.report.settings.flag}",
-        arguments.release.asked,
-        "--profile",
-        project.profile,
-    ]
-    command = [
-        sys.executable,
-        "build.py",
-        "page",
-        *options,
-    ]  # apart, since what changes may be the program
-    folders = [project.root / name for name in INPUTS]
-    server.follow(
-        folders, partial(subprocess.run, command, cwd=project.root, check=False)
-    )
+    # A program of its own builds, since what changes may be the program.
+    command = [sys.executable, "build.py", "page", "--profile", project.profile]
+    command += [f"--{project.settings.flag}", arguments.release.asked]
+    build = partial(subprocess.run, command, cwd=project.root, check=False)
+    server.follow([project.root / name for name in INPUTS], build)
     return 0
 
 
 class _Handler(SimpleHTTPRequestHandler):
     def send_head(self) -> Any:
-        """Answer who asks for this machine by its own name, with files of the site that are no links out of it."""
-        path, folder = (
-            os.path.normpath(self.translate_path(self.path)),
-            os.path.realpath(self.directory),
-        )
-        if self.headers.get("Host", "").partition(":")[0] not in (
-            "127.0.0.1",
-            "localhost",
-        ):
-            return self.send_error(
-                HTTPStatus.MISDIRECTED_REQUEST
-            )  # a page from elsewhere, whose name leads here
-        if "\0" in path or os.path.realpath(path) != os.path.normpath(
-            folder + path.removeprefix(self.directory)
-        ):
+        """Answer whoever asks for this machine by its own name, with files of the site that no link leads out of."""
+        host = self.headers.get("Host", "").partition(":")[0]
+        if host not in ("127.0.0.1", "localhost"):
+            # A page from elsewhere asks, whose name leads here.
+            return self.send_error(HTTPStatus.MISDIRECTED_REQUEST)
+        name = self.translate_path(self.path)
+        below = os.path.relpath(name, self.directory)
+        expected = os.path.normpath(f"{os.path.realpath(self.directory)}/{below}")
+        if "\0" in name or os.path.realpath(name) != expected:
             return self.send_error(HTTPStatus.NOT_FOUND)
         return super().send_head()
 
@@ -72,46 +54,42 @@ class _Handler(SimpleHTTPRequestHandler):
         super().end_headers()
 
     def log_message(self, format: str, *args: Any) -> None:
-        """Say nothing of what was asked for: what was built again would be lost in it."""
+        """Print nothing, since the output of builds would be lost in it."""
 
 
 class Server(ThreadingHTTPServer):
-    """Serve a folder at a port of this machine; UsageError where the port can't be had."""
+    """Serves a folder at a port of this machine."""
 
     def __init__(self, folder: Path, port: int):
+        handler = partial(_Handler, directory=str(folder))
         try:
-            super().__init__(
-                ("127.0.0.1", port), partial(_Handler, directory=str(folder))
-            )
+            super().__init__(("127.0.0.1", port), handler)
         except (OSError, OverflowError) as error:
             raise UsageError(
                 f"PORT={port} can't be served at: {error}; PORT=8001 may be free"
             ) from None
 
-    def handle_error(self, request: Any, client_address: Any) -> None:
-        """Say nothing: whoever asked has gone."""
-
     def follow(self, folders: Iterable[Path], build: Callable[[], object]) -> None:
-        """Serve until Ctrl-C, and build first, and again whenever something in these folders has changed."""
+        """Serve until Ctrl-C; build first, and again whenever something in these folders has changed."""
         threading.Thread(target=self.serve_forever, daemon=True).start()
         before = None
         while True:
-            if (now := stamp(folders)) != before:
-                before = now  # as it was when the build began: what changes meanwhile is seen the next time
+            # As it was when the build began: what changes meanwhile is seen the next time.
+            now = stamp(folders)
+            if now != before:
+                before = now
                 build()
             time.sleep(0.5)
 
 
-def stamp(folders: Iterable[Path]) -> dict[Path, tuple[int, int]]:
+def stamp(folders: Iterable[Path]) -> dict[str, tuple[int, int]]:
     """Return when each file in some folders was changed, and its size."""
     stamps = {}
-    walked = chain.from_iterable(
-        map(os.walk, folders)
-    )  # which passes over what vanishes meanwhile
-    for path in (
-        Path(folder, name) for folder, *names in walked for name in chain(*names)
-    ):
-        if "__pycache__" not in path.parts:
-            with suppress(OSError):  # it was removed just now
-                stamps[path] = path.stat().st_mtime_ns, path.stat().st_size
+    for folder in folders:
+        for parent, _, names in os.walk(folder):
+            for name in names:
+                path = os.path.join(parent, name)  # noqa: PTH118 # quicker
+                with suppress(OSError):  # it was removed just now
+                    info = os.stat(path)  # noqa: PTH116
+                    stamps[path] = info.st_mtime_ns, info.st_size
     return stamps

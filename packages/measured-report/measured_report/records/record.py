@@ -2,7 +2,7 @@
 
 import json
 import re
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from datetime import datetime, timedelta, timezone
 from functools import cached_property, partial
@@ -81,25 +81,22 @@ class Carried(Struct, frozen=True, forbid_unknown_fields=True):
         return f"{change}: {same}; the full profile was not run again"
 
 
-class _Machine(Struct):
-    device: Literal["cuda", "cpu"]
-    gpu: Line | None
-    driver: Line | None
-    cpu: Line
-    python: Line
-
-
-class _Row(Struct):
-    case: Line
-
-
-class _Measured(Struct):
-    date: Time
-    commit: Line | None
-    command: Line
-    seconds: Annotated[float, Meta(ge=0.0, le=1e8)]
-    started: Time | None = None
-    ended: Time | None = None
+REQUIRED: Mapping[str, Mapping[str, Any]] = {
+    "machine": {
+        "device": Literal["cuda", "cpu"],
+        "gpu": Line | None,
+        "driver": Line | None,
+        "cpu": Line,
+        "python": Line,
+    },
+    "measured": {
+        "date": Time,
+        "commit": Line | None,
+        "command": Line,
+        "seconds": Annotated[float, Meta(ge=0.0, le=1e8)],
+    },
+}
+"""The types of fields that a record has besides any others; so has each row a case."""
 
 
 @dataclass(frozen=True)
@@ -108,7 +105,7 @@ class Record:
 
     section: Line
     identity: Identity
-    machine: Mapping[Key, Noted]  # as `_Machine`, and more; None where there is none
+    machine: Mapping[Key, Noted]  # None where there is none
     measured: Mapping[Key, Noted]  # `date`, `commit`, `command` and `seconds`
     units: Mapping[Name, Line]
     rows: Annotated[Sequence[Mapping[Name, Cell]], Meta(min_length=1)]
@@ -124,40 +121,27 @@ class Record:
 
     @property
     def processor(self) -> str:
-        return (
-            self.machine.get("cpu" if self.machine.get("device") == "cpu" else "gpu")
-            or "an unknown processor"
-        )
+        kind = "cpu" if self.machine.get("device") == "cpu" else "gpu"
+        return self.machine.get(kind) or "an unknown processor"
 
     @property
     def machine_text(self) -> str:
-        return self.processor + (
-            f" (driver {self.machine['driver']})" if self.machine.get("driver") else ""
-        )
+        driver = self.machine.get("driver")
+        return f"{self.processor} (driver {driver})" if driver else self.processor
 
     @property
     def machine_in_full(self) -> str:
         """Name all that must be the same for two times to be compared."""
-        cores = f"{self.machine_text}, {self.machine.get('cores') or 'an unknown number of'} cores"
-        load = (
-            f", {self.machine['sections_at_once']} sections at once"
-            if "sections_at_once" in self.machine
-            else ""
-        )
-        return (
-            f"{cores}{load}"
-            if self.machine.get("device") == "cpu"
-            else f"{cores} of {self.machine.get('cpu')}"
-        )
+        count = self.machine.get("cores") or "an unknown number of"
+        text = f"{self.machine_text}, {count} cores"
+        if self.machine.get("device") == "cpu":
+            return text
+        return f"{text} of {self.machine.get('cpu')}"
 
     @property
     def machine_for_speed(self) -> tuple[str | None, ...]:
-        return tuple(
-            map(
-                self.machine.get,
-                ("device", "gpu", "driver", "cpu", "cores", "sections_at_once"),
-            )
-        )
+        names = ("device", "gpu", "driver", "cpu", "cores")
+        return tuple(map(self.machine.get, names))
 
     @cached_property
     def number_count(self) -> int:
@@ -173,12 +157,6 @@ class Record:
     @property
     def time(self) -> datetime:
         return datetime.fromisoformat(self.measured["date"])
-
-    @property
-    def started(self) -> datetime:
-        return datetime.fromisoformat(
-            self.measured.get("started") or self.measured["date"]
-        )
 
     @property
     def time_text(self) -> str:
@@ -260,7 +238,7 @@ class Basis:
     def write(
         self, record: Record, traces: Mapping[str, tuple[Seal, bytes]] | None = None
     ) -> None:
-        """Write a record unless the code or the record changed meanwhile, which is a RecordError."""
+        """Write a record; raise RecordError if the code or the record changed meanwhile."""
         if self.identify() != self.identity:
             raise RecordError(
                 f"the code of {self.section} changed meanwhile: nothing was written"
@@ -281,36 +259,33 @@ def basis_of(
 
 
 def record_text(record: Record) -> str:
-    data = {
-        "schema": SCHEMA,
-        **to_builtins(replace(record, rows=[])),
-    }  # which would copy every cell
-    for name in ("rows",) if record.carried else ("rows", "carried"):
-        del data[name]
+    data = {"schema": SCHEMA, **to_builtins(replace(record, rows=[]))}
+    del data["rows"]  # to_builtins would copy every cell
+    if not record.carried:
+        del data["carried"]
     head = json.dumps(data, indent=1, ensure_ascii=False, allow_nan=False)
+    write = partial(
+        json.dumps, ensure_ascii=False, allow_nan=False, separators=(",", ":")
+    )
     lines = []
     for row in record.rows:
-        rounded = {
-            name: float(f"{cell:{DIGITS}}") if isinstance(cell, float) else cell
-            for name, cell in row.items()
-        }
-        lines.append(
-            json.dumps(
-                rounded, ensure_ascii=False, allow_nan=False, separators=(",", ":")
-            )
-        )
-    return _sealed(
-        head.removesuffix("\n}") + ',\n "rows": [\n  ' + ",\n  ".join(lines) + "\n ]"
-    )
+        cells = row.items()
+        lines.append(write({name: _rounded(cell) for name, cell in cells}))
+    rows = ",\n  ".join(lines)
+    return _sealed(head.removesuffix("\n}") + f',\n "rows": [\n  {rows}\n ]')
+
+
+def _rounded(cell: Any) -> Any:
+    return float(f"{cell:{DIGITS}}") if isinstance(cell, float) else cell
 
 
 def _sealed(text: str) -> str:
-    """End a record's text with its seal, by which a change by hand is seen; whoever seals anew can't be told."""
+    """End a record's text with its seal, which shows a change by hand unless somebody seals it anew."""
     return f'{text},\n "seal": "{sha256(text.encode()).hexdigest()}"\n}}\n'
 
 
 def load_record(path: Path, report: Report | None = None) -> Record:
-    """Read the record at ``path``; RecordError, one line, when it or a trace that it seals is damaged in any way."""
+    """Read the record at ``path``; raise RecordError if it or a trace that it seals is damaged in any way."""
     record = read_record(read_file(path, BYTE_LIMIT), path, report)
     for case, seal in record.traces.items():
         trace = trace_path(path, case)
@@ -322,60 +297,58 @@ def load_record(path: Path, report: Report | None = None) -> Record:
 
 
 def read_record(content: bytes, path: Path, report: Report | None = None) -> Record:
-    """Make a record of what its file holds; RecordError unless each field is as it should be."""
+    """Return the record that a file holds; raise RecordError unless each field is as it should be."""
     report = report or current()
     try:
         text = content.decode("utf-8")
         data = json.loads(text, object_pairs_hook=_plain, parse_constant=_refuse)
-        schema = data.pop("schema", None) if isinstance(data, dict) else None
+        if not isinstance(data, dict):
+            raise ValueError("it is no object")
+        schema = data.pop("schema", None)
         if type(schema) is not int or schema != SCHEMA:
             raise ValueError(f"it has schema {schema!r:.40}, not {SCHEMA}")
-        if data.pop("seal", None) is not None and text != _sealed(
-            text[: text.rfind(',\n "seal": ')]
-        ):
-            raise ValueError(
-                "it is not as it was sealed"
-            )  # one of before there were seals has none
+        # A record from before there were seals has none.
+        seal = data.pop("seal", None)
+        unsealed = text[: text.rfind(',\n "seal": ')]
+        if seal is not None and text != _sealed(unsealed):
+            raise ValueError("it is not as it was sealed")
         record = convert(data, Record)
+        for table, types in REQUIRED.items():
+            for name, kind in types.items():
+                convert(data[table].get(name, ...), kind)
+        convert([row.get("case") for row in record.rows], list[Line])
         identity = data["identity"]
-        names = (
-            {*Record.__match_args__},
-            {*Identity.__match_args__},
-            {*report.settings.packages},
-        )
-        for table, allowed in zip(
-            (data, identity, identity["packages"]), names, strict=True
-        ):
-            if unknown := table.keys() - allowed:
-                raise ValueError(f"nothing here is called {min(unknown)!r:.80}")
-        convert(record.machine, _Machine)
-        measured = convert(record.measured, _Measured)
-        convert(record.rows, list[_Row])
-        ends = (
-            measured.started or measured.date,
-            measured.ended or measured.date,
-            measured.date,
-        )
-        began, ended, _ = times = [*map(datetime.fromisoformat, ends)]
-        if began > ended or max(times) > datetime.now(timezone.utc) + timedelta(days=1):
+        _refuse_others(data, Record.__match_args__)
+        _refuse_others(identity, Identity.__match_args__)
+        _refuse_others(identity["packages"], report.settings.packages)
+        date = record.measured["date"]
+        texts = [record.measured.get(name) or date for name in ("started", "ended")]
+        times = map(datetime.fromisoformat, convert([*texts, date], list[Time]))
+        began, ended, written = times
+        tomorrow = datetime.now(timezone.utc) + timedelta(days=1)
+        if began > ended or max(ended, written) > tomorrow:
             raise ValueError("it ended before it began, or will on a day to come")
         if record.section != path.stem:
             raise ValueError(f"it is one of {record.section!r}")
         report.columns.refuse_mixed(record.rows, record.units)
     except (ValueError, OverflowError, RecursionError) as error:
         # In one line, without characters that could do anything to whoever reads it.
-        message = (
-            UNPRINTABLE.sub("?", " ".join(str(error).split())) or type(error).__name__
-        )
+        message = UNPRINTABLE.sub("?", " ".join(str(error).split()))
         raise RecordError(
-            f"{short_path(path)} is no whole record: {message:.300}"
+            f"{short_path(path)} is no whole record: {message or type(error).__name__:.300}"
         ) from None
     return record
 
 
+def _refuse_others(table: Mapping[str, Any], names: Collection[str]) -> None:
+    if unknown := table.keys() - set(names):
+        raise ValueError(f"nothing here is called {min(unknown)!r:.80}")
+
+
 def _plain(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
-    """Make an object of JSON, in which each key stands once: of two, a reader would see either."""
-    if len(fields := dict(pairs)) < len(pairs):
+    """Return an object of JSON, in which each key stands once: of two, a reader would see either."""
+    fields = dict(pairs)
+    if len(fields) < len(pairs):
         keys = [key for key, _ in pairs]
         raise ValueError(f"{max(keys, key=keys.count)!r:.80} is there twice")
     for key, value in pairs:

@@ -27,20 +27,14 @@ def command(monkeypatch) -> Iterator[None]:
 
 
 STOP = "import os, signal, time\nos.kill(os.getpid(), signal.SIGINT)\ntime.sleep(9)\n"
-FORK = """
-import os, signal, time
-def run(project, arguments):
-    os.register_at_fork(after_in_parent=lambda: signal.raise_signal(signal.SIGINT))
-    os.waitpid(os.fork() or os._exit(0), 0)
-    time.sleep(9)
-"""
+RUN = "\ndef run(project, arguments):\n    "
 
 
 @pytest.mark.parametrize(
     ("place", "text", "status"),
     [
         ("measured_report/__init__.py", STOP, -signal.SIGINT),
-        ("report/commands/early.py", FORK, 130),
+        ("report/commands/early.py", RUN + STOP.replace("\n", "\n    "), 130),
     ]
     + [
         (
@@ -49,7 +43,7 @@ def run(project, arguments):
             -signal.SIGINT,
         )
     ],
-    ids=["the generator is imported", "a fork", "a command is imported"],
+    ids=["the generator is imported", "a command runs", "a command is imported"],
 )
 def test_a_ctrl_c_in_the_first_second_ends_a_command_without_a_traceback(
     toy, place, text, status
@@ -62,16 +56,13 @@ def test_a_ctrl_c_in_the_first_second_ends_a_command_without_a_traceback(
     )
 
 
-@pytest.mark.parametrize("closed", [">&-", "2>&-", "<&- >&- 2>&-", ">/dev/full"])
-def test_outputs_that_are_closed_or_full_end_nothing_in_a_traceback(outside, closed):
+def test_an_output_that_is_full_is_one_line(outside):
     done = subprocess.run(
-        ["bash", "-c", f'"$0" build.py help {closed}', sys.executable],
+        ["bash", "-c", '"$0" build.py help >/dev/full', sys.executable],
         cwd=outside,
         capture_output=True,
     )
-    assert (done.returncode, len(done.stderr.splitlines())) == (
-        (1, 1) if "full" in closed else (0, 0)
-    )
+    assert (done.returncode, len(done.stderr.splitlines())) == (1, 1)
 
 
 @pytest.mark.parametrize(
