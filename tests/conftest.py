@@ -24,7 +24,7 @@ from toys import (
 )
 
 from measured_report.editions.project import Project, own_release
-from measured_report.files.atomic import replace, staging_folder
+from measured_report.files.atomic import put_in_place, staging_folder
 from measured_report.files.cache import Cache
 from measured_report.files.root import ROOT
 from measured_report.findings.editions import Edition
@@ -125,7 +125,7 @@ def site(tmp_path_factory) -> Path:
         with suppress(OSError), staging_folder(kept) as fresh:
             for name, cache in caches.items():
                 shutil.copytree(cache, fresh / name)
-            replace(kept, fresh)
+            put_in_place(kept, fresh)
 
     return made_once(tmp_path_factory, "tracked", make) / "site"
 

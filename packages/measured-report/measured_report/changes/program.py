@@ -91,9 +91,10 @@ class Program:
                 yield "name", node.attr
             elif isinstance(node, ast.keyword):
                 yield "name", str(node.arg)
-            elif isinstance(node, ast.Name):
-                if not (node.id in local or self.code.module(node.id)):
-                    yield "name", node.id.rpartition(".")[2]
+            elif isinstance(node, ast.Name) and not (
+                node.id in local or self.code.module(node.id)
+            ):
+                yield "name", node.id.rpartition(".")[2]
 
     def tokens_of(self, names: Collection[str], renamed: Set[str]) -> Counter[Token]:
         """Count the tokens of functions, without names that were ``renamed``."""
@@ -195,7 +196,7 @@ def _names_defined(nodes: Iterable[Any]) -> set[str]:
         elif isinstance(node, ast.arg):
             names.add(node.arg)
         elif not isinstance(getattr(node, "ctx", ast.Load()), ast.Load):
-            names.add(getattr(node, "id", None) or getattr(node, "attr", ""))
+            names.add(str(getattr(node, "id", getattr(node, "attr", ""))))
     return names
 
 

@@ -15,7 +15,7 @@ from measured_report.editions.project import Project
 from measured_report.files.atomic import (
     digests_below,
     locked,
-    replace,
+    put_in_place,
     staging_folder,
     sums,
     write_file,
@@ -121,7 +121,7 @@ def _to_folder(copy: Path, location: str, site: Path) -> str:
         )
     with staging_folder(path) as fresh:
         shutil.copytree(copy, fresh)
-        replace(path, fresh)
+        put_in_place(path, fresh)
     return str(path)
 
 

@@ -1,16 +1,11 @@
 """Measure what is missing or stale, and build site/."""
 
-import sys
-from collections.abc import Sequence
-
 from measured_report.commands.options import Arguments, refuse_unmeasured, shared
 from measured_report.commands.page import build_site
 from measured_report.editions.project import Project
-from measured_report.editions.release import Release
 from measured_report.editions.status import Kind, states_of
-from measured_report.files.errors import ReportError, UsageError
 from measured_report.measuring.machine import lacks, measuring_device
-from measured_report.measuring.measure import measure
+from measured_report.measuring.measure import measure_what_can
 
 OPTIONS = shared("edition", "device", "cluster", "profile", "address")
 
@@ -31,21 +26,3 @@ def run(project: Project, arguments: Arguments) -> int:
     if lacking and not device:
         print(f"{lacks()}, in up to hours")
     return int(damaged or not is_done)
-
-
-def measure_what_can(
-    project: Project,
-    release: Release,
-    sections: Sequence[str],
-    device: str,
-    cluster: str | None = None,
-) -> tuple[Project, bool]:
-    """Measure sections and say what can't be; return the project that has them, and whether all could."""
-    try:
-        return measure(project, release, sections, device, cluster), True
-    except UsageError:
-        raise
-    except ReportError as error:
-        if str(error):  # what measured may have said it
-            print(error, file=sys.stderr)
-        return project, False

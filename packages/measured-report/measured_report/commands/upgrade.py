@@ -20,15 +20,14 @@ from measured_report.changes.compare import Comparison, Fault, compare
 from measured_report.changes.moves import few
 from measured_report.changes.query import Query
 from measured_report.commands.options import Arguments, refuse_itself, shared
-from measured_report.commands.report import measure_what_can
 from measured_report.editions.project import Project
 from measured_report.editions.release import Release, release_of
-from measured_report.editions.status import records_of, states_of
+from measured_report.editions.status import Kind, records_of, states_of
 from measured_report.files.atomic import write_file
 from measured_report.files.errors import UsageError
 from measured_report.findings.editions import Edition, derive_edition, editions_of
-from measured_report.measuring.machine import lacks, machine_name, measuring_device
-from measured_report.measuring.measure import kept_by
+from measured_report.measuring.machine import lacks, measuring_device
+from measured_report.measuring.measure import measure_what_can
 from measured_report.pages.wording import sentences_of
 from measured_report.parts.claim import HOLDS
 from measured_report.records.identity import package_changes, sections
@@ -36,7 +35,6 @@ from measured_report.records.replicas import FOLDER, archive_of
 from measured_report.site.build import build
 from measured_report.values.evidence import is_absolute
 
-STALE = ("missing", "stale", "damaged")  # kinds of records that are measured anew
 TIMED = "timed"  # the folder below `results` of what two editions were timed for, each time anew
 SINCE = {
     "type": partial(release_of, option="SINCE"),
@@ -48,33 +46,39 @@ OPTIONS = {"since": SINCE, **shared("edition", "device", "profile", "format")}
 def run(project: Project, arguments: Arguments) -> int:
     """Measure the few sections that decide, print what changed, largest first, and build
     the site; return 1 for an alarm."""
+    report = project.report
     device = measuring_device(arguments.device, project.profile)
     measurable = sections(project.root)
-    names = project.report.settings.changes.upgrade_sections or measurable
-    base = arguments.since or release_of(
-        base_of(project, names) or project.own_release or project.release
-    )
+    names = report.settings.changes.upgrade_sections or measurable
+    own = project.own_release or project.release
+    base = arguments.since or release_of(base_of(project, names) or own)
     refuse_itself(project, str(base), project.release)
     answer = sys.stdout if arguments.format == "text" else _answer_file()
     # The newer edition goes first: if it cannot be installed, no base is measured for it.
     releases = [arguments.release, base]
-    settings = project.report.settings
-    unmeasured = {}
-    for release in releases:
-        kinds = STALE if device and release == arguments.release else ("missing",)
-        states = states_of(project.of(str(release)))
-        found = {state.section for state in states if state.kind in kinds}
-        unmeasured[release] = wanted = [name for name in names if name in found]
+    sides = [project.of(str(release)) for release in releases]
+    unmeasured = []
+    for side in sides:
+        # Only what the newer one lacks is measured if its code changed.
+        kinds = {Kind.MISSING}
+        if device and side.release == project.release:
+            kinds |= {Kind.STALE, Kind.DAMAGED}
+        found = {state.section for state in states_of(side) if state.kind in kinds}
+        wanted = [name for name in names if name in found]
+        unmeasured.append(wanted)
         if wanted and not device:
             raise UsageError(f"{lacks()}, and with PROFILE=quick in minutes")
         if wanted:
-            text = (
-                f"{settings.edition} {release}: to be measured are {', '.join(wanted)}"
+            shown = f"{report.settings.edition} {side.release}"
+            print(f"{shown}: to be measured are {', '.join(wanted)}", flush=True)
+    for index, wanted in enumerate(unmeasured):
+        if wanted and device:
+            label = f"{report.settings.edition} {releases[index]}"
+            print(f"{label}: measuring {', '.join(wanted)}", flush=True)
+            sides[index], _ = measure_what_can(
+                sides[index], releases[index], wanted, device
             )
-            print(text, flush=True)
-    after, before = (
-        _measured(project, each, device, unmeasured[each]) for each in releases
-    )
+    after, before = sides
     editions = editions_of(project, among=[before.release, after.release])
     old, new = editions.values()
     timed = []
@@ -88,14 +92,11 @@ def run(project: Project, arguments: Arguments) -> int:
     comparison = replace(comparison, faults=[*lost, *comparison.faults])
     say = sentences_of(project)
     lines = verdict(comparison, say, old, new, names)
-    print(
-        upgrade_text(comparison, lines, arguments.format, say), file=answer, flush=True
-    )
-    if (
-        arguments.format == "text"
-    ):  # the front page stays that of the project's own edition
-        project = project.of(project.own_release or project.release)
-        build(project)
+    text = upgrade_text(comparison, lines, arguments.format, say)
+    print(text, file=answer, flush=True)
+    if arguments.format == "text":
+        # The front page stays that of the project's own edition.
+        build(project.of(own))
         print(f"built {project.site.name}/index.html")
     return int(comparison.is_alarm)
 
@@ -107,22 +108,6 @@ def _answer_file() -> TextIO:
     answer = os.fdopen(os.dup(1), "w", encoding="utf-8")
     os.dup2(2, 1)
     return answer
-
-
-def _measured(
-    project: Project, release: Release, device: str | None, names: Sequence[str]
-) -> Project:
-    edition = project.of(str(release))
-    if not names or not device:
-        return edition
-    package = project.report.settings.edition
-    print(f"{package} {edition.release}: measuring {', '.join(names)}", flush=True)
-    return measure_what_can(
-        kept_by(edition, machine_name(device, project.report), names),
-        release,
-        names,
-        device,
-    )[0]
 
 
 def timed_in_turn(

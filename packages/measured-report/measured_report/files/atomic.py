@@ -6,7 +6,7 @@ import shutil
 import stat
 import sys
 from collections.abc import Iterator, Mapping
-from contextlib import ExitStack, contextmanager, suppress
+from contextlib import ExitStack, contextmanager
 from hashlib import sha256
 from pathlib import Path
 
@@ -50,34 +50,12 @@ def locked(folder: Path, *, alone: bool = True) -> Iterator[None]:
         try:
             fcntl.flock(descriptor, mode | fcntl.LOCK_NB)
         except BlockingIOError:
-            whose = _holder(os.fstat(descriptor).st_ino)
-            print(
-                f"waiting for {whose} that is at work in {folder.name}/",
-                file=sys.stderr,
-                flush=True,
-            )
+            text = f"waiting for another process that is at work in {folder.name}/"
+            print(text, file=sys.stderr, flush=True)
             fcntl.flock(descriptor, mode)
         yield
     finally:
         os.close(descriptor)
-
-
-def _holder(inode: int) -> str:
-    """Name the process that holds a lock, as far as Linux tells."""
-    with suppress(OSError):
-        for fields in map(
-            str.split, Path("/proc/locks").read_text(encoding="utf-8").splitlines()
-        ):
-            if fields[1] == "FLOCK" and fields[5].endswith(f":{inode}"):
-                command = (
-                    Path(f"/proc/{fields[4]}/cmdline")
-                    .read_text(encoding="utf-8")
-                    .replace("\0", " ")
-                )
-                return (
-                    f"process {fields[4]} ({UNPRINTABLE.sub('?', command).strip():.80})"
-                )
-    return "another process"
 
 
 def write_file(path: Path, content: str | bytes) -> None:
@@ -141,9 +119,10 @@ def digests_below(folder: Path) -> dict[str, str]:
     return digests
 
 
-def replace(folder: Path, fresh: Path) -> None:
+def put_in_place(folder: Path, fresh: Path) -> None:
     """Let ``fresh`` take the place of ``folder``, or of what that leads to; what was there is removed."""
-    folder, before = folder.resolve(), fresh.with_name(f"{fresh.name}-before")
+    folder = folder.resolve()
+    before = fresh.with_name(f"{fresh.name}-before")
     shutil.rmtree(before, ignore_errors=True)
     if folder.exists():
         os.rename(folder, before)

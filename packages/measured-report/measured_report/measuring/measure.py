@@ -3,6 +3,7 @@
 import json
 import os
 import subprocess
+import sys
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
@@ -39,29 +40,51 @@ def measure(
     cluster: str | None = None,
 ) -> Project:
     """Measure sections; return the project that has them, which is apart from that of another machine."""
+    edition, is_done = measure_what_can(project, release, sections, device, cluster)
+    if not is_done:
+        raise ReportError("")
+    return edition
+
+
+def measure_what_can(
+    project: Project,
+    release: Release,
+    sections: Sequence[str],
+    device: str,
+    cluster: str | None = None,
+) -> tuple[Project, bool]:
+    """Measure sections and print what can't be; return the project that has them, and whether all could."""
+    root = project.root
+    python = python_of(release, expected_packages(project), root)
     options = ["--profile", project.profile, "--aside", project.aside]
     machine = machine_name(device, project.report)
     if cluster:
-        python = python_of(release, expected_packages(project), project.root)
-        add_group("cluster", project.root, python, "extra")
+        add_group("cluster", root, python, "extra")
         options += ["--cluster", cluster]
         if device != "cpu":
-            add_group("cluster", project.root, kind="extra")
+            add_group("cluster", root, kind="extra")
             from measured_report.measuring.cluster import card_of
 
             machine = card_of(cluster)
-    edition = kept_by(project, machine, sections)
+    needing = [name for name in sections if needs_device(name, project)]
+    edition = kept_by(project, machine) if needing else project
+    options += ["--edition", edition.release]
     edition.results.mkdir(parents=True, exist_ok=True)
     if not os.access(edition.results, os.W_OK):
         raise ReportError(f"what is measured could not be kept in {edition.results}")
-    options += ["--edition", edition.release]
     try:
-        _run(edition, release, MODULE, device, *sections, *options)
+        _run(edition, python, MODULE, device, *sections, *options)
+    except UsageError:
+        raise
+    except ReportError as error:
+        if str(error):  # what measured may have said it
+            print(error, file=sys.stderr)
+        return edition, False
     finally:
         _note_measured(edition, release)
         with suppress(OSError):
             edition.results.rmdir()  # which is empty if nothing came of it
-    return edition
+    return edition, True
 
 
 def measure_headline(
@@ -72,22 +95,22 @@ def measure_headline(
     beside: Callable[[], T],
 ) -> tuple[T | None, Mapping[str, Any]]:
     """Measure the headline and keep nothing of it; return what is done ``beside``, and what ``program`` writes."""
+    python = python_of(release, expected_packages(project), project.root)
     with TemporaryDirectory() as folder:
         path = Path(folder) / "headline.json"
         options = ("--json", str(path))
-        done = _run(project, release, program, device, *options, beside=beside)
+        done = _run(project, python, program, device, *options, beside=beside)
         return done, json.loads(path.read_text(encoding="utf-8"))
 
 
 def _run(
     project: Project,
-    release: Release,
+    python: Path,
     module: str,
     device: str,
     *options: str,
     beside: Callable[[], T] | None = None,
 ) -> T | None:
-    python = python_of(release, expected_packages(project), project.root)
     # A log has a line for each section.
     env = {**os.environ, "TQDM_DISABLE": "1"}
     if device == "cpu":
@@ -116,20 +139,16 @@ def _run(
     return done
 
 
-def kept_by(project: Project, machine: str, sections: Sequence[str]) -> Project:
-    """Return the project for results of ``machine``: its own if there are others' that needed a device, as these."""
+def kept_by(project: Project, machine: str) -> Project:
+    """Return the project for results of ``machine``: one of its own if there are those of others."""
     named = project.named
     option = f"{project.settings.option}={project.release}"
-    if not any(needs_device(section, project) for section in sections):
-        return project
-    if named.machine:
-        if named.machine != machine:
-            raise UsageError(
-                f"{option} has the results of {named.machine}, and this is {machine}"
-            )
-        return project
+    if named.machine not in ("", machine):
+        raise UsageError(
+            f"{option} has the results of {named.machine}, and this is {machine}"
+        )
     machines = dict.fromkeys(machines_besides(project, machine))
-    if not machines:
+    if named.machine or not machines:
         return project
     edition = project.of(str(replace(named, machine=machine)))
     print(

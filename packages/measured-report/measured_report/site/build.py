@@ -15,7 +15,7 @@ from measured_report.editions.project import INPUTS, Project
 from measured_report.editions.status import State
 from measured_report.files.atomic import (
     digests_below,
-    replace,
+    put_in_place,
     short_path,
     staging_folder,
     sums,
@@ -82,7 +82,7 @@ def build(project: Project, address: str = "") -> dict[str, Built]:
         )
         Site(fresh, project.release, editions, templates, address).write()
         write_file(fresh / SUMS, sums(digests_below(fresh)))
-        replace(project.site, fresh)
+        put_in_place(project.site, fresh)
         built = {}
         for release, edition in editions.items():
             stale = [

@@ -61,7 +61,6 @@ def test_what_was_asked_for_is_tried_before_a_base_is_measured_for_it(toy, monke
         raise UsageError(f"{release} cannot run the scene")
 
     monkeypatch.setattr(upgrade, "measure_what_can", refuse)
-    monkeypatch.setattr(upgrade, "kept_by", lambda side, *others: side)
     asked = Namespace(
         device="cpu",
         since=release_of("1.8.0"),
@@ -145,7 +144,6 @@ def test_an_upgrade_says_first_what_it_measures_of_both_and_at_last_nothing_that
         return project, True
 
     monkeypatch.setattr(upgrade, "measure_what_can", measure)
-    monkeypatch.setattr(upgrade, "kept_by", lambda side, *others: side)
     asked = Namespace(
         device="cpu",
         since=release_of("1.8.0"),

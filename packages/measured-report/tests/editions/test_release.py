@@ -188,15 +188,12 @@ def test_a_measurement_refuses_what_is_not_installed():
 
 
 def test_one_machine_never_takes_the_place_of_another(toy, capsys):
-    assert measure.kept_by(toy.project, "cpu", ["toy"]) == toy.project
-    assert (
-        measure.kept_by(toy.project, "nvidia-h200", ["toy"]).release
-        == "1.4.0@nvidia-h200"
-    )
+    assert measure.kept_by(toy.project, "cpu") == toy.project
+    assert measure.kept_by(toy.project, "nvidia-h200").release == "1.4.0@nvidia-h200"
     assert "1.4.0@nvidia-h200" in capsys.readouterr().out
     apart = toy.project.of("1.4.0@nvidia-h200")
-    assert measure.kept_by(apart, "nvidia-h200", ["toy"]) == apart
+    assert measure.kept_by(apart, "nvidia-h200") == apart
     with pytest.raises(UsageError, match="nvidia-h200"):
-        measure.kept_by(apart, "cpu", ["toy"])
+        measure.kept_by(apart, "cpu")
     record = toy.record(machine={"device": "cuda", "gpu": "NVIDIA H100 80GB HBM3"})
     assert machine.machine_of(record) == "nvidia-h100-80gb-hbm3"

@@ -33,7 +33,7 @@ def test_what_measures_times_has_nothing_beside_it(tmp_path, monkeypatch, first,
         return lines.readline()
 
     assert [starts(first) for _ in range(count)] == count * ["began\n"]
-    assert starts(not first).startswith("waiting for process ")
+    assert starts(not first).startswith("waiting for another process")
     end.set()
     assert [lines.readline() for _ in range(count + 2)] == [
         *count * ["ended\n"],
