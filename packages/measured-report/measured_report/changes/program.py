@@ -6,8 +6,7 @@ profile uses, so all changed functions together must have the same ones before a
 
 import ast
 from collections import Counter
-from collections.abc import Collection, Iterable, Iterator, Sequence, Set
-from dataclasses import dataclass
+from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path, PurePosixPath
 from typing import Any
 
@@ -25,20 +24,13 @@ Place = tuple[str, int, str]  # file, first line and name of a code object
 Token = tuple[str, str]  # kind and text
 
 
-@dataclass(frozen=True)
-class Function:
-    body: Any  # its parameters and statements, as `plain` returns them
-    header: Any  # its decorators and defaults, which run when it is defined
-    tokens: Counter[Token]
-    place: Place
-
-
 class Program:
     """Holds the code of a section in the folder ``root``."""
 
     def __init__(self, section: str, root: Path):
         self.code = Code(root)
-        self.functions: dict[str, Function] = {}
+        self.functions: dict[str, tuple[str, Any]] = {}
+        """Files and syntax trees of functions and methods, with the functions in them."""
         self.statements: dict[str, Any] = {}
         """By file, those that run when it is imported."""
         self.defined: set[str] = set()  # all names that the project gives to something
@@ -47,42 +39,29 @@ class Program:
             name = self.code.name_of(file)
             tree = ast.parse(Path(file).read_bytes())
             _resolve_imports(tree, name)
-            self.defined |= _names_defined(ast.walk(tree))
+            self.defined |= _names_defined(tree)
             self.statements[name] = _import_time(tree.body)
-            self._find(tree, f"{name}:", file, frozenset())
+            for qualified, function in _definitions(tree.body, f"{name}:"):
+                while qualified in self.functions:
+                    qualified += "'"  # as the setter of a property
+                self.functions[qualified] = file, function
 
-    def _find(self, node: ast.AST, prefix: str, file: str, local: Set[str]) -> None:
-        """Note the functions below a node; ``local`` are names of the outermost function around it."""
-        for child in ast.iter_child_nodes(node):
-            below = prefix
-            names = local
-            if isinstance(child, (*FUNCTIONS, ast.ClassDef)):
-                below += _name(child)
-                while below in self.functions:
-                    below += "'"  # as a second lambda of one function
-            if isinstance(child, FUNCTIONS):
-                inside = [each for each in ast.walk(child) if not _is_attribute(each)]
-                names = local or _names_defined(inside)
-                self.functions[below] = self._function(child, file, names)
-            if below != prefix:
-                below += "."
-            self._find(child, below, file, names)
+    def places(self, name: str) -> list[Place]:
+        """Return the code objects of a function."""
+        file, function = self.functions[name]
+        places = []
+        for node in ast.walk(function):
+            if isinstance(node, FUNCTIONS):
+                starts = [node, *getattr(node, "decorator_list", ())]
+                line = min(start.lineno for start in starts)
+                places.append((file, line, getattr(node, "name", "<lambda>")))
+        return places
 
-    def _function(self, node: Any, file: str, local: Set[str]) -> Function:
-        body = node.body if isinstance(node.body, list) else [node.body]
-        decorators = getattr(node, "decorator_list", [])
-        header = [*decorators, *node.args.defaults]
-        header += filter(None, node.args.kw_defaults)
-        tokens = Counter(self._tokens(_own_nodes([*header, *body]), local))
-        line = min([node.lineno, *(decorator.lineno for decorator in decorators)])
-        arguments = [each.arg for each in ast.walk(node.args) if hasattr(each, "arg")]
-        if decorators:  # which may ask for names and kinds of parameters
-            header.append(node.args)
-        place = file, line, _name(node)
-        return Function([arguments, plain(body)], plain(header), tokens, place)
-
-    def _tokens(self, nodes: Iterable[Any], local: Set[str]) -> Iterator[Token]:
-        for node in nodes:
+    def tokens(self, name: str) -> Iterator[Token]:
+        """Yield the constants, operators and names in a function, without its own variables and checks."""
+        function = self.functions[name][1]
+        local = _names_defined(function, with_attributes=False)
+        for node in _working_nodes([*_header(function), *function.body]):
             if isinstance(node, ast.Constant):
                 yield "constant", ascii(node.value)
             elif isinstance(node, OPERATORS):
@@ -96,41 +75,33 @@ class Program:
             ):
                 yield "name", node.id.rpartition(".")[2]
 
-    def tokens_of(self, names: Collection[str], renamed: Set[str]) -> Counter[Token]:
-        """Count the tokens of functions, without names that were ``renamed``."""
-        tokens = Counter[Token]()
-        for name in names:
-            if name in self.functions:
-                tokens += self.functions[name].tokens
-        for name in renamed:
-            tokens.pop(("name", name), None)
-        return tokens
 
-
-def uncovered(old: Program, new: Program, called: Set[Place]) -> str:
+def uncovered(old: Program, new: Program, called: set[Place]) -> str:
     """Return the first change that runs of both, which called these functions, do not cover; empty for none."""
     for name in sorted({*old.statements, *new.statements}):
         if old.statements.get(name, []) != new.statements.get(name, []):
             return f"a statement that runs when {name} is imported changed"
-    functions = [*old.functions.values(), *new.functions.values()]
-    places = Counter(function.place for function in functions)
+    counts = Counter[Token]()
     changed = []
     for name in sorted({*old.functions, *new.functions}):
-        sides = [side.functions.get(name) for side in (old, new)]
-        forms = [(side.body, side.header) for side in sides if side]
-        if len(forms) == 2 and forms[0] == forms[1]:
-            continue
-        if len(forms) == 2 and forms[0][1] != forms[1][1]:
-            return f"a default or a decorator of {name} changed"
-        for function in filter(None, sides):
-            if function.place not in called or places[function.place] > 1:
-                return f"no run calls {name}"
+        sides = [side for side in (old, new) if name in side.functions]
+        trees = [side.functions[name][1] for side in sides]
+        if len(sides) == 2:
+            if plain(trees[0]) == plain(trees[1]):
+                continue
+            if plain(_header(trees[0])) != plain(_header(trees[1])):
+                return f"a default or a decorator of {name} changed"
+        for side in sides:
+            places = side.places(name)
+            if not called.issuperset(places) or len({*places}) < len(places):
+                return f"no run calls {name}, or not all of it"
+            for token in side.tokens(name):
+                counts[token] += 1 if side is new else -1
         changed.append(name)
     renamed = old.defined ^ new.defined
-    gone = old.tokens_of(changed, renamed)
-    come = new.tokens_of(changed, renamed)
-    for kind, text in sorted((gone - come) | (come - gone)):
-        return f"a run may not show the {kind} {text} of {', '.join(changed)}"
+    for (kind, text), count in sorted(counts.items()):
+        if count and not (kind == "name" and text in renamed):
+            return f"a run may not show the {kind} {text} of {', '.join(changed)}"
     return ""
 
 
@@ -145,29 +116,34 @@ def _resolve_imports(tree: ast.Module, name: str) -> None:
             node.id = imports.get(node.id, node.id)
 
 
-def _name(node: Any) -> str:
-    return getattr(node, "name", "<lambda>")
+def _definitions(body: Sequence[ast.stmt], prefix: str) -> Iterator[tuple[str, Any]]:
+    """Yield functions and methods with their qualified names."""
+    for node in body:
+        if isinstance(node, ast.ClassDef):
+            yield from _definitions(node.body, f"{prefix}{node.name}.")
+        elif isinstance(node, FUNCTIONS):
+            yield prefix + node.name, node
 
 
-def _own_nodes(nodes: Iterable[ast.AST]) -> Iterator[ast.AST]:
-    """Yield nodes with those below them, without docstrings, checks, and the bodies of functions."""
+def _header(function: Any) -> list[ast.AST]:
+    """Return the decorators and defaults of a function, which run when it is defined."""
+    defaults = [*function.args.defaults, *filter(None, function.args.kw_defaults)]
+    return [*function.decorator_list, *defaults]
+
+
+def _working_nodes(nodes: Iterable[ast.AST]) -> Iterator[ast.AST]:
+    """Yield nodes with those below them, without docstrings and checks."""
     for node in nodes:
-        if isinstance(node, FUNCTIONS):
-            defaults = [*node.args.defaults, *filter(None, node.args.kw_defaults)]
-            yield from _own_nodes(defaults)
-        elif not is_docstring(node) and not _is_check(node):
+        if not is_docstring(node) and not _is_check(node):
             yield node
-            yield from _own_nodes(ast.iter_child_nodes(node))
+            yield from _working_nodes(ast.iter_child_nodes(node))
 
 
 def _is_check(node: ast.AST) -> bool:
     """Return whether a statement does nothing but raise errors."""
     if isinstance(node, ast.If):
         blocks = filter(None, (node.body, node.orelse))
-        return all(
-            isinstance(block[-1], ast.Raise) or all(map(_is_check, block))
-            for block in blocks
-        )
+        return all(all(map(_is_check, block)) for block in blocks)
     if isinstance(node, ast.For):
         return all(map(_is_check, [*node.body, *node.orelse]))
     return isinstance(node, ast.Raise | ast.Assert)
@@ -187,18 +163,17 @@ def _import_time(body: Sequence[ast.stmt]) -> list[Any]:
     return forms
 
 
-def _names_defined(nodes: Iterable[Any]) -> set[str]:
-    """Return the names that functions, classes, parameters, variables and attributes get."""
-    names = set[str]()
-    for node in nodes:
+def _names_defined(tree: ast.AST, with_attributes: bool = True) -> set[str]:
+    """Return the names that functions, classes, parameters, variables and attributes below a node get."""
+    names = set()
+    for node in ast.walk(tree):
         if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef | ast.ClassDef):
             names.add(node.name)
         elif isinstance(node, ast.arg):
             names.add(node.arg)
         elif not isinstance(getattr(node, "ctx", ast.Load()), ast.Load):
-            names.add(str(getattr(node, "id", getattr(node, "attr", ""))))
+            if isinstance(node, ast.Name):
+                names.add(node.id)
+            elif isinstance(node, ast.Attribute) and with_attributes:
+                names.add(node.attr)
     return names
-
-
-def _is_attribute(node: ast.AST) -> bool:
-    return isinstance(node, ast.Attribute)

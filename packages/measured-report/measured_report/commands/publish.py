@@ -3,8 +3,6 @@
 import dataclasses
 import os
 import shutil
-import subprocess
-import sys
 from collections.abc import Callable
 from functools import partial
 from pathlib import Path
@@ -21,7 +19,7 @@ from measured_report.files.atomic import (
     write_file,
 )
 from measured_report.files.errors import ReportError, UsageError, without_secrets
-from measured_report.files.git import GitError, environment, run_git
+from measured_report.files.git import GitError, run_git
 from measured_report.records.replicas import SUMS
 from measured_report.site.check import check_site
 
@@ -36,7 +34,17 @@ MARK = (
 )
 ASIDE = ".site-copy"  # a folder beside the site, where the copy lies meanwhile
 DOMAIN = "CNAME"  # a file that GitHub keeps on the branch
-ALONE = ("core.bare=true", "push.followTags=false", "push.recurseSubmodules=no")
+ALONE = (
+    "core.autocrlf=false",
+    "core.bare=false",
+    "push.followTags=false",
+    "push.recurseSubmodules=no",
+)
+AUTHOR = {
+    f"GIT_{role}_{field}": value
+    for role in ("AUTHOR", "COMMITTER")
+    for field, value in (("NAME", "make publish"), ("EMAIL", "publish@localhost"))
+}
 PROTOCOLS = "file:git:http:https:ssh"
 QUICK = (
     '<meta name="profile" content="quick">'  # of a page of small grids and short runs
@@ -126,56 +134,40 @@ def _to_folder(copy: Path, location: str, site: Path) -> str:
 
 
 def _to_branch(copy: Path, location: str, site: Path) -> str:
-    """Publish to a branch of a remote, as its one commit, made in a repository of its own and pushed by address."""
+    """Publish to a branch of a remote, as its one commit, made in the copy and pushed by address."""
     if not shutil.which("git"):
         raise UsageError(
             "publishing there needs git, which is not there; TARGET=dir:PATH needs nothing"
         )
     try:
-        return _pushed(copy, location, site)
+        return _pushed(copy, location, site.parent)
     except GitError as error:
         raise UsageError(f"not published: {error}") from None
 
 
-def _pushed(copy: Path, location: str, site: Path) -> str:
+def _pushed(copy: Path, location: str, root: Path) -> str:
     remote, _, branch = location.partition("#")
     branch = branch or BRANCH
-    ref, aside, here = (
-        f"refs/heads/{branch}",
-        copy.with_name("git"),
-        partial(run_git, site.parent),
-    )
-    if Path(here("rev-parse", "--show-toplevel")) != site.parent.resolve():
+    ref = f"refs/heads/{branch}"
+    here = partial(run_git, root)
+    if Path(here("rev-parse", "--show-toplevel")) != root.resolve():
         raise UsageError(
-            f"{site.parent} is no git repository of its own; TARGET=dir:PATH needs none"
+            f"{root} is no git repository of its own; TARGET=dir:PATH needs none"
         )
-    if here("check-ref-format", "--branch", branch) != branch or branch.startswith(
-        ("@", "refs/")
-    ):
+    is_plain = here("check-ref-format", "--branch", branch) == branch
+    if not is_plain or branch.startswith(("@", "refs/")):
         raise UsageError(f"{branch} is no name for a branch")
     is_named = remote in here("remote").splitlines()
     address = here("remote", "get-url", "--push", remote) if is_named else remote
-    here("init", "--quiet", "--bare", str(aside))
-    # The clone's settings say who pushes; none of its hooks or of what else may go with a push has a part.
-    settings = [
-        f"include.path={site.parent / here('rev-parse', '--git-path', 'config')}",
-        *ALONE,
-    ]
+    # The clone's settings say who pushes, and nothing else.
+    config = root / here("rev-parse", "--git-path", "config")
+    settings = [f"include.path={config}", *ALONE]
     options = [option for setting in settings for option in ("-c", setting)]
-    there = partial(
-        run_git, aside, *options, GIT_DIR=str(aside), GIT_ALLOW_PROTOCOL=PROTOCOLS
-    )
-    if before := _tip(there, address, ref):
-        there(
-            "fetch",
-            "--quiet",
-            "--depth",
-            "1",
-            "--no-tags",
-            "--no-auto-maintenance",
-            address,
-            ref,
-        )
+    there = partial(run_git, copy, *options, GIT_ALLOW_PROTOCOL=PROTOCOLS, **AUTHOR)
+    there("init", "--quiet")
+    before = _tip(there, address, ref)
+    if before:
+        there("fetch", "--quiet", "--depth", "1", "--no-tags", address, ref)
         names = there("ls-tree", "--name-only", before).splitlines()
         if MARK not in names:
             raise UsageError(
@@ -183,15 +175,12 @@ def _pushed(copy: Path, location: str, site: Path) -> str:
             )
         if DOMAIN in names and not (copy / DOMAIN).exists():
             write_file(copy / DOMAIN, there("show", f"{before}:{DOMAIN}") + "\n")
-    _import(copy, branch, aside)
-    commit = there("rev-parse", ref)
-    there(
-        "push",
-        "--quiet",
-        f"--force-with-lease={ref}:{before}",
-        address,
-        f"{commit}:{ref}",
-    )
+    write_file(copy / ".nojekyll", "")
+    there("add", "--all", "--force")
+    there("commit", "--quiet", "--no-gpg-sign", "--message", SUBJECT)
+    commit = there("rev-parse", "HEAD")
+    lease = f"--force-with-lease={ref}:{before}"
+    there("push", "--quiet", lease, address, f"{commit}:{ref}")
     if _tip(there, address, ref) != commit:
         raise ReportError(
             f"not published: {remote} does not have it on its branch {branch}"
@@ -200,38 +189,12 @@ def _pushed(copy: Path, location: str, site: Path) -> str:
 
 
 def _tip(git: Callable[..., str], address: str, ref: str) -> str:
-    """Ask a remote for the commit that a branch is at; empty where it has none."""
-    tips = (line.split("\t") for line in git("ls-remote", address, ref).splitlines())
-    return next((tip for tip, name in tips if name == ref), "")
-
-
-def _import(copy: Path, branch: str, repository: Path) -> None:
-    """Make a folder the one commit of a branch."""
-    command = [
-        sys.executable,
-        "-m",
-        "ghp_import",
-        "--no-jekyll",
-        "--branch",
-        branch,
-        "--message",
-        SUBJECT,
-        str(copy),
-    ]
-    author = {
-        "GIT_COMMITTER_NAME": "make publish",
-        "GIT_COMMITTER_EMAIL": "publish@localhost",
-    }
-    env = environment(GIT_DIR=str(repository), **author)
-    ended = subprocess.run(
-        command, input="", capture_output=True, text=True, errors="replace", env=env
-    )
-    if ended.returncode:
-        lines = [
-            *filter(None, map(str.strip, ended.stderr.splitlines())),
-            f"exit status {ended.returncode}",
-        ]
-        raise UsageError(f"not published: ghp-import: {lines[0]}")
+    """Return the commit that a branch of a remote is at; empty if it has none."""
+    for line in git("ls-remote", address, ref).splitlines():
+        tip, name = line.split("\t")
+        if name == ref:
+            return tip
+    return ""
 
 
 TARGETS = {"dir": _to_folder, "git": _to_branch}

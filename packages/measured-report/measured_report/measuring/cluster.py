@@ -11,15 +11,11 @@ from typing import Any
 
 from distributed import Client, KilledWorker
 
-from measured_report.files.config import Report
 from measured_report.files.config import report as current
 from measured_report.files.errors import ReportError
 from measured_report.measuring.machine import slug
 from measured_report.records.code import digest_of
 from measured_report.records.identity import files_digest, package_versions
-
-RESOURCES = ("shared", "exclusive")
-"""What workers are started with: those that share a device, and those that measure times."""
 
 
 @contextmanager
@@ -44,34 +40,23 @@ def connected(cluster: str) -> Iterator[Client]:
 
 
 class ClusterPool:
-    """Submits to those workers of a cluster that have a resource; Dask keeps what waits."""
+    """Submits to the workers of a cluster, at most ``limit`` batches at once."""
 
     lost: type[Exception] = KilledWorker
-    limit = sys.maxsize
 
-    def __init__(self, client: Client, resource: str):
-        self.executor = client.get_executor(pure=False, resources={resource: 1})
+    def __init__(self, client: Client, limit: int):
+        self.executor = client.get_executor(pure=False)
+        self.limit = limit
         self.digest = digest_here()
 
     def submit(self, function: Callable[..., Any], *arguments: Any) -> Future[Any]:
         return self.executor.submit(call_here, self.digest, function, *arguments)
 
 
-def cluster_pools(client: Client, device: str, report: Report) -> list[ClusterPool]:
-    """Return pools for what shares a device and for what is exclusive, once kernels are compiled."""
-    workers = client.scheduler_info(n_workers=-1)["workers"].values()
-    for resource in RESOURCES:
-        if not any(resource in worker["resources"] for worker in workers):
-            raise ReportError(
-                f"CLUSTER={client.scheduler.address}: no worker was started with --resources {resource}=1"
-            )
-    hosts = {worker["host"]: worker["id"] for worker in workers}
-    prepared = [
-        client.submit(report.host.prepare, device, workers=[each], pure=False)
-        for each in hosts.values()
-    ]
-    client.gather(prepared)
-    return [ClusterPool(client, resource) for resource in RESOURCES]
+def cluster_pools(client: Client, device: str) -> tuple[ClusterPool, ClusterPool]:
+    """Return a pool for what shares the workers, and one for what is measured alone, once kernels are compiled."""
+    client.run(current().host.prepare, device)
+    return ClusterPool(client, sys.maxsize), ClusterPool(client, 1)
 
 
 def call_here(digest: str, function: Callable[..., Any], *arguments: Any) -> Any:
@@ -101,11 +86,11 @@ def card_here() -> str:
 
 
 def card_of(cluster: str) -> str:
-    """Return the name of the accelerator that the workers of a cluster have in labels."""
+    """Return the name of the accelerator that all workers of a cluster have, as labels have it."""
     with connected(cluster) as client:
-        names = sorted({*client.run(card_here).values()})
-    if len(names) > 1 or names == ["no device"]:
+        names = {*client.run(card_here).values()}
+    if len(names) > 1 or "no device" in names:
         raise ReportError(
-            f"CLUSTER={cluster}: its workers have {' and '.join(names)}: start all on one kind, or set DEVICE=cpu"
+            f"CLUSTER={cluster}: its workers have {' and '.join(sorted(names))}: start all on one kind, or set DEVICE=cpu"
         )
-    return names[0]
+    return names.pop()

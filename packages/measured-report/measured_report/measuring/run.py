@@ -104,7 +104,7 @@ def pools(
         from measured_report.measuring.cluster import cluster_pools, connected
 
         with connected(cluster) as client:
-            yield cluster_pools(client, devices[-1], report)
+            yield cluster_pools(client, devices[-1])
         return
     alone = {}
     shared = environments(devices[-1], requested[0].project.profile, report)

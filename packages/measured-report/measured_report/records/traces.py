@@ -3,12 +3,11 @@
 import csv
 import gzip
 import io
+import math
 import re
 import zlib
-from collections.abc import Collection, Iterator, Mapping, Sequence
-from contextlib import suppress
+from collections.abc import Iterable, Mapping, Sequence
 from hashlib import sha256
-from operator import gt
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -17,61 +16,52 @@ from measured_report.files.columns import PLAIN, Schema, is_number, plain, text_
 from measured_report.files.config import report as current
 from measured_report.records.record import BYTE_LIMIT, DIGITS, Seal, trace_path
 
-if (
-    TYPE_CHECKING
-):  # it takes long to import, and whoever only asks what is fresh needs none of it
+if TYPE_CHECKING:  # it takes long to import, and only who reads traces needs it
     import pandas as pd
 
 HEAD = re.compile(r"[a-z][a-z0-9_-]{0,79}")
 UNPACKED_LIMIT = 64 << 20
 COLUMN_LIMIT = 1_000
 CELL_LIMIT = 8_000_000  # more would take gigabytes to look at; traces that were kept have some tens of thousands
-NO_NUMBER = re.compile(r"[+-]?(?:nan|inf|infinity)", re.IGNORECASE)
 
 
 def packed(
     record: Path, case: str, table: Mapping[str, Any], schema: Schema | None = None
 ) -> tuple[Seal, bytes]:
-    """Pack a trace as it is kept beside ``record``, with its seal, without pandas, which is not there."""
+    """Return a trace as it is kept beside ``record``, with its seal; pandas is not needed."""
     schema = schema or current().columns
-    text, columns = (
-        io.StringIO(),
-        {
-            str(name): [plain(cell, name) for cell in cells]
-            for name, cells in table.items()
-        },
-    )
+    columns = {}
+    for name, cells in table.items():
+        column = str(name)
+        columns[column] = [
+            _written(plain(cell, name), column, schema) for cell in cells
+        ]
+    text = io.StringIO()
     try:
-        for name, cells in columns.items():
-            cells[:] = [
-                None if is_number(cell) and schema.number_problem(name, cell) else cell
-                for cell in cells
-            ]
-            texts = dict.fromkeys(cell for cell in cells if isinstance(cell, str))
-            _check_column(name, list(filter(is_number, cells)), texts, schema)
         if len({*map(len, columns.values())}) > 1:
             raise ValueError("its columns are not of one length")
         lines = list(zip(*columns.values(), strict=True))
-        _check_cells(
-            iter([[*columns], *([str(cell) for cell in line] for line in lines)])
-        )
+        csv.writer(text, lineterminator="\n").writerows([[*columns], *lines])
+        _check(text.getvalue(), schema)
     except ValueError as error:
         raise RecordError(
             f"{short_path(trace_path(record, case))} is no whole trace: {error}"
         ) from None
-    write = csv.writer(text, lineterminator="\n").writerow
-    for line in ([*columns], *lines):
-        write(
-            [f"{cell:{DIGITS}}" if isinstance(cell, float) else cell for cell in line]
-        )
-    content = gzip.compress(
-        text.getvalue().encode(), mtime=0
-    )  # with no time in its header: the same gives the same
+    # With no time in its header, the same trace gives the same bytes.
+    content = gzip.compress(text.getvalue().encode(), mtime=0)
     return Seal(sha256(content).hexdigest(), len(lines)), content
 
 
+def _written(cell: Any, column: str, schema: Schema) -> Any:
+    """Return a cell as its file has it, None for a number that no record may hold."""
+    is_checked = is_number(cell) and HEAD.fullmatch(column)
+    if is_checked and schema.number_problem(column, cell):
+        return None
+    return f"{cell:{DIGITS}}" if isinstance(cell, float) else cell
+
+
 def load_trace(path: Path, schema: Schema | None = None) -> "pd.DataFrame":
-    """Read the trace at ``path``; RecordError, one line with its release and file, when it is damaged in any way."""
+    """Read the trace at ``path``; raise RecordError if it is damaged in any way."""
     import pandas as pd
 
     content = read_file(path, BYTE_LIMIT)
@@ -82,86 +72,73 @@ def load_trace(path: Path, schema: Schema | None = None) -> "pd.DataFrame":
             raise ValueError(
                 f"it ends early, holds more than {UNPACKED_LIMIT >> 20} MiB, or has a rest"
             )
-        _check_cells(csv.reader(io.StringIO(text.decode("utf-8")), strict=True))
+        _check(text.decode("utf-8"), schema or current().columns)
         # Before pandas 3, which Python 3.10 has, the last digits of numbers are others unless one asks for them.
-        exact: dict[str, Any] = (
-            {}
-            if int(pd.__version__.partition(".")[0]) > 2
-            else {"float_precision": "round_trip"}
-        )
-        frame = pd.read_csv(
+        is_new = int(pd.__version__.partition(".")[0]) > 2
+        exact: dict[str, Any] = {} if is_new else {"float_precision": "round_trip"}
+        return pd.read_csv(
             io.BytesIO(text),
             index_col=False,
             keep_default_na=False,
             na_values=[""],
             **exact,
         )
-        for column in frame:
-            cells = frame[column].dropna()
-            is_numeric = cells.dtype.kind in "iuf"
-            numbers, texts = (
-                cells.tolist() if is_numeric else [],
-                [] if is_numeric else cells.unique(),
-            )
-            _check_column(
-                column,
-                numbers,
-                [text for text in texts if isinstance(text, str)],
-                schema or current().columns,
-            )
     except (ValueError, csv.Error, zlib.error) as error:
+        message = " ".join(str(error).split())
         raise RecordError(
-            f"{short_path(path)} is no whole trace: {' '.join(str(error).split()):.300}"
+            f"{short_path(path)} is no whole trace: {message:.300}"
         ) from None
-    return frame
 
 
-def _check_cells(lines: Iterator[list[str]]) -> None:
-    head, number = next(lines, []), 1
+def _check(text: str, schema: Schema) -> None:
+    """Raise ValueError unless a text is a trace: columns of one length, each of numbers or of texts."""
+    lines = csv.reader(io.StringIO(text), strict=True)
+    head = next(lines, [])
     if len(head) > COLUMN_LIMIT:
         raise ValueError(f"it has more than {COLUMN_LIMIT} columns")
     if len(set(head)) < len(head):
         raise ValueError("its first line names a column twice")
+    rows: list[Sequence[str]] = []
     for number, line in enumerate(lines, start=2):
         if len(line) != len(head):
             raise ValueError(f"line {number} has {len(line)} cells, not {len(head)}")
         if number * len(head) > CELL_LIMIT:
             raise ValueError(f"it has more than {CELL_LIMIT} cells")
-        if cell := next(filter(NO_NUMBER.fullmatch, line), ""):
-            raise ValueError(f"{cell} is no number")
-    if number < 2:
+        rows.append(line)
+    if not rows:
         raise ValueError("it has no rows")
+    for column, cells in zip(head, zip(*rows, strict=True), strict=True):
+        if problem := _column_problem(column, cells, schema):
+            raise ValueError(f"{column!r:.80} {problem}")
 
 
-def _check_column(
-    column: str, numbers: Sequence[float], texts: Collection[str], schema: Schema
-) -> None:
+def _column_problem(column: str, cells: Iterable[str], schema: Schema) -> str:
+    """Say what is wrong with a column; empty if nothing is."""
     if not HEAD.fullmatch(column):
-        raise ValueError(f"{column!r:.80} is no column name")
-    problems = (
-        ["runs backwards"]
-        if column == "time_s" and any(map(gt, numbers, numbers[1:]))
-        else []
-    )
-    problems += (
-        ["is not all numbers"]
-        if texts and (numbers or schema[column].unit != PLAIN)
-        else []
-    )
-    problems += [
-        problem
-        for text in texts
-        if (problem := text_problem(text) or _number_problem(text))
-    ]
-    problems += [
-        schema.number_problem(column, end(numbers)) for end in (min, max) if numbers
-    ]
-    if problem := next(filter(None, problems), ""):
-        raise ValueError(f"{column!r:.80} {problem}")
+        return "is no column name"
+    filled = [cell for cell in cells if cell]
+    try:
+        numbers = list(map(float, filled))
+    except ValueError:
+        return _text_problem(filled, schema[column].unit)
+    if not all(map(math.isfinite, numbers)):
+        return "has what is no number"
+    if column == "time_s" and numbers != sorted(numbers):
+        return "runs backwards"
+    ends = (min(numbers), max(numbers)) if numbers else ()
+    problems = (schema.number_problem(column, end) for end in ends)
+    return next(filter(None, problems), "")
 
 
-def _number_problem(text: str) -> str:
-    with suppress(ValueError):
-        float(text)
+def _text_problem(texts: Sequence[str], unit: str) -> str:
+    if unit != PLAIN:
+        return "is not all numbers"
+    for text in dict.fromkeys(texts):
+        if problem := text_problem(text):
+            return problem
+        try:
+            float(text)
+        except ValueError:
+            continue
         return "has both numbers and text"
     return ""

@@ -308,7 +308,9 @@ def test_without_a_repository_publishing_says_what_needs_none(toy, monkeypatch):
 
 def test_what_a_killed_publish_leaves_goes_with_the_next(toy, tmp_path, monkeypatch):
     monkeypatch.setattr(
-        publishing, "replace", lambda *folders: os.kill(os.getpid(), signal.SIGKILL)
+        publishing,
+        "put_in_place",
+        lambda *folders: os.kill(os.getpid(), signal.SIGKILL),
     )
     if not (child := os.fork()):
         publish(toy.project.site, f"dir:{tmp_path}/www")

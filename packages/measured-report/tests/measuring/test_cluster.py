@@ -18,9 +18,8 @@ pytest.importorskip("distributed", reason="make test installs the extra that has
 import dask
 from distributed import Client, Security
 
-from measured_report.files.config import report
 from measured_report.files.errors import ReportError
-from measured_report.measuring import cluster, section
+from measured_report.measuring import section
 from measured_report.measuring.batch import Batch
 from measured_report.measuring.cluster import cluster_pools, connected
 from measured_report.measuring.section import Loop
@@ -31,8 +30,7 @@ from dask import config
 from distributed import Nanny, Scheduler, SpecCluster
 
 own = {"host": "127.0.0.1", "protocol": sys.argv[2], "dashboard": False, "dashboard_address": "127.0.0.1:0"}
-kinds = [{"shared": 1}, {"exclusive": 1}][: int(sys.argv[1])]
-options = [{**own, "nthreads": 1, "memory_limit": 0, "silence_logs": 50, "resources": kind} for kind in kinds]
+options = [{**own, "nthreads": 1, "memory_limit": 0, "silence_logs": 50}] * int(sys.argv[1])
 workers = {number: {"cls": Nanny, "options": each} for number, each in enumerate(options)}
 if __name__ == "__main__":
     config.set({"distributed.scheduler.allowed-failures": 2, "distributed.deploy.lost-worker-timeout": "1h"})
@@ -119,7 +117,7 @@ def test_a_killed_worker_costs_nothing_but_what_it_measured(
         toy, batches.single(Batch("die", batches.die, (str(log), 99))), "doomed"
     )
     with connected(scheduler) as client:
-        pools = cluster_pools(client, "cpu", report())
+        pools = cluster_pools(client, "cpu")
         assert not Loop([whole, mortal], *pools).run()
         assert Loop([doomed], *pools).run()
     reason = "die: its process was killed, and once more when it was alone"
@@ -143,7 +141,7 @@ def test_a_worker_that_has_other_code_or_returns_garbage_costs_its_section_alone
     monkeypatch.setattr(section, "measure_batch", batches.garbage)
     names = [*map(str, range(len(batches.GARBAGE)))]
     with connected(scheduler) as client:
-        pools = cluster_pools(client, "cpu", report())
+        pools = cluster_pools(client, "cpu")
         assert Loop(
             [
                 section_of(toy, batches.single(Batch(name, id)), f"s{name}")
@@ -183,16 +181,11 @@ def test_a_scheduler_that_ends_is_noticed(outside, toy, capfd):
     settings = dask.config.set({"distributed.comm.timeouts.connect": "1s"})
     with settings, started(outside, 1) as process:
         address = process.stdout.readline().strip()
-        lacks = pytest.raises(
-            ReportError, match="no worker was started with --resources exclusive=1"
-        )
         gone = pytest.raises(
             ReportError, match="the scheduler is gone; what is finished is kept"
         )
         with connected(address) as client:
-            with lacks:
-                cluster_pools(client, "cpu", report())
-            pools = [cluster.ClusterPool(client, each) for each in cluster.RESOURCES]
+            pools = cluster_pools(client, "cpu")
             batch = Batch("end", os.kill, (process.pid, signal.SIGKILL))
             with gone:
                 Loop([section_of(toy, batches.single(batch))], *pools).run()
