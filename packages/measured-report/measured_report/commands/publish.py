@@ -19,7 +19,7 @@ from measured_report.files.atomic import (
     write_file,
 )
 from measured_report.files.errors import ReportError, UsageError, without_secrets
-from measured_report.files.git import GitError, run_git
+from measured_report.files.git import run_git
 from measured_report.records.replicas import SUMS
 from measured_report.site.check import check_site
 
@@ -141,7 +141,7 @@ def _to_branch(copy: Path, location: str, site: Path) -> str:
         )
     try:
         return _pushed(copy, location, site.parent)
-    except GitError as error:
+    except UsageError as error:
         raise UsageError(f"not published: {error}") from None
 
 

@@ -13,7 +13,7 @@ from measured_report.files.config import Report
 FILE = "REFERENCE.md"
 GENERATOR = Path(__file__).parents[1]
 NAMES = {
-    "files/settings": "Config Page Columns ColumnTraits Changes",
+    "files/settings": "Config Page Columns Changes",
     "measuring/measurement": "Conditions Measurement absent",
     "measuring/batch": "Batch",
     "measuring/machine": "needs_device",

@@ -8,7 +8,7 @@ from itertools import chain
 from typing import Any, TypeGuard
 
 from measured_report.files.errors import UNPRINTABLE, ReportError
-from measured_report.files.settings import FILE, ColumnTraits, Config, module_named
+from measured_report.files.settings import FILE, Columns, Config, module_named
 
 _LENGTHS = {
     "mm": "mm",
@@ -67,9 +67,21 @@ UNBELIEVED = "the measurement gave "  # begins the reason of a number that no re
 TEXT_LIMIT = 4096
 
 
+TRAITS = (
+    "better",
+    "resolution",
+    "rate_of",
+    "known_within",
+    "grows_with",
+    "trials",
+    "unless",
+)
+"""What ``report.toml`` says of a column, the first table that says it."""
+
+
 @dataclass(frozen=True, kw_only=True)
-class Column(ColumnTraits):
-    """Describes a column; what ``report.toml`` says of it is told there."""
+class Column(Columns):
+    """Describes a column by its name and by what ``report.toml`` says of it."""
 
     name: str
     unit: str  # `1` where the name says none
@@ -132,23 +144,20 @@ class Schema:
             )
         unit = self._unit(name)
         largest = LARGEST.get(unit, 1e18)
-        signed = next(
-            (table.signed for table in declared if table.signed is not None),
-            unit not in NEVER_NEGATIVE,
-        )
-        kinds = {table.kind for table in declared if table.kind}
+        signs = [table.signed for table in declared if table.signed is not None]
+        is_signed = [*signs, unit not in NEVER_NEGATIVE][0]
+        kinds = {table.kind for table in declared} - {""}
         if name in self.parameters:
             kinds.add("parameter")
         traits = {}
-        for table in reversed(declared):
-            for field in fields(ColumnTraits):
-                if value := getattr(table, field.name):
-                    traits[field.name] = value
+        for trait in TRAITS:
+            values = filter(None, (getattr(table, trait) for table in declared))
+            traits[trait] = next(values, getattr(Columns, trait))
         return Column(
             name=name,
             unit=unit,
             words=self._words(name, unit),
-            least=-largest if signed else 0.0,
+            least=-largest if is_signed else 0.0,
             largest=largest,
             kinds=frozenset(kinds),
             **traits,

@@ -12,7 +12,6 @@ from measured_report.files.columns import Schema, case_parameters
 from measured_report.files.git import web_address
 from measured_report.files.settings import (
     FILE,
-    ColumnTraits,
     Config,
     Page,
     module_named,
@@ -23,7 +22,6 @@ from measured_report.files.settings import (
 
 __all__ = [
     "FILE",
-    "ColumnTraits",
     "Config",
     "Page",
     "Report",

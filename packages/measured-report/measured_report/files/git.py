@@ -25,10 +25,6 @@ ORIGIN = re.compile(
 """An address of git's origin that is one on the web too: host and path."""
 
 
-class GitError(UsageError):
-    """Holds the first line of the message with which git failed."""
-
-
 def environment(**settings: str) -> dict[str, str]:
     """Return the environment for git and for programs that call it."""
     kept = {
@@ -40,7 +36,7 @@ def environment(**settings: str) -> dict[str, str]:
 
 
 def run_git(folder: Path, *command: str, **settings: str) -> str:
-    """Return the output of git in a folder; GitError if it fails."""
+    """Return the output of git in a folder; raise UsageError, with the first line of its message, if it fails."""
     options = [option for setting in ALONE for option in ("-c", setting)]
     try:
         process = subprocess.run(
@@ -53,11 +49,11 @@ def run_git(folder: Path, *command: str, **settings: str) -> str:
             check=False,
         )
     except FileNotFoundError:
-        raise GitError("git is not installed; install it") from None
+        raise UsageError("git is not installed; install it") from None
     if process.returncode:
         lines = filter(None, map(str.strip, process.stderr.splitlines()))
         message = next(lines, f"exit status {process.returncode}")
-        raise GitError(f"git: {message}")
+        raise UsageError(f"git: {message}")
     return process.stdout.strip()
 
 
@@ -65,7 +61,7 @@ def git(folder: Path, *command: str) -> str:
     """Return the output of git in a folder; nothing if it fails, for example outside of a repository."""
     try:
         return run_git(folder, *command)
-    except GitError:
+    except UsageError:
         return ""
 
 

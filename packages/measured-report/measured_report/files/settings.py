@@ -23,22 +23,7 @@ ClassName = Annotated[str, Meta(pattern="^$|:")]
 
 
 @dataclass(frozen=True)
-class ColumnTraits:
-    """Describes what ``report.toml`` may tell of a column."""
-
-    better: Literal["", "less", "more"] = ""  # which numbers are better; empty: neither
-    resolution: Annotated[float, Meta(ge=0.0)] = 0.0
-    """The least difference that counts, whatever the noise."""
-    rate_of: str = ""
-    """The column of the time that makes this rate, whose share of noise it has."""
-    known_within: str = ""  # the column with its relative uncertainty, which replaces the measured noise unless it is 0
-    grows_with: str = ""  # the column with the duration over which it accumulates; noise is scaled by it
-    trials: str = ""  # the column that says of how many trials this many, or this share, succeeded: noise is binomial
-    unless: str = ""  # the column that says that a run failed, where this number then does not exist
-
-
-@dataclass(frozen=True)
-class Columns(ColumnTraits):
+class Columns:
     """Describes the columns that one table ``columns`` names, or all of whose name its pattern matches."""
 
     names: Collection[str] = ()  # the columns that it is of
@@ -50,6 +35,15 @@ class Columns(ColumnTraits):
     settings), ``cost``, ``uncompared`` (between editions) or ``failure`` (of a run, whose numbers are then chance)."""
     signed: bool | None = None
     """Whether its numbers have a sign; None: its unit says so."""
+    better: Literal["", "less", "more"] = ""  # which numbers are better; empty: neither
+    resolution: Annotated[float, Meta(ge=0.0)] = 0.0
+    """The least difference that counts, whatever the noise."""
+    rate_of: str = ""
+    """The column of the time that makes this rate, whose share of noise it has."""
+    known_within: str = ""  # the column with its relative uncertainty, which replaces the measured noise unless it is 0
+    grows_with: str = ""  # the column with the duration over which it accumulates; noise is scaled by it
+    trials: str = ""  # the column that says of how many trials this many, or this share, succeeded: noise is binomial
+    unless: str = ""  # the column that says that a run failed, where this number then does not exist
 
 
 @dataclass(frozen=True)

@@ -10,12 +10,12 @@ from measured_report.commands.new import SKELETON
 from measured_report.commands.reference import reference
 from measured_report.files.config import Report
 from measured_report.files.root import ROOT
-from measured_report.files.settings import Changes, Columns, ColumnTraits, Config
+from measured_report.files.settings import Changes, Columns, Config
 
 TEXT = reference(Report(SKELETON / "pendulum"))
 
 
-@pytest.mark.parametrize("kind", [Config, Changes, Columns, ColumnTraits])
+@pytest.mark.parametrize("kind", [Config, Changes, Columns])
 def test_every_setting_is_told(kind):
     assert not [each.name for each in fields(kind) if f"- `{each.name}: " not in TEXT]
 

@@ -7,7 +7,8 @@ import pytest
 from toys import GENERATOR
 from toys import git as git_of_tests
 
-from measured_report.files.git import GitError, environment, git, run_git
+from measured_report.files.errors import UsageError
+from measured_report.files.git import environment, git, run_git
 
 WRITING = {"write_text", "write_bytes"}
 PLACES = ("files/", "commands/audit.py", "changes/executed.py", "skeleton/")
@@ -84,5 +85,5 @@ def test_git_is_asked_of_its_folder_whatever_a_hook_has_set_and_runs_no_hook(
 
 def test_where_git_fails_it_says_why_or_nothing(tmp_path):
     assert git(tmp_path, "rev-parse", "HEAD") == ""
-    with pytest.raises(GitError, match=r"^git: fatal: not a git repository[^\n]*$"):
+    with pytest.raises(UsageError, match=r"^git: fatal: not a git repository[^\n]*$"):
         run_git(tmp_path, "rev-parse", "HEAD")
