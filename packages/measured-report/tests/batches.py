@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from measured_report.measuring.batch import Batch, Plan, Result
-from measured_report.measuring.section import Section
+from measured_report.measuring.run import Section
 from measured_report.records.record import basis_of, load_record
 
 

@@ -1,21 +1,40 @@
 """Clusters: batches that the workers of a Dask scheduler measure."""
 
 import logging
-import platform
 import sys
-from collections.abc import Callable, Iterator
-from concurrent.futures import Future
+from collections.abc import Iterator
 from contextlib import contextmanager
-from pathlib import Path
-from typing import Any
 
 from distributed import Client, KilledWorker
 
 from measured_report.files.config import report as current
 from measured_report.files.errors import ReportError
-from measured_report.measuring.machine import slug
-from measured_report.records.code import digest_of
-from measured_report.records.identity import files_digest, package_versions
+from measured_report.measuring.machine import commit, slug
+from measured_report.records.identity import package_versions
+
+
+class ClusterPool:
+    """Submits to the workers of a cluster, at most ``limit`` batches at once."""
+
+    lost: type[Exception] = KilledWorker
+
+    def __init__(self, client: Client, limit: int):
+        self.submit = client.get_executor(pure=False).submit
+        self.limit = limit
+
+
+@contextmanager
+def cluster_pools(cluster: str) -> Iterator[tuple[ClusterPool, ClusterPool]]:
+    """Open a pool for batches that share the workers, and one for those that are measured alone."""
+    with connected(cluster) as client:
+        here = introduce()
+        for worker in client.run(introduce).values():
+            for what in ("commit", "packages"):
+                if worker[what] != here[what] or worker[what].endswith("-dirty"):
+                    raise ReportError(
+                        f"CLUSTER={cluster}: {what} of a worker: {worker[what]}; here: {here[what]}: commit changes, and install the same"
+                    )
+        yield ClusterPool(client, sys.maxsize), ClusterPool(client, 1)
 
 
 @contextmanager
@@ -39,58 +58,24 @@ def connected(cluster: str) -> Iterator[Client]:
         yield client
 
 
-class ClusterPool:
-    """Submits to the workers of a cluster, at most ``limit`` batches at once."""
-
-    lost: type[Exception] = KilledWorker
-
-    def __init__(self, client: Client, limit: int):
-        self.executor = client.get_executor(pure=False)
-        self.limit = limit
-        self.digest = digest_here()
-
-    def submit(self, function: Callable[..., Any], *arguments: Any) -> Future[Any]:
-        return self.executor.submit(call_here, self.digest, function, *arguments)
-
-
-def cluster_pools(client: Client, device: str) -> tuple[ClusterPool, ClusterPool]:
-    """Return a pool for what shares the workers, and one for what is measured alone, once kernels are compiled."""
-    client.run(current().host.prepare, device)
-    return ClusterPool(client, sys.maxsize), ClusterPool(client, 1)
-
-
-def call_here(digest: str, function: Callable[..., Any], *arguments: Any) -> Any:
-    """Call a function in this worker, unless it has other code."""
-    current().host.be_quiet()
-    if digest != digest_here():
-        raise ReportError(f"{platform.node()} has other code or packages")
-    return function(*arguments)
-
-
-def digest_here() -> str:
-    """Digest the files that measuring may read, and the versions of packages."""
+def introduce() -> dict[str, str]:
+    """Return the code, the packages and the device of this process."""
     report = current()
-    folders = [report.root / "experiments", report.root / "assets"]
-    folders += [*report.root.glob("packages/*"), Path(__file__).parents[1]]
-    code = []
-    for folder in folders:
-        files = [path for path in folder.rglob("*.*") if path.suffix != ".pyc"]
-        code.append(files_digest(files, folder))
-    return digest_of([*code, package_versions(report.settings)])
-
-
-def card_here() -> str:
-    """Return the name of this worker's accelerator."""
-    cards = current().accelerator.accelerators()
-    return slug(cards[0].name) if cards else "no device"
+    report.host.be_quiet()
+    cards = report.accelerator.accelerators()
+    return {
+        "commit": str(commit()),
+        "packages": str(package_versions(report.settings)),
+        "device": slug(cards[0].name) if cards else "cpu",
+    }
 
 
 def card_of(cluster: str) -> str:
-    """Return the name of the accelerator that all workers of a cluster have, as labels have it."""
+    """Return the device that all workers of a cluster have, as labels name it."""
     with connected(cluster) as client:
-        names = {*client.run(card_here).values()}
-    if len(names) > 1 or "no device" in names:
+        names = {worker["device"] for worker in client.run(introduce).values()}
+    if len(names) > 1:
         raise ReportError(
-            f"CLUSTER={cluster}: its workers have {' and '.join(sorted(names))}: start all on one kind, or set DEVICE=cpu"
+            f"CLUSTER={cluster}: its workers have {' and '.join(sorted(names))}: start all on one kind"
         )
     return names.pop()

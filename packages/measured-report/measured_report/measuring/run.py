@@ -1,17 +1,21 @@
-"""Measure sections and keep their records: ``python -m measured_report.measuring.run SECTION [SECTION …]``."""
+"""Measure sections and keep their records: ``python -m measured_report.measuring.run SECTION [SECTION …]``.
 
-import signal
-
-# Records are put in place whole, so that there is nothing to tidy up after Ctrl-C.
-signal.signal(signal.SIGINT, signal.SIG_DFL)
+A section goes from its first batch to its record; one loop measures all sections by pools of processes.
+"""
 
 import argparse
 import gc
 import importlib
+import inspect
+import pickle
+import re
+import signal
 import sys
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from concurrent.futures import FIRST_COMPLETED, CancelledError, Future, wait
 from concurrent.futures.process import BrokenProcessPool
 from contextlib import contextmanager
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -21,25 +25,251 @@ from tqdm import tqdm
 from measured_report.editions.project import Project, own_release
 from measured_report.editions.release import read_label
 from measured_report.files.atomic import short_path
+from measured_report.files.columns import REASON, UNBELIEVED, Schema, is_number, plain
 from measured_report.files.config import Report
 from measured_report.files.config import report as current
 from measured_report.files.errors import ReportError, bug_of
 from measured_report.files.processes import KILLED
+from measured_report.measuring.batch import (
+    Batch,
+    Plan,
+    Result,
+    measure_batch,
+    reason_of,
+)
 from measured_report.measuring.machine import (
+    KIND,
+    commit,
     machine,
     measuring_device,
     needs_device,
     read_device,
 )
 from measured_report.measuring.measure import UNFIT
+from measured_report.measuring.measurement import Measurement
 from measured_report.measuring.pool import environments, gather, host_pools
-from measured_report.measuring.section import Loop, Section, section_of
 from measured_report.records.code import Code
 from measured_report.records.identity import package_versions, sections
-from measured_report.records.record import basis_of
+from measured_report.records.record import NAME, Basis, Record, basis_of
+from measured_report.records.traces import packed
+
+WHOLE = "whole"  # name of the one batch of a section that has declared none
+GONE = "the scheduler is gone; what is finished is kept"
+
+
+@dataclass
+class Section:
+    project: Project
+    name: str
+    device: str
+    plan: Plan
+    basis: Basis
+    stage: list[Batch] = field(default_factory=list)
+    waiting: list[Batch] = field(default_factory=list)
+    results: dict[str, Result] = field(default_factory=dict)
+    lost: set[str] = field(default_factory=set)
+    is_over: bool = False
+    has_failed: bool = False
+
+    def is_exclusive(self, batch: Batch) -> bool:
+        """Return whether it is measured alone, as is one that may have killed its process."""
+        return batch.exclusive or batch.name in self.lost
+
+    def advance(self) -> None:
+        """Ask for the next batches once all of a stage are done, and write the record at the end."""
+        try:
+            while not self.is_over and all(
+                batch.name in self.results for batch in self.stage
+            ):
+                values = [self.results[batch.name].value for batch in self.stage]
+                try:
+                    self.stage = list(self.plan.send(values or None))  # type: ignore[arg-type]
+                except StopIteration as end:
+                    self._write(end.value)
+                    return
+                assert all(isinstance(batch, Batch) for batch in self.stage), (
+                    "it yields no Batch: rows are returned"
+                )
+                names = [*self.results, *(batch.name for batch in self.stage)]
+                if not self.stage or len({*names}) < len(names):
+                    raise ValueError(f"batches need names of their own: {names}")
+                self.waiting = self.stage
+        except Exception as error:  # a fault of the section must not cost the others
+            self.fail(reason_of(error, self.project.report))
+
+    def lose(self, batch: Batch) -> None:
+        """Measure a batch whose process was killed again, alone, but no more than once."""
+        if batch.name in self.lost:
+            self.fail(
+                f"{batch.name}: its process was killed, and once more when it was alone"
+            )
+        elif not self.is_over:
+            self.lost.add(batch.name)
+            self.waiting = [*self.waiting, batch]
+            tqdm.write(
+                f"{self.name}/{batch.name}: its process was killed; it is tried again alone",
+                file=sys.stderr,
+            )
+
+    def fail(self, reason: str) -> None:
+        if not self.is_over:
+            self.is_over = self.has_failed = True
+            self.waiting = []
+            tqdm.write(
+                f"{self.name}: measuring failed; what was there is kept: {reason}",
+                file=sys.stderr,
+            )
+
+    def _write(self, measurement: Measurement) -> None:
+        """Write the record and the traces of what the section returned."""
+        report = self.project.report
+        path = self.project.record_path(self.name)
+        results = list(self.results.values())
+        try:
+            rows = [believable(row, report.columns) for row in measurement.rows]
+            traces = {
+                case: packed(path, case, table, report.columns)
+                for case, table in measurement.traces.items()
+            }
+        except (AttributeError, TypeError) as error:
+            raise ReportError(
+                f"it returned no Measurement of rows and traces: {error}"
+            ) from None
+        if not rows or not all("case" in row for row in rows):
+            raise ReportError("it returned no rows, or one without a case")
+        measured_on = {}
+        for name in results[0].machine:
+            texts = {result.machine[name] for result in results}
+            if name in KIND and len(texts) > 1:
+                raise ReportError(
+                    "its batches were measured on different kinds of machines"
+                )
+            measured_on[name] = ", ".join(sorted(filter(None, texts))) or None
+        ended = max(result.ended for result in results)
+        seconds = round(sum(result.seconds for result in results), 1)
+        measured: dict[str, Any] = {
+            "date": ended,
+            "started": min(result.started for result in results),
+            "ended": ended,
+            "commit": commit(),
+            "command": self.project.rerun(self.name, measured_on["device"]),
+            "seconds": seconds,
+        }
+        units = report.columns.units_of(rows)
+        identity = self.basis.identity
+        record = Record(self.name, identity, measured_on, measured, units, rows)
+        self.basis.write(record, traces)
+        self.is_over = True
+        shown = path.relative_to(self.project.root)
+        tqdm.write(f"{self.name}: {len(rows)} rows in {seconds:.0f} s → {shown}")
+
+
+class Loop:
+    """Measures sections by a pool for batches that share their host and one for those that are exclusive there."""
+
+    def __init__(self, sections: Sequence[Section], shared: Any, exclusive: Any):
+        self.sections = sections
+        self.pools = {False: shared, True: exclusive}
+        self.running: dict[Future[Any], tuple[Section, Batch]] = {}
+
+    def run(self) -> bool:
+        """Measure all sections; return whether any failed."""
+        for section in self.sections:
+            section.advance()
+        with tqdm(unit="batch", leave=False, disable=not sys.stderr.isatty()) as bar:
+            while self._submit():
+                for future in wait(self.running, return_when=FIRST_COMPLETED).done:
+                    self._take(future, *self.running.pop(future))
+                    bar.update()
+        return any(section.has_failed for section in self.sections)
+
+    def _submit(self) -> bool:
+        """Submit what can be; return whether anything runs."""
+        for is_exclusive, pool in self.pools.items():
+            for section in self.sections:
+                for batch in list(section.waiting):
+                    is_of_pool = section.is_exclusive(batch) == is_exclusive
+                    if is_of_pool and self._has_room(pool, is_exclusive):
+                        section.waiting = [
+                            each for each in section.waiting if each is not batch
+                        ]
+                        self._start(pool, section, batch)
+        return bool(self.running)
+
+    def _has_room(self, pool: Any, is_exclusive: bool) -> bool:
+        return len(self.running) < pool.limit and all(
+            section.is_exclusive(batch) == is_exclusive
+            for section, batch in self.running.values()
+        )
+
+    def _start(self, pool: Any, section: Section, batch: Batch) -> None:
+        try:
+            content = pickle.dumps(batch)
+        except Exception as error:
+            section.fail(f"{batch.name}: {reason_of(error, section.project.report)}")
+            return
+        future = pool.submit(measure_batch, content, section.device)
+        self.running[future] = section, batch
+
+    def _take(self, future: Future[Any], section: Section, batch: Batch) -> None:
+        pool = self.pools[section.is_exclusive(batch)]
+        try:
+            result = future.result()
+            value = pickle.loads(result.value)
+        except pool.lost:
+            section.lose(batch)
+        except CancelledError:
+            raise ReportError(GONE) from None
+        except Exception as error:
+            reason = reason_of(error, section.project.report)
+            section.fail(reason if batch.name == WHOLE else f"{batch.name}: {reason}")
+        else:
+            section.results[batch.name] = replace(result, value=value)
+            section.advance()
+
+
+def section_of(
+    project: Project, basis: Basis, module: ModuleType, device: str
+) -> Section:
+    """Return the section that a module measures, as one batch if it declares none."""
+    name = basis.section
+    device = device if needs_device(name, project) else "cpu"
+    # A process measures on the only device of its kind that it has.
+    alias = "cpu" if device == "cpu" else f"{device}:0"
+    is_quick = project.profile == "quick"
+    conditions = project.report.host.Conditions(device=alias, quick=is_quick)
+    if inspect.isgeneratorfunction(module.measure):
+        plan = module.measure(conditions)
+    else:
+        plan = _as_one(Batch(WHOLE, module.measure, (conditions,)))
+    return Section(project, name, device, plan, basis)
+
+
+def _as_one(batch: Batch) -> Plan:
+    [measurement] = yield [batch]
+    return measurement
+
+
+def believable(row: Mapping[str, object], columns: Schema) -> dict[str, object]:
+    """Return the row in plain numbers, with None, and the reason, for each that no record may hold."""
+    cells = {str(name): plain(value, str(name)) for name, value in row.items()}
+    lost = {}
+    for name, cell in cells.items():
+        if not re.fullmatch(NAME, name):
+            raise ReportError(
+                f"the column {name!r} is not called in small letters, digits and _, as rebound_mm"
+            )
+        is_wrong = is_number(cell) and columns.number_problem(name, cell)
+        is_absent = cell is None and columns[name].unit != "1"
+        if is_wrong or (is_absent and name + REASON not in cells):
+            lost[name] = f"{UNBELIEVED}{cell!s:.40}"
+    reasons = {name + REASON: reason for name, reason in lost.items()}
+    return {**cells, **dict.fromkeys(lost), **reasons}
 
 
 def main() -> int:
+    # Records are put in place whole, so that there is nothing to tidy up after Ctrl-C.
+    signal.signal(signal.SIGINT, signal.SIG_DFL)
     tqdm.monitor_interval = 0  # no process may be forked beside a thread
     parser = argparse.ArgumentParser(prog="python -m measured_report.measuring.run")
     parser.add_argument("section", nargs="+")
@@ -101,10 +331,10 @@ def pools(
     """Open the pools that measure: of this host, or of a cluster's workers."""
     devices = sorted({section.device for section in requested})
     if cluster:
-        from measured_report.measuring.cluster import cluster_pools, connected
+        from measured_report.measuring.cluster import cluster_pools
 
-        with connected(cluster) as client:
-            yield cluster_pools(client, devices[-1])
+        with cluster_pools(cluster) as opened:
+            yield opened
         return
     alone = {}
     shared = environments(devices[-1], requested[0].project.profile, report)

@@ -9,7 +9,7 @@ from toys import EXPERIMENT, MODULE, ROWS
 from measured_report.files.config import report
 from measured_report.files.errors import ReportError
 from measured_report.files.settings import Changes, Columns
-from measured_report.measuring.section import believable
+from measured_report.measuring.run import believable
 from measured_report.site.build import build
 
 RULES = Changes(

@@ -19,10 +19,10 @@ import dask
 from distributed import Client, Security
 
 from measured_report.files.errors import ReportError
-from measured_report.measuring import section
+from measured_report.measuring import run
 from measured_report.measuring.batch import Batch
 from measured_report.measuring.cluster import cluster_pools, connected
-from measured_report.measuring.section import Loop
+from measured_report.measuring.run import Loop
 
 SCHEDULER = """
 import sys
@@ -116,8 +116,7 @@ def test_a_killed_worker_costs_nothing_but_what_it_measured(
     doomed = section_of(
         toy, batches.single(Batch("die", batches.die, (str(log), 99))), "doomed"
     )
-    with connected(scheduler) as client:
-        pools = cluster_pools(client, "cpu")
+    with cluster_pools(scheduler) as pools:
         assert not Loop([whole, mortal], *pools).run()
         assert Loop([doomed], *pools).run()
     reason = "die: its process was killed, and once more when it was alone"
@@ -134,14 +133,13 @@ def test_a_killed_worker_costs_nothing_but_what_it_measured(
         )
 
 
-def test_a_worker_that_has_other_code_or_returns_garbage_costs_its_section_alone(
+def test_a_worker_that_returns_garbage_costs_its_section_alone(
     toy, scheduler, monkeypatch, capsys
 ):
     assert scheduler.startswith("tls://")
-    monkeypatch.setattr(section, "measure_batch", batches.garbage)
+    monkeypatch.setattr(run, "measure_batch", batches.garbage)
     names = [*map(str, range(len(batches.GARBAGE)))]
-    with connected(scheduler) as client:
-        pools = cluster_pools(client, "cpu")
+    with cluster_pools(scheduler) as pools:
         assert Loop(
             [
                 section_of(toy, batches.single(Batch(name, id)), f"s{name}")
@@ -149,19 +147,19 @@ def test_a_worker_that_has_other_code_or_returns_garbage_costs_its_section_alone
             ],
             *pools,
         ).run()
-        pools[0].digest = "0" * 64
-        assert Loop(
-            [section_of(toy, batches.single(Batch("0", id)), "later")], *pools
-        ).run()
     lines = capsys.readouterr().err.splitlines()
-    assert sorted(line.partition(":")[0] for line in lines) == [
-        "later",
-        *(f"s{name}" for name in names),
-    ], lines
+    names = [f"s{name}" for name in names]
+    assert sorted(line.partition(":")[0] for line in lines) == names, lines
     assert all("measuring failed; what was there is kept: " in line for line in lines)
-    assert "other code" in lines[-1] and [
-        path.name for path in toy.record_path.parent.glob("*.json")
-    ] == ["toy.json"]
+    kept = [path.name for path in toy.record_path.parent.glob("*.json")]
+    assert kept == ["toy.json"]
+
+
+def test_workers_with_other_code_are_refused_in_one_line(scheduler, monkeypatch):
+    monkeypatch.setenv("GIT_COMMIT", "abc")
+    refused = pytest.raises(ReportError, match=r"commit of a worker: [^\n]+ here: abc")
+    with refused, cluster_pools(scheduler):
+        pass
 
 
 def test_a_cluster_for_which_nobody_has_a_certificate_is_refused_in_one_line():
@@ -184,8 +182,7 @@ def test_a_scheduler_that_ends_is_noticed(outside, toy, capfd):
         gone = pytest.raises(
             ReportError, match="the scheduler is gone; what is finished is kept"
         )
-        with connected(address) as client:
-            pools = cluster_pools(client, "cpu")
+        with cluster_pools(address) as pools:
             batch = Batch("end", os.kill, (process.pid, signal.SIGKILL))
             with gone:
                 Loop([section_of(toy, batches.single(batch))], *pools).run()

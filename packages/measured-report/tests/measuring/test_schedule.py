@@ -16,7 +16,7 @@ from measured_report.measuring.batch import Batch, Result
 from measured_report.measuring.host import Accelerator
 from measured_report.measuring.machine import measuring_device
 from measured_report.measuring.pool import environments, host_pools
-from measured_report.measuring.section import Loop, believable
+from measured_report.measuring.run import Loop, believable
 from measured_report.records.record import load_record
 
 MACHINE = {

@@ -22,8 +22,7 @@ from measured_report.measuring import batch
 from measured_report.measuring.batch import Batch, Plan, measure_batch
 from measured_report.measuring.measure import MODULE
 from measured_report.measuring.pool import host_pools
-from measured_report.measuring.run import section_module
-from measured_report.measuring.section import Loop
+from measured_report.measuring.run import Loop, section_module
 from measured_report.records.record import load_record
 
 
@@ -198,7 +197,7 @@ from pathlib import Path
 from types import SimpleNamespace
 from measured_report.editions.project import Project
 from measured_report.measuring.batch import Batch
-from measured_report.measuring.section import Loop
+from measured_report.measuring.run import Loop
 from measured_report.measuring.measure import MODULE
 from measured_report.measuring.pool import host_pools
 

@@ -10,7 +10,7 @@ from damage import unsealed
 
 from measured_report.files.atomic import RecordError
 from measured_report.files.config import report
-from measured_report.measuring.section import believable
+from measured_report.measuring.run import believable
 from measured_report.records.record import load_record, trace_path, write_record
 from measured_report.records.traces import load_trace, packed
 
