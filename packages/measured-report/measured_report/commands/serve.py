@@ -5,7 +5,7 @@ import subprocess
 import sys
 import threading
 import time
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from contextlib import suppress
 from functools import partial
 from http import HTTPStatus
@@ -23,7 +23,7 @@ OPTIONS = {"port": PORT, **shared("edition", "profile")}
 
 def run(project: Project, arguments: Arguments) -> int:
     refuse_unmeasured(project, arguments.release.asked)
-    server = Server(project.site, arguments.port)
+    server = server_of(project.site, arguments.port)
     print(
         f"serving {project.site.name}/ at http://127.0.0.1:{arguments.port}", flush=True
     )
@@ -31,7 +31,7 @@ def run(project: Project, arguments: Arguments) -> int:
     command = [sys.executable, "build.py", "page", "--profile", project.profile]
     command += [f"--{project.settings.flag}", arguments.release.asked]
     build = partial(subprocess.run, command, cwd=project.root, check=False)
-    server.follow([project.root / name for name in INPUTS], build)
+    follow(server, [project.root / name for name in INPUTS], build)
     return 0
 
 
@@ -57,29 +57,30 @@ class _Handler(SimpleHTTPRequestHandler):
         """Print nothing, since the output of builds would be lost in it."""
 
 
-class Server(ThreadingHTTPServer):
-    """Serves a folder at a port of this machine."""
+def server_of(folder: Path, port: int) -> ThreadingHTTPServer:
+    """Return a server of a folder at a port of this machine."""
+    handler = partial(_Handler, directory=str(folder))
+    try:
+        return ThreadingHTTPServer(("127.0.0.1", port), handler)
+    except (OSError, OverflowError) as error:
+        raise UsageError(
+            f"PORT={port} can't be served at: {error}; PORT=8001 may be free"
+        ) from None
 
-    def __init__(self, folder: Path, port: int):
-        handler = partial(_Handler, directory=str(folder))
-        try:
-            super().__init__(("127.0.0.1", port), handler)
-        except (OSError, OverflowError) as error:
-            raise UsageError(
-                f"PORT={port} can't be served at: {error}; PORT=8001 may be free"
-            ) from None
 
-    def follow(self, folders: Iterable[Path], build: Callable[[], object]) -> None:
-        """Serve until Ctrl-C; build first, and again whenever something in these folders has changed."""
-        threading.Thread(target=self.serve_forever, daemon=True).start()
-        before = None
-        while True:
-            # As it was when the build began: what changes meanwhile is seen the next time.
-            now = stamp(folders)
-            if now != before:
-                before = now
-                build()
-            time.sleep(0.5)
+def follow(
+    server: ThreadingHTTPServer, folders: Sequence[Path], build: Callable[[], object]
+) -> None:
+    """Serve until Ctrl-C; build first, and again whenever something in these folders has changed."""
+    threading.Thread(target=server.serve_forever, daemon=True).start()
+    before = None
+    while True:
+        # As it was when the build began: what changes meanwhile is seen the next time.
+        now = stamp(folders)
+        if now != before:
+            before = now
+            build()
+        time.sleep(0.5)
 
 
 def stamp(folders: Iterable[Path]) -> dict[str, tuple[int, int]]:

@@ -17,7 +17,6 @@ OPTIONS = {**shared("edition"), "fast": FAST}
 def run(project: Project, arguments: Arguments) -> int:
     python = python_of(arguments.release, expected_packages(project), project.root)
     add_group("dev", project.root, python)
-    add_group("cluster", project.root, python, "extra")
     command = [
         str(python),
         "-m",

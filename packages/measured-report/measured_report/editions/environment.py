@@ -27,21 +27,17 @@ FILTER = "UV_EXCLUDE_NEWER"  # uv's variable for another day than that of the re
 READY = ".ready"  # in an environment that is whole: the digest of what it was made from
 
 
-def add_group(
-    name: str, root: Path, python: Path = Path(sys.executable), kind: str = "group"
-) -> None:
-    """Install a group, or an ``extra``, of pyproject.toml, unless the Python is not one of the project."""
-    file = root / "pyproject.toml"
-    extras = read_toml(file)["project"].get("optional-dependencies", {})
-    if python.parents[2] != root or (kind == "extra" and name not in extras):
+def add_group(name: str, root: Path, python: Path = Path(sys.executable)) -> None:
+    """Install a dependency group of pyproject.toml, unless the Python is not one of the project."""
+    if python.parents[2] != root:
         return
-    if python.parents[1].name == ".venv":
-        with locked(root):
-            wanted = ["--frozen", "--inexact", f"--{kind}", name]
-            _run(["sync", *wanted, "--project", str(root)], name)
-    else:
-        wanted = extras[name] if kind == "extra" else ["--group", f"{file}:{name}"]
-        _run(["pip", "install", "--python", str(python), *wanted], name)
+    if python.parents[1].name != ".venv":
+        group = f"{root / 'pyproject.toml'}:{name}"
+        _run(["pip", "install", "--python", str(python), "--group", group], name)
+        return
+    with locked(root):
+        wanted = ["--frozen", "--inexact", "--group", name]
+        _run(["sync", *wanted, "--project", str(root)], name)
 
 
 def python_of(release: Release, packages: Mapping[str, str], root: Path) -> Path:

@@ -11,7 +11,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any, TypeVar
 
-from measured_report.editions.environment import add_group, python_of
+from measured_report.editions.environment import python_of
 from measured_report.editions.project import (
     Manifest,
     Project,
@@ -54,18 +54,19 @@ def measure_what_can(
     cluster: str | None = None,
 ) -> tuple[Project, bool]:
     """Measure sections and print what can't be; return the project that has them, and whether all could."""
-    root = project.root
-    python = python_of(release, expected_packages(project), root)
+    python = python_of(release, expected_packages(project), project.root)
     options = ["--profile", project.profile, "--aside", project.aside]
     machine = machine_name(device, project.report)
     if cluster:
-        add_group("cluster", root, python, "extra")
         options += ["--cluster", cluster]
-        if device != "cpu":
-            add_group("cluster", root, kind="extra")
+    if cluster and device != "cpu":
+        try:
             from measured_report.measuring.cluster import card_of
-
-            machine = card_of(cluster)
+        except ImportError as error:
+            raise UsageError(
+                f"CLUSTER takes {error.name}: uv sync --inexact --extra cluster installs it"
+            ) from None
+        machine = card_of(cluster)
     needing = [name for name in sections if needs_device(name, project)]
     edition = kept_by(project, machine) if needing else project
     options += ["--edition", edition.release]

@@ -5,22 +5,24 @@ import shutil
 import threading
 import time
 from http.client import HTTPConnection
+from http.server import ThreadingHTTPServer
 
 from toys import TEMPLATE
 
-from measured_report.commands.serve import Server, stamp
+from measured_report.commands.serve import follow, server_of, stamp
 from measured_report.editions.project import INPUTS
 
 
 def test_what_changes_is_built_again(toy):
-    server, built = Server(toy.project.site, 0), []
+    server, built = server_of(toy.project.site, 0), []
 
     def build() -> None:
         toy.build()
         built.append(toy.page)
 
     folders = [toy.project.root / name for name in INPUTS]
-    threading.Thread(target=server.follow, args=(folders, build), daemon=True).start()
+    arguments = (server, folders, build)
+    threading.Thread(target=follow, args=arguments, daemon=True).start()
     while (
         not built
     ):  # the test has no limit of its own: it must not be a question of time
@@ -53,7 +55,7 @@ def test_serving_answers_with_files_of_the_site_alone(toy, capfd, tmp_path):
     (tmp_path / "secret").write_text("secret")
     (toy.project.site / "link").symlink_to(tmp_path / "secret")
     (toy.project.site / "all").symlink_to(tmp_path)
-    with Server(toy.project.site, 0) as server:
+    with server_of(toy.project.site, 0) as server:
         threading.Thread(target=server.serve_forever, daemon=True).start()
         for path in ("/link", "/all/secret", "/all/"):
             assert answered(server, path) == 404
@@ -75,7 +77,7 @@ def test_serving_answers_with_files_of_the_site_alone(toy, capfd, tmp_path):
     assert capfd.readouterr().err == ""
 
 
-def answered(server: Server, path: str, **headers: str) -> int:
+def answered(server: ThreadingHTTPServer, path: str, **headers: str) -> int:
     connection = HTTPConnection("127.0.0.1", server.server_port)
     connection.request("GET", path, headers=headers)
     return connection.getresponse().status

@@ -13,7 +13,9 @@ import batches
 import pytest
 from batches import rows_of, section_of, spans
 
-pytest.importorskip("distributed", reason="make test installs the extra that has it")
+pytest.importorskip(
+    "distributed", reason="uv sync --inexact --extra cluster installs it"
+)
 
 import dask
 from distributed import Client, Security

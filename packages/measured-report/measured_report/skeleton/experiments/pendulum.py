@@ -4,11 +4,10 @@ import numpy as np
 
 from measured_report.measuring.measurement import Conditions, Measurement
 
-STEP_S, START_RAD = 0.001, 1.57
-REPEAT_COUNT, JITTER_RAD = (
-    8,
-    1e-4,
-)  # each repeat is let go so much farther than the one before
+STEP_S = 0.001
+START_RAD = 1.57
+REPEAT_COUNT = 8
+JITTER_RAD = 1e-4  # each repeat is let go so much farther than the one before
 
 
 def euler(rate, state: np.ndarray) -> np.ndarray:
@@ -36,13 +35,14 @@ def rate(state: np.ndarray) -> np.ndarray:
 def swing(
     integrator: str, start_rad: float, seconds: float
 ) -> tuple[list[float], list[float]]:
-    """Let the rod, of 1 kg, go at an angle from straight down; its times [s] and energies [J], step by step."""
-    times, energies = [STEP_S * count for count in range(round(seconds / STEP_S))], []
+    """Let the rod, of 1 kg, go at an angle from straight down; return times [s] and energies [J] of all steps."""
+    times = [STEP_S * count for count in range(round(seconds / STEP_S))]
+    energies = []
     state = np.array([start_rad, 0.0])
     for _ in times:
-        energies.append(
-            float((0.5 * state[1]) ** 2 / 6 + 9.81 * 0.25 * (1 - np.cos(state[0])))
-        )
+        angle, speed = state
+        kinetic = (0.5 * speed) ** 2 / 6
+        energies.append(float(kinetic + 9.81 * 0.25 * (1 - np.cos(angle))))
         state = INTEGRATORS[integrator](rate, state)
     return times, energies
 
@@ -50,25 +50,18 @@ def swing(
 def measure(conditions: Conditions) -> Measurement:
     """Return a row for each integrator, and repeats of the first one, whose spread is the noise."""
     seconds = 0.5 if conditions.quick else 2.0
-    runs = [("euler", "Euler", 0.0, {}), ("rk4", "RK4", 0.0, {})]
-    runs += [
-        (f"repeat-{n}", "Euler", n * JITTER_RAD, {"of": "euler"})
-        for n in range(REPEAT_COUNT)
-    ]
-    rows, traces = [], {}
-    for case, name, jitter, said in runs:
-        times, energies = swing(name, START_RAD + jitter, seconds)
+    runs = [("euler", "Euler", 0.0), ("rk4", "RK4", 0.0)]
+    runs += [(f"repeat-{n}", "Euler", n * JITTER_RAD) for n in range(REPEAT_COUNT)]
+    rows = []
+    traces = {}
+    for case, integrator, jitter in runs:
+        times, energies = swing(integrator, START_RAD + jitter, seconds)
         changes = [1e3 * (energy - energies[0]) for energy in energies]
-        error = max(map(abs, changes))
-        rows.append(
-            {
-                "case": case,
-                **said,
-                "integrator": name,
-                "duration_s": seconds,
-                "energy_error_mj": error,
-            }
-        )
-        if not said:
+        row = {"case": case, "integrator": integrator, "duration_s": seconds}
+        row["energy_error_mj"] = max(map(abs, changes))
+        if case.startswith("repeat"):
+            row["of"] = "euler"
+        else:
             traces[case] = {"time_s": times, "energy_change_mj": changes}
+        rows.append(row)
     return Measurement(rows, traces)
