@@ -32,7 +32,6 @@ from measured_report.pages.wording import sentences_of
 from measured_report.parts.claim import HOLDS
 from measured_report.records.identity import package_changes, sections
 from measured_report.records.replicas import FOLDER, archive_of
-from measured_report.site.build import build
 from measured_report.values.evidence import is_absolute
 
 TIMED = "timed"  # the folder below `results` of what two editions were timed for, each time anew
@@ -44,8 +43,8 @@ OPTIONS = {"since": SINCE, **shared("edition", "device", "profile", "format")}
 
 
 def run(project: Project, arguments: Arguments) -> int:
-    """Measure the few sections that decide, print what changed, largest first, and build
-    the site; return 1 for an alarm."""
+    """Measure the few sections that decide, and print what changed, largest first; return 1
+    for an alarm."""
     report = project.report
     device = measuring_device(arguments.device, project.profile)
     measurable = sections(project.root)
@@ -94,10 +93,6 @@ def run(project: Project, arguments: Arguments) -> int:
     lines = verdict(comparison, say, old, new, names)
     text = upgrade_text(comparison, lines, arguments.format, say)
     print(text, file=answer, flush=True)
-    if arguments.format == "text":
-        # The front page stays that of the project's own edition.
-        build(project.of(own))
-        print(f"built {project.site.name}/index.html")
     return int(comparison.is_alarm)
 
 

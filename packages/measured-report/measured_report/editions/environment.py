@@ -139,9 +139,9 @@ def _make(
             return
         try:
             _run(["venv", "--clear", "--python", sys.executable, str(folder)], name)
-            write_file(overrides, "\n".join(pins))
+            overrides.write_text("\n".join(pins), encoding="utf-8")
             _run([*install, "--overrides", str(overrides), *arguments], name)
-            write_file(ready, digest)
+            ready.write_text(digest, encoding="utf-8")
         except BaseException:
             shutil.rmtree(folder, ignore_errors=True)
             raise

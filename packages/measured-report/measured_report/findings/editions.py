@@ -315,7 +315,8 @@ def derive_edition(project: Project, cache: DerivedCache | None = None) -> Editi
 
 def read_edition(project: Project, cache: DerivedCache) -> Edition:
     """Read the records of one release; those that are missing or damaged are left out."""
-    states = states_of(project)
+    code = cache.code(project.root, project.report.root)
+    states = states_of(project, code)
     edition = Edition(project, cache)
     edition.left_out += [state for state in states if not state.record]
     try:

@@ -4,6 +4,7 @@ import logging
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
+from types import SimpleNamespace
 
 from distributed import Client, KilledWorker
 
@@ -13,18 +14,8 @@ from measured_report.measuring.machine import commit, slug
 from measured_report.records.identity import package_versions
 
 
-class ClusterPool:
-    """Submits to the workers of a cluster, at most ``limit`` batches at once."""
-
-    lost: type[Exception] = KilledWorker
-
-    def __init__(self, client: Client, limit: int):
-        self.submit = client.get_executor(pure=False).submit
-        self.limit = limit
-
-
 @contextmanager
-def cluster_pools(cluster: str) -> Iterator[tuple[ClusterPool, ClusterPool]]:
+def cluster_pools(cluster: str) -> Iterator[list[SimpleNamespace]]:
     """Open a pool for batches that share the workers, and one for those that are measured alone."""
     with connected(cluster) as client:
         here = introduce()
@@ -34,7 +25,12 @@ def cluster_pools(cluster: str) -> Iterator[tuple[ClusterPool, ClusterPool]]:
                     raise ReportError(
                         f"CLUSTER={cluster}: {what} of a worker: {worker[what]}; here: {here[what]}: commit changes, and install the same"
                     )
-        yield ClusterPool(client, sys.maxsize), ClusterPool(client, 1)
+        submit = client.get_executor(pure=False).submit
+        limits = sys.maxsize, 1
+        yield [
+            SimpleNamespace(submit=submit, lost=KilledWorker, limit=limit)
+            for limit in limits
+        ]
 
 
 @contextmanager
