@@ -139,9 +139,9 @@ def _make(
             return
         try:
             _run(["venv", "--clear", "--python", sys.executable, str(folder)], name)
-            overrides.write_text("\n".join(pins), encoding="utf-8")
+            write_file(overrides, "\n".join(pins))
             _run([*install, "--overrides", str(overrides), *arguments], name)
-            ready.write_text(digest, encoding="utf-8")
+            write_file(ready, digest)
         except BaseException:
             shutil.rmtree(folder, ignore_errors=True)
             raise
