@@ -29,8 +29,8 @@ MISTAKES = [
     ),
     (
         X,
-        ": error,",
-        ': float("nan"),',
+        "= max(map(abs, changes))",
+        '= float("nan")',
         "can raise no alarm: euler: the measurement gave nan",
     ),
     ("report.toml", 'edition = "numpy"', "", 'report.toml has no edition = "NAME"'),
