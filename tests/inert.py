@@ -10,7 +10,7 @@ from typing import Any
 from current_columns import column_of
 from markupsafe import Markup
 
-from measured_report.pages.passages import needs_of
+from measured_report.pages.passages import is_met, needs_of
 from measured_report.parts.claim import Claim
 from measured_report.parts.section import Section
 from measured_report.values.quantities import VALUES_FILE, Pointer, Quantity, Value
@@ -185,7 +185,7 @@ def inert_passages(perturbation: Perturbation, release: str) -> set[str]:
 
     def falls(needs: str, leaves: tuple[str, ...], change: str) -> bool:
         return not all(
-            need.is_met(outcomes(need.section, leaves, change).get(need.claim))
+            is_met(need, outcomes(need[0], leaves, change).get(need[1]))
             for need in needs_of(needs)
         )
 

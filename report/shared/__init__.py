@@ -22,7 +22,7 @@ from measured_report.parts.claim import (
     greater,
     within,
 )
-from measured_report.parts.section import Download, Figure, Section, Table
+from measured_report.parts.section import Figure, Section, Table
 from measured_report.values.quantities import (
     PERCENT,
     Quantity,

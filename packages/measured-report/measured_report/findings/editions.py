@@ -57,6 +57,7 @@ class Edition:
     left_out: list[State] = field(default_factory=list)
     """What has no record or can't be shown: sections, and replicas and texts as well."""
     measurements: Measurements = field(default_factory=Measurements)
+    stories: dict[str, Section] = field(default_factory=dict)  # of its texts, worded
 
     @cached_property
     def report(self) -> Report:
@@ -227,7 +228,7 @@ class Edition:
             return kept
         section, values = derive()
         if self.draws:
-            section = section.drawn(anchor, self.report.columns)
+            section = section.drawn(anchor)
             self.cache.put(entry, key, (section, values))
         return section, values
 

@@ -6,7 +6,7 @@ import sys
 from collections import defaultdict
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
-from functools import cache
+from functools import cache, partial
 from pathlib import Path
 from traceback import extract_tb
 from types import CodeType
@@ -24,10 +24,9 @@ from measured_report.files.config import Report
 from measured_report.files.config import report as current_report
 from measured_report.files.errors import ReportError
 from measured_report.pages.passages import parse_passage
-from measured_report.parts.citations import parse_stated, references, stated
+from measured_report.parts.citations import references, stated
 from measured_report.parts.macros import environment
-from measured_report.parts.prose import NUMBER, OPEN, Mark, Prose, put_back, token
-from measured_report.parts.section import Figure
+from measured_report.parts.prose import NUMBER, OPEN, Prose, put_back, token
 from measured_report.parts.words import (
     PARTS,
     Wording,
@@ -41,8 +40,6 @@ from measured_report.values.results import ResultsError
 GENERATOR = Path(__file__).resolve().parents[1]
 LAYOUT = GENERATOR / "pages" / "layout"
 """Templates of HTML, and what else lies beside every page; a report's own may extend ``layout/NAME``."""
-LINK = re.compile(r'(?:(?<=\]\()|(?<= href="))#([\w-]+)(?=[)"])')
-"""In Markdown, a link that leads to an id."""
 OF_CLASS = re.compile(r"'measured_report[\w.]*\.(\w+) object'")
 TITLE = re.compile(r"\A<h[12].*?</h[12]>\n?")
 HEADING = re.compile(r'<(h[2-6]) id="([^"]+)">(.*?)</\1>')
@@ -54,7 +51,6 @@ SELF = (
 PARSERS = {
     **dict.fromkeys(PARTS, parse_words),
     "passage": parse_passage,
-    "stated": parse_stated,
 }
 Words = Mapping[tuple[str, str], Wording]
 
@@ -78,12 +74,12 @@ class Templates:
         self._layout = environment(loader=self._loader)
         self._prose = self._layout.overlay(finalize=_as_token, extensions=[Tags])
         self.references = references(folder)
-        self._prose.extend(wordings=defaultdict(dict), references=self.references)
+        self._prose.extend(wordings=defaultdict(dict))
         self._layout.globals |= {
             "references": self.references,
             "config": (report or current_report()).settings,
             "sources": sources(),
-            "stated": stated,
+            "stated": partial(stated, self.references),
         }
         self._parsed = cache(self._parse)
         self._kept = Cache(folder.parent)
@@ -109,7 +105,6 @@ class Templates:
         template, _ = self._parsed(name)
         with _named(name):
             text = template.render({**names, "printed": printed})
-        text = LINK.sub(lambda link: token(printed, Mark(f"#{link[1]}")), text)
 
         def id_of(title: str, separator: str) -> str:
             return f"{anchor}-{slugify(NUMBER.sub('', title), separator)}"
@@ -131,7 +126,8 @@ class Templates:
             (heading["id"], put_back(heading["name"], printed))
             for heading in top["children"]
         ]
-        return Prose(put_back(top["name"], printed), body, printed, anchor, headings)
+        title = put_back(top["name"], printed)
+        return Prose(title, put_back(body, printed), printed, anchor, headings)
 
     def layout(self, template: str, names: Mapping[str, Any]) -> str:
         with _named(template):
@@ -216,6 +212,5 @@ def _as_token(context: Context, value: Any) -> Markup:
         raise ReportError(
             f"it prints {value}, which says nothing of where it comes from"
         )
-    if not isinstance(value, Figure):
-        value = value.__html__() if hasattr(value, "__html__") else escape(value)
-    return token(context["printed"], value)
+    html = value.__html__() if hasattr(value, "__html__") else escape(value)
+    return token(context["printed"], html)

@@ -18,6 +18,7 @@ from measured_report.findings.sections import outline_of
 from measured_report.pages.passages import passages
 from measured_report.pages.prose import Templates
 from measured_report.parts.claim import HOLDS, Claim
+from measured_report.parts.macros import macros
 from measured_report.parts.prose import Prose
 from measured_report.parts.section import Section
 from measured_report.values.results import ResultsError
@@ -43,7 +44,7 @@ def give_words(edition: Edition, templates: Templates) -> None:
     def worded(chapter: Chapter) -> Chapter:
         template = template_of(chapter.name)
         words = templates.words(template)
-        section = chapter.section.worded(chapter.name, template, words)
+        section = chapter.section.worded(chapter.name, template, words, edition.root)
         return replace(chapter, section=section)
 
     edition.update(worded)
@@ -102,7 +103,8 @@ def texts_of(
     stories = {}
     for anchor, file in files.items():
         story = edition.story(anchor, releases)
-        stories[anchor] = _worded(anchor, file, story, templates)
+        stories[anchor] = _worded(anchor, file, story, templates, edition.root)
+    edition.stories |= stories
     texts: list[Prose] = []
     for anchor, file in files.items():
         level = 2 if texts else 1
@@ -145,13 +147,13 @@ def _text_names(edition: Edition, anchor: str, stories: Sections) -> Names:
 
 
 def _worded(
-    anchor: str, template: str, section: Section, templates: Templates
+    anchor: str, template: str, section: Section, templates: Templates, root: str = ""
 ) -> Section:
     """Give what a text tells its words; where nothing was measured it tells nothing."""
     words = templates.words(template)
     if not section.claims:
         section = replace(section, unmeasured=[name for _, name in words])
-    return section.worded(anchor, template, words)
+    return section.worded(anchor, template, words, root)
 
 
 class _Names(dict[str, Names]):
@@ -172,7 +174,7 @@ def _names_of(anchor: str, section: Section, sections: Sections) -> Names:
         "claim": claims,
         "table": section.tables,
         "figure": section.figures,
-        "download": {download.name: download for download in section.downloads},
+        "download": {name: macros().download(name) for name in section.downloads},
     }
 
     def find(name: str, claim: str) -> Claim | None:

@@ -1,6 +1,6 @@
 """Statements from documentation or source code, which are not measured here and say where they are from.
 
-    {% stated sea_level %} The sea rises by 3 to 4 mm a year. {% endstated %}
+    {% call stated("sea_level") %} The sea rises by 3 to 4 mm a year. {% endcall %}
 
 ``templates/sources.toml`` has a table for each name: ``url`` with a ``title``, or ``package``, ``version``, ``file``
 below its folder, ``line``, and an ``excerpt`` that this line must hold. Its table ``packages`` has the address of a
@@ -11,15 +11,11 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any
 
-from jinja2 import Environment, nodes, pass_context
-from jinja2.parser import Parser
-from jinja2.runtime import Context
 from markupsafe import Markup
 
 from measured_report.files.config import read_toml
 from measured_report.files.errors import ReportError
 from measured_report.parts.macros import macros
-from measured_report.parts.prose import Mark, token
 
 NAME = "sources.toml"
 LINE = ("version", "file", "line", "excerpt")  # tell where in a package a statement is
@@ -49,20 +45,8 @@ def references(templates: Path) -> References:
     return tables
 
 
-def parse_stated(parser: Parser, environment: Environment) -> list[nodes.Node]:
-    """Parse a statement; ``environment.references`` has those that it may cite."""
-    line = next(parser.stream).lineno
-    name = parser.stream.expect("name").value
-    if name not in vars(environment)["references"]:
-        parser.fail(f"templates/{NAME} has no {name}", line)
-    body = parser.parse_statements(("name:endstated",), drop_needle=True)
-    call = nodes.Call(nodes.Name("stated", "load"), [nodes.Const(name)], [], None, None)
-    return [nodes.CallBlock(call, [], [], body, lineno=line)]
-
-
-@pass_context
-def stated(context: Context, name: str, caller: Callable[[], str]) -> Markup:
-    """Write a statement with the mark of its source, whose number only the page knows."""
-    statement = Markup(" ".join(caller().split()))
-    mark = token(context["printed"], Mark(f"source {name}"))
-    return macros().stated(statement, mark) + "\n"
+def stated(references: References, name: str, caller: Callable[[], str]) -> Markup:
+    """Write a statement with the name of its source, for which the page puts a number."""
+    if name not in references:
+        raise ReportError(f"templates/{NAME} has no {name}")
+    return macros().stated(Markup(" ".join(caller().split())), name) + "\n"

@@ -36,7 +36,7 @@ from measured_report.records.identity import (
 )
 from measured_report.records.record import BYTE_LIMIT, trace_path
 from measured_report.records.replicas import SUMS
-from measured_report.site.pages import Site
+from measured_report.site.pages import site_files
 from measured_report.values.quantities import lost_reason
 
 OTHER_INPUTS = (
@@ -80,7 +80,11 @@ def build(project: Project, address: str = "") -> dict[str, Built]:
         refuse_unknown_names(
             editions, editions.get(project.own_release or project.release)
         )
-        Site(fresh, project.release, editions, templates, address).write()
+        files = site_files(editions, project.release, templates, address)
+        for name, content in files.items():
+            if isinstance(content, Path):
+                content = content.read_bytes()
+            write_file(fresh / name, content)
         write_file(fresh / SUMS, sums(digests_below(fresh)))
         replace(project.site, fresh)
         built = {}

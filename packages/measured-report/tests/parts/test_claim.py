@@ -222,8 +222,6 @@ def test_claims_have_names_of_their_own_and_take_what_a_test_returns():
         Claim("a", True)
     with pytest.raises(AssertionError, match="the claim a takes numbers by name"):
         Claim("a", HOLDS, [quantity(1.0)])
-    with pytest.raises(AssertionError, match="way is no Table"):
-        Section(figures={"way": print})
     for is_so in (quantity(1.0), "no"):
         with pytest.raises(AssertionError, match="is no yes or no"):
             claims.decided(is_so, quantity(1.0))

@@ -106,7 +106,7 @@ def test_formulas_tables_sources_and_what_lies_in_static_are_on_the_page_and_dra
     toy,
 ):
     words = "Of $x^2$ for $5 or `$y$`:\n\n$$\\frac{{a}}{b}$$\n\n| a | b |\n|---|---|\n| c | d |\n"
-    cited = "{% stated law %} It is so. {% endstated %}\n"
+    cited = "{% call stated('law') %} It is so. {% endcall %}\n"
     toy.write(
         "templates/sources.toml",
         '[law]\nurl = "https://example.org/x"\ntitle = "The law"\n',
