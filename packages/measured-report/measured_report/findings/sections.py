@@ -1,6 +1,6 @@
 """Section modules: each is found, read for what it says of itself, and given results."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from importlib import import_module
 from pathlib import Path
@@ -86,28 +86,6 @@ def outline_of(section: str, report: Report | None = None) -> Outline:
         labels=labels,
         reads=tuple(reads),
     )
-
-
-@dataclass(frozen=True)
-class Read(Mapping[str, Results]):
-    """Give a section the results that it reads; ReportError for one that it does not name."""
-
-    outline: Outline
-    results: Mapping[str, Results]
-
-    def __getitem__(self, name: str) -> Results:  # which ``in`` and ``get`` ask as well
-        if name not in self.outline.reads and not self.outline.compares:
-            raise ReportError(
-                f"{self.outline.source} reads {name}, "
-                "which its line reads = (...) does not name"
-            )
-        return self.results[name]
-
-    def __iter__(self) -> Iterator[str]:
-        return iter(self.results)
-
-    def __len__(self) -> int:
-        return len(self.results)
 
 
 def file_of(package: str, name: str) -> Path | None:

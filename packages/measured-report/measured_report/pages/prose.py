@@ -1,15 +1,11 @@
 """Templates of Markdown and of layouts: parsed once, and rendered with names."""
 
-import marshal
 import re
-import sys
-from collections import defaultdict
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from functools import cache, partial
 from pathlib import Path
 from traceback import extract_tb
-from types import CodeType
 from typing import Any
 
 import jinja2
@@ -19,7 +15,6 @@ from jinja2.parser import Parser
 from jinja2.runtime import Context
 from markupsafe import Markup, escape
 
-from measured_report.files.cache import Cache
 from measured_report.files.config import Report
 from measured_report.files.config import report as current_report
 from measured_report.files.errors import ReportError
@@ -33,6 +28,7 @@ from measured_report.parts.words import (
     parse_words,
     refuse_numbers,
     with_formulas,
+    wordings_of,
 )
 from measured_report.records.identity import files_digest, sources
 from measured_report.values.results import ResultsError
@@ -60,6 +56,13 @@ class Tags(Extension):
 
     tags = {*PARSERS}  # noqa: RUF012, as Jinja has it
 
+    def preprocess(
+        self, source: str, name: str | None, filename: str | None = None
+    ) -> str:
+        text = with_formulas(source)
+        refuse_numbers(text)
+        return text
+
     def parse(self, parser: Parser) -> list[nodes.Node]:
         return PARSERS[parser.stream.current.value](parser, self.environment)
 
@@ -70,26 +73,27 @@ class Templates:
     def __init__(self, folder: Path, report: Report | None = None):
         own, base = map(jinja2.FileSystemLoader, (folder, LAYOUT))
         layouts = jinja2.PrefixLoader({"layout": base})
-        self._loader = jinja2.ChoiceLoader([own, base, layouts])
-        self._layout = environment(loader=self._loader)
-        self._prose = self._layout.overlay(finalize=_as_token, extensions=[Tags])
+        # Compiling all templates takes a second; they are kept while this code is the same.
+        digest = files_digest([*GENERATOR.glob("pa*/*.py")], GENERATOR)[:16]
+        layout_cache, prose_cache = (
+            jinja2.FileSystemBytecodeCache(pattern=f"{kind}-{digest}-%s")
+            for kind in ("layout", "prose")
+        )
+        self._layout = environment(
+            loader=jinja2.ChoiceLoader([own, base, layouts]),
+            bytecode_cache=layout_cache,
+        )
+        self._prose = self._layout.overlay(
+            finalize=_as_token, extensions=[Tags], bytecode_cache=prose_cache
+        )
         self.references = references(folder)
-        self._prose.extend(wordings=defaultdict(dict))
         self._layout.globals |= {
             "references": self.references,
             "config": (report or current_report()).settings,
             "sources": sources(),
             "stated": partial(stated, self.references),
         }
-        self._parsed = cache(self._parse)
-        self._kept = Cache(folder.parent)
-        code = [*GENERATOR.glob("pa*/*.py")]
-        self._made_by = [sys.version, jinja2.__version__, self.references]
-        self._made_by.append(files_digest(code, GENERATOR))
-
-    def words(self, name: str) -> Words:
-        """Return what a template says of claims, figures and tables, by kind and name."""
-        return self._parsed(name)[1]
+        self.words = cache(self._words)
 
     def prose(
         self, name: str, anchor: str, names: Mapping[str, Any], level: int = 2
@@ -102,8 +106,8 @@ class Templates:
         from markdown.extensions.toc import slugify
 
         printed: list[Any] = []
-        template, _ = self._parsed(name)
         with _named(name):
+            template = self._prose.get_template(name)
             text = template.render({**names, "printed": printed})
 
         def id_of(title: str, separator: str) -> str:
@@ -133,12 +137,10 @@ class Templates:
         with _named(template):
             return self._layout.get_template(template).render(names)
 
-    def _parse(self, name: str) -> tuple[jinja2.Template, Words]:
+    def _words(self, name: str) -> Words:
+        """Return what a template says of claims, figures and tables, by kind and name."""
         with _named(name):
-            code, wordings = self._compiled(name)
-        template = jinja2.Template.from_code(
-            self._prose, code, self._prose.make_globals(None)
-        )
+            template = self._prose.get_template(name)
 
         def render(block: str, numbers: Mapping[str, Any]) -> Markup:
             printed: list[Any] = []
@@ -147,21 +149,7 @@ class Templates:
                 text = "".join(template.blocks[block](context))
             return put_back(" ".join(text.split()), printed)
 
-        return template, {key: make(render) for key, make in wordings.items()}
-
-    def _compiled(self, name: str) -> tuple[CodeType, Mapping[Any, Any]]:
-        """Parse a template, unless the cache has it: parsing all takes half a second."""
-        source, path, _ = self._loader.get_source(self._prose, name)
-        entry = f"template.{name.replace('/', '.')}"
-        key = [source, *self._made_by]
-        if kept := self._kept.get(entry, key):
-            return marshal.loads(kept[0]), kept[1]
-        source = with_formulas(source)
-        refuse_numbers(source)
-        code = self._prose.compile(source, name, path)
-        wordings = vars(self._prose)["wordings"][name]
-        self._kept.put(entry, key, (marshal.dumps(code), wordings))
-        return code, wordings
+        return wordings_of(template.blocks, render)
 
 
 def stylesheet(root: Path) -> str:

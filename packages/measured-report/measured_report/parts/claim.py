@@ -123,9 +123,9 @@ class Claim:
 
     def unread(self, columns: Schema) -> Iterator[str]:
         """Yield the numbers it may print of which its test read neither themselves nor all that makes them."""
-        names = self.wording.names if self.wording else ()
-        for name in sorted(names) if self.outcome.name != "unknown" else ():
-            number = self.numbers.get(name)
+        if self.outcome.name == "unknown":
+            return
+        for name, number in self.numbers.items():
             if not isinstance(number, Quantity) or number.source in self.outcome.reads:
                 continue
             for leaf in number.reads - self.outcome.reads:

@@ -12,6 +12,7 @@ from cycler import cycler
 from matplotlib import style, ticker
 from matplotlib.axes import Axes
 from matplotlib.axis import Axis
+from matplotlib.backends.backend_svg import FigureCanvasSVG
 from matplotlib.figure import Figure as Drawing
 from matplotlib.text import Text
 
@@ -193,7 +194,8 @@ def _svg(draw: Callable[[], Drawing], kind: str, name: str) -> str:
         if is_narrow():
             _fit_narrow(drawing)
         buffer = io.StringIO()
-        drawing.savefig(buffer, format="svg", dpi=72, metadata={"Date": None})
+        # ``savefig`` would draw every figure twice, the first time in order to lay it out.
+        FigureCanvasSVG(drawing).print_svg(buffer, metadata={"Date": None})
     svg = UNWANTED.sub("", buffer.getvalue())
     svg = PLACES.sub(lambda match: DECIMALS.sub(r"\1", match[0]), svg)
     for colour, replacement in PAGE_COLOURS.items():

@@ -226,11 +226,12 @@ class Section:
             },
             "table": self.tables,
         }
-        for (kind, name), wording in wordings.items():
+        for kind, name in wordings:
             if name not in items[kind] and name not in self.unmeasured:
                 names = ", ".join(items[kind])
                 raise ReportError(
-                    f"{wording.source}: there is no {kind} {name}; there are: {names}"
+                    f"templates/{template}: there is no {kind} {name}; "
+                    f"there are: {names}"
                 )
 
         def with_words(kind: str) -> Iterator[tuple[str, Any]]:
@@ -240,8 +241,10 @@ class Section:
                         f"templates/{template} says nothing of the {kind} {name}"
                     )
                 if hasattr(item, "wording"):
-                    wordings[kind, name].check(f"{kind} {name}", item.numbers)
-                    item = replace(item, wording=wordings[kind, name])
+                    wording = wordings[kind, name]
+                    for part in wording.parts:  # with other numbers another one is said
+                        wording(part, item.numbers)
+                    item = replace(item, wording=wording)
                 yield name, item
 
         return replace(

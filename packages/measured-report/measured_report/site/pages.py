@@ -251,7 +251,7 @@ def _files(edition: Edition) -> dict[str, File]:
         data[f"{path.stem}.csv"] = rows_csv(record.rows)
         data |= {file.name: file for file in (path, *traces_of(path, record))}
     for path in replica_files(project):
-        if path.stem in edition.measurements.names:
+        if path.stem in edition.replicas:
             data[f"{FOLDER}/{path.name}"] = path
     return {
         **{edition.folder + name: file for name, file in beside.items()},

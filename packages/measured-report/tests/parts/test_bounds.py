@@ -201,7 +201,7 @@ def test_each_outcome_has_its_words_and_without_them_it_is_said_by_what_was_aske
     }
 
     def claim(**others) -> Claim:
-        wording = Wording("place", words, frozenset(), lambda text, _: text)
+        wording = Wording(words, lambda text, _: text)
         return Claim("c", outcome, {}, wording, **others)
 
     assert claim().sentence == text and ("E" in claim().html("s")) == (outcome == HOLDS)

@@ -118,9 +118,7 @@ def make_claim(outcome) -> Claim:
         "because": "Since it is soft.",
     }
     wording = Wording(
-        "a place",
         words,
-        frozenset({"slip"}),
         lambda text, numbers: Markup(text).format(numbers["slip"]),
     )
     return Claim("slips", outcome, {"slip": quantity(6.3617)}, wording)
