@@ -36,7 +36,6 @@ from measured_report.values.results import ResultsError
 GENERATOR = Path(__file__).resolve().parents[1]
 LAYOUT = GENERATOR / "pages" / "layout"
 """Templates of HTML, and what else lies beside every page; a report's own may extend ``layout/NAME``."""
-OF_CLASS = re.compile(r"'measured_report[\w.]*\.(\w+) object'")
 TITLE = re.compile(r"\A<h[12].*?</h[12]>\n?")
 HEADING = re.compile(r'<(h[2-6]) id="([^"]+)">(.*?)</\1>')
 SELF = (
@@ -185,8 +184,7 @@ def _named(name: str, code: jinja2.Template | None = None) -> Iterator[None]:
         line = lines[-1] if lines else None
         if line and code:
             line = code.get_corresponding_lineno(line)
-        text = OF_CLASS.sub(r"a \1", str(error))
-        message = f"templates/{name}{f':{line}' if line else ''}: {text}"
+        message = f"templates/{name}{f':{line}' if line else ''}: {error}"
     placed = kind(message)
     vars(placed)["place"] = name
     raise placed

@@ -21,6 +21,7 @@ from measured_report.parts.claim import HOLDS, Claim
 from measured_report.parts.macros import macros
 from measured_report.parts.prose import Prose
 from measured_report.parts.section import Section
+from measured_report.records.identity import sections as sections_of
 from measured_report.values.results import ResultsError
 
 Sections = Mapping[str, Section]
@@ -60,9 +61,11 @@ def sentences_of(project: Project) -> Callable[[str, Claim], str]:
 
     def say(section: str, claim: Claim) -> str:
         template = template_of(section)
-        words = templates().words(template)
-        alone = Section(claims=[claim], unmeasured=[name for _, name in words])
-        return alone.worded(section, template, words).claims[0].text
+        if ("claim", claim.name) not in (words := templates().words(template)):
+            raise ReportError(
+                f"templates/{template} says nothing of the claim {claim.name}"
+            )
+        return replace(claim, wording=words["claim", claim.name]).text
 
     return say
 
@@ -100,17 +103,20 @@ def texts_of(
 ) -> list[Prose]:
     """Say a page's own texts; one that can't be said is said as if nothing was measured."""
     files = {file.rpartition("/")[2].partition(".")[0]: file for file in page.texts}
-    stories = {}
     for anchor, file in files.items():
         story = edition.story(anchor, releases)
-        stories[anchor] = _worded(anchor, file, story, templates, edition.root)
-    edition.stories |= stories
+        edition.stories[anchor] = _worded(edition, anchor, file, story, templates)
+
+    def say(edition: Edition, anchor: str, level: int) -> Prose:
+        stories = {name: edition.stories[name] for name in files}
+        told = {**_text_names(edition, anchor, stories), **names}
+        return templates.prose(files[anchor], anchor, told, level)
+
     texts: list[Prose] = []
     for anchor, file in files.items():
         level = 2 if texts else 1
         try:
-            told = {**_text_names(edition, anchor, stories), **names}
-            prose = templates.prose(file, anchor, told, level)
+            prose = say(edition, anchor, level)
         except ReportError as error:
             lacking = (Kind.DAMAGED, Kind.NOT_SHOWN)
             is_lacking = any(state.kind in lacking for state in edition.left_out)
@@ -119,10 +125,9 @@ def texts_of(
             if all(state.section != anchor for state in edition.left_out):
                 state = State(anchor, Kind.NOT_SHOWN, notes=(str(error),))
                 edition.left_out.append(state)
-            bare = replace(edition, chapters={})
-            untold = _worded(anchor, file, Section(), templates)
-            told = {**_text_names(bare, anchor, {**stories, anchor: untold}), **names}
-            prose = templates.prose(file, anchor, told, level)
+            untold = _worded(edition, anchor, file, Section(), templates)
+            stories = {**edition.stories, anchor: untold}
+            prose = say(replace(edition, chapters={}, stories=stories), anchor, level)
         texts.append(prose)
     return texts
 
@@ -138,31 +143,28 @@ def _text_names(edition: Edition, anchor: str, stories: Sections) -> Names:
         if section.claims or section.unmeasured
     }
     sections |= {name: chapter.section for name, chapter in chapters.items()}
+    # What was not measured says nothing.
+    kinds = ("claim", "table", "figure", "download")
+    nothing = dict.fromkeys(kinds, lambda thing: Markup(""))
+    unmeasured = dict.fromkeys(sections_of(edition.project.root), nothing)
+    measured = {name: each.names for name, each in chapters.items()}
     return {
         "release": edition.project.release,
-        "sections": _Names({name: each.names for name, each in chapters.items()}),
+        "measured": list(chapters),
+        "sections": unmeasured | measured,
         **_names_of(anchor, story, sections),
         **edition.plugins.names(story),
     }
 
 
 def _worded(
-    anchor: str, template: str, section: Section, templates: Templates, root: str = ""
+    edition: Edition, anchor: str, template: str, section: Section, templates: Templates
 ) -> Section:
     """Give what a text tells its words; where nothing was measured it tells nothing."""
     words = templates.words(template)
     if not section.claims:
         section = replace(section, unmeasured=[name for _, name in words])
-    return section.worded(anchor, template, words, root)
-
-
-class _Names(dict[str, Names]):
-    """Hold what each section's words can name; one that wasn't measured says nothing."""
-
-    def __missing__(self, name: str) -> Names:
-        outline_of(name)  # refuses a name that no section has
-        kinds = ("claim", "table", "figure", "download")
-        return dict.fromkeys(kinds, lambda thing: Markup(""))
+    return section.worded(anchor, template, words, edition.root)
 
 
 def _names_of(anchor: str, section: Section, sections: Sections) -> Names:

@@ -4,24 +4,21 @@ import io
 import math
 import re
 import textwrap
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from contextvars import ContextVar, copy_context
 from typing import Any
 
 from cycler import cycler
 from matplotlib import style, ticker
-from matplotlib.axes import Axes
 from matplotlib.axis import Axis
 from matplotlib.backends.backend_svg import FigureCanvasSVG
 from matplotlib.figure import Figure as Drawing
 from matplotlib.text import Text
 
-from measured_report.values.format import format_number, format_power, format_short
-from measured_report.values.quantities import Quantity
+from measured_report.values.format import format_number, format_power
 
 INK = "#1b1f24"
 FAINT = "#c9ced4"
-MAP_INK = "#101418"  # for what is drawn on a map: a map keeps its colours on a dark page, and so does this
 # Colours that are told apart by colour-blind readers; the stylesheet has a lighter set for dark pages.
 SERIES = ("#0b62a8", "#b8480c", "#0a7a5c", "#8b3d91", "#8a6400", "#4a5560")
 PAGE_COLOURS = {
@@ -76,30 +73,6 @@ UNWANTED = re.compile(
 _kind = ContextVar("kind", default="broad")  # of the screen that is drawn for
 
 
-def plain_labels(*, digits: int = 6) -> ticker.FuncFormatter:
-    """Format labels as plain numbers, without zeros at their ends."""
-    return ticker.FuncFormatter(lambda value, _: f"{value:.{digits}g}")
-
-
-def write(quantity: Quantity, *, is_short: bool = False) -> str:
-    """Write a number for a figure, in four characters if ``is_short``."""
-    return format_short(quantity.number) if is_short else quantity.written
-
-
-def tick_125(axis: Axis) -> None:
-    """Label a logarithmic axis at 1, 2 and 5 of each decade, so that less than a decade has labels too."""
-    axis.set_major_locator(ticker.LogLocator(subs=(1.0, 2.0, 5.0), numticks=12))
-    axis.set_major_formatter(plain_labels())
-    axis.set_minor_locator(ticker.NullLocator())
-
-
-def tick_at(axis: Axis, places: Sequence[float], *, digits: int = 6) -> None:
-    """Label an axis at these places."""
-    axis.set_ticks(places)
-    axis.set_minor_locator(ticker.NullLocator())
-    axis.set_major_formatter(plain_labels(digits=digits))
-
-
 def new_figure(
     width: float = 7.2, height: float = 3.4, **subplots: Any
 ) -> tuple[Drawing, Any]:
@@ -116,19 +89,6 @@ def new_figure(
         panel.tick_params(labelbottom=True)
     grid = axes.reshape(rows, columns)
     return drawing, grid.squeeze()[()] if subplots.get("squeeze", True) else grid
-
-
-def say_value(axes: Axes, x: float, y: float, text: str, *, gap: float = 6.0) -> None:
-    """Write the value of a mark or a bar, ``gap`` points to the right of it."""
-    axes.annotate(
-        text,
-        (x, y),
-        xytext=(gap, 0),
-        textcoords="offset points",
-        fontsize=8.5,
-        va="center",
-        zorder=6,
-    )
 
 
 def is_narrow() -> bool:

@@ -14,7 +14,8 @@
 number behind *at most* or *up to* is ``{{ angle.most }}``, behind *at least* ``{{ angle.least }}``. Around them the
 template of a section has ``row["north"].lean_mm``, ``rows``, ``value.lean`` as it was derived, ``release``,
 ``table(name)``, ``figure(name)``, ``download(name)`` and ``holds("section.claim")``; the texts of pages have
-``sections.tower.claim("leans")`` and the same of its tables and figures.
+``sections.tower.claim("leans")`` and the same of its tables and figures, and ``measured``, the names of the sections
+that have a record.
 """
 
 import re

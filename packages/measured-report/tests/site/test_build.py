@@ -56,11 +56,8 @@ def test_the_headlines_of_all_editions_are_a_page_with_where_they_changed(
     toy.build()
     page = (toy.project.site / "history.html").read_text()
     assert check_site(toy.project.site) == [] and 'href="history.html"' in toy.front
-    assert (
-        page.count("<circle") == 8
-        and page.count("Newton 1.6.0: <data") == 2
-        and page.count('class="better"') == 1
-    )
+    assert page.count("<data") == 8
+    assert page.count('<span class="moved better">better</span>') == 1
     assert 'data-src="newton-1.7.0/toy.json#/rows/0/slip_mm">0.5' in page
 
 
