@@ -9,8 +9,6 @@ from measured_report.editions.kind import Kind
 from measured_report.editions.project import Project
 from measured_report.editions.status import State
 from measured_report.files.groups import grouped
-from measured_report.measuring.machine import needs_device
-from measured_report.measuring.measure import machines_besides
 from measured_report.records.identity import sections
 from measured_report.site.build import build
 
@@ -39,16 +37,7 @@ def build_site(project: Project, address: str = "") -> tuple[bool, bool]:
         if kind in by_kind:
             print(f"{label}: {', '.join(by_kind[kind])}")
     if lacking:
-        # A CPU's results never stand with those of an accelerator.
-        takes_card = needs_device(lacking[0], project) and any(
-            machines_besides(project, "cpu")
-        )
-        accelerator = project.report.accelerator
-        on = f" on a {accelerator.NOUN}"
-        device = None if accelerator.accelerators() or takes_card else "cpu"
-        print(
-            f"{project.rerun(lacking[0], device)} measures one of them{on if takes_card else ''}"
-        )
+        print(f"{project.rerun(lacking[0])} measures one of them")
     for note in notes:
         print(note)
     print(f"built {project.site.name}/index.html")

@@ -27,7 +27,6 @@ from measured_report.parts.words import (
     Wording,
     parse_words,
     refuse_numbers,
-    with_formulas,
     wordings_of,
 )
 from measured_report.records.identity import files_digest, sources
@@ -58,9 +57,8 @@ class Tags(Extension):
     def preprocess(
         self, source: str, name: str | None, filename: str | None = None
     ) -> str:
-        text = with_formulas(source)
-        refuse_numbers(text)
-        return text
+        refuse_numbers(source)
+        return source
 
     def parse(self, parser: Parser) -> list[nodes.Node]:
         return PARSERS[parser.stream.current.value](parser, self.environment)

@@ -46,10 +46,6 @@ TYPED = re.compile(
 )
 """A number with a unit, as one that was measured has it."""
 MARKDOWN = re.compile(r"\*\*|(?<![\w*])\*\w|`|\]\(")
-FORMULA = re.compile(
-    TAGS.pattern + r"|\$\$(.+?)\$\$|\$(?=\S)([^$\n]*\S)\$(?!\w)", re.DOTALL
-)
-"""A formula in TeX; there is none in tags and code."""
 BOUNDS = {
     "at most|within|no more than|not more than|up to|as much as": (".most",),
     "at least|no less than|not less than": (".least",),
@@ -148,31 +144,6 @@ def refuse_numbers(source: str) -> None:
                 raise TemplateSyntaxError(
                     f"{bound} takes {' or '.join(ends)}", _line_of(match)
                 )
-
-
-def with_formulas(source: str) -> str:
-    """Write as MathML what stands in TeX between dollars, or on its own between two."""
-
-    def written(match: re.Match[str]) -> str:
-        if not (tex := match[1] or match[2]):
-            return match[0]
-        from latex2mathml.converter import convert  # few templates have any
-
-        try:
-            formula = convert(tex, display="block" if match[1] else "inline")
-        except Exception:  # it has no one error, and no words for any
-            formula = "\\"
-        if "\\" in formula:
-            raise TemplateSyntaxError(
-                f"{tex:.60} is no TeX that is known here", _line_of(match)
-            )
-        return f"<span>{formula}</span>"
-
-    text = FORMULA.sub(written, source)
-    if "$$" in TAGS.sub("", text):
-        line = source.count("\n", 0, source.rfind("$$")) + 1
-        raise TemplateSyntaxError("$$ begins a formula that no $$ ends", line)
-    return text
 
 
 def _line_of(match: re.Match[str]) -> int:
