@@ -172,7 +172,7 @@ def _names_of(anchor: str, section: Section, sections: Sections) -> Names:
     # Words that only another record has are said as nothing.
     claims = dict.fromkeys(section.unmeasured, Markup(""))
     claims |= {claim.name: claim.html(anchor) for claim in section.claims}
-    parts = {
+    parts: Mapping[str, Mapping[str, Any]] = {
         "claim": claims,
         "table": section.tables,
         "figure": section.figures,
@@ -194,17 +194,11 @@ def _names_of(anchor: str, section: Section, sections: Sections) -> Names:
         needed = find(name or anchor, claim)
         return needed is not None and needed.outcome == HOLDS
 
-    finders = {kind: _finder(anchor, kind, named) for kind, named in parts.items()}
+    def find_part(kind: str, name: str) -> Any:
+        if name not in parts[kind]:
+            present = ", ".join(parts[kind]) or "none"
+            raise ReportError(f"{anchor} has no {kind} {name!r}; it has: {present}")
+        return parts[kind][name]
+
+    finders = {kind: partial(find_part, kind) for kind in parts}
     return {"holds": holds, "passage": passages(find), **finders}
-
-
-def _finder(section: str, kind: str, parts: Mapping[str, Any]) -> Callable[[str], Any]:
-    """Return what finds a part of a section by its name."""
-
-    def find(name: str) -> Any:
-        if name not in parts:
-            present = ", ".join(parts) or "none"
-            raise ReportError(f"{section} has no {kind} {name!r}; it has: {present}")
-        return parts[name]
-
-    return find

@@ -27,21 +27,18 @@ References = Mapping[str, Mapping[str, Any]]
 def references(templates: Path) -> References:
     """Read the references of a folder of templates by name; ReportError for a wrong one."""
     path = templates / NAME  # which need not be there
-    try:
-        tables = read_toml(path) if path.is_file() else {}
-        addresses = tables.pop("packages", {})
-        for name, table in tables.items():
-            if unknown := sorted(table.keys() - FIELDS.keys()):
-                raise ValueError(
-                    f"{name} has {unknown[0]}, which is no part of a source"
-                )
-            if table.get("package") in addresses and all(map(table.get, LINE)):
-                table["url"] = addresses[table["package"]].format(**table)
-            tables[name] = FIELDS | table
-            if not str(table.get("url")).startswith("http"):
-                raise ValueError(f"{name} needs url, or package, {', '.join(LINE)}")
-    except (ValueError, TypeError, AttributeError, LookupError) as error:
-        raise ReportError(f"templates/{NAME}: {error}") from None
+    tables = read_toml(path) if path.is_file() else {}
+    addresses = tables.pop("packages", {})
+    for name, table in tables.items():
+        table = FIELDS | table
+        try:
+            table["url"] = table["url"] or addresses[table["package"]].format(**table)
+        except LookupError:
+            raise ReportError(
+                f"templates/{NAME}: {name} needs url, "
+                f"or a package of the table packages, {', '.join(LINE)}"
+            ) from None
+        tables[name] = table
     return tables
 
 

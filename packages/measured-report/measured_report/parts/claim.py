@@ -5,7 +5,7 @@ import operator
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from itertools import accumulate, groupby
+from itertools import accumulate
 from typing import Any
 
 from markupsafe import Markup
@@ -166,11 +166,6 @@ def _bounded(
         return HOLDS if keeps(a.number, bound.number) else FAILS
 
     return _judged(judge, a, bound, why=why)
-
-
-def contiguous(flags: Sequence[bool], *quantities: Quantity) -> Outcome:
-    """Test whether the true flags stand together, in the order given; they were decided by the quantities."""
-    return decided(sum(flag for flag, _ in groupby(flags)) == 1, *quantities)
 
 
 def greater(

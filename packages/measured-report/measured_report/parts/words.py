@@ -45,7 +45,6 @@ TYPED = re.compile(
     re.VERBOSE,
 )
 """A number with a unit, as one that was measured has it."""
-MARKDOWN = re.compile(r"\*\*|(?<![\w*])\*\w|`|\]\(")
 BOUNDS = {
     "at most|within|no more than|not more than|up to|as much as": (".most",),
     "at least|no less than|not less than": (".least",),
@@ -89,11 +88,6 @@ def parse_words(parser: Parser, environment: Environment) -> list[nodes.Node]:
     for part in PARTS[kind]:
         if part not in optional | blocks.keys():
             parser.fail(f"{kind} {name} has no {{% {part} %}}", tag.lineno)
-    tree = nodes.Template([node for block in blocks.values() for node in block.body])
-    if any(MARKDOWN.search(text.data) for text in tree.find_all(nodes.TemplateData)):
-        parser.fail(
-            f"{kind} {name} has Markdown, and its words are HTML, as <em>", tag.lineno
-        )
     call = nodes.Call(nodes.Name(kind, "load"), [nodes.Const(name)], [], None, None)
     # The line behind the last tag ends there, and no sentence runs into the next.
     output = nodes.Output([call, nodes.TemplateData("\n")], lineno=tag.lineno)

@@ -58,11 +58,6 @@ ASKS = "{% asks %} whether it helps\n"
             "helps more than {{ gain }}",
             r"more than {{ gain }} takes .most or .least$",
         ),
-        (
-            "It helps",
-            "It *helps*",
-            r"sections/toy.md.j2:3: claim helps has Markdown, and its words are HTML",
-        ),
         (ASKS, ASKS * 2, r"sections/toy.md.j2:7: claim helps is worded twice"),
         (
             "\n{% table",
