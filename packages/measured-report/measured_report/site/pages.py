@@ -153,7 +153,7 @@ def site_files(
         files |= _files(edition)
         values = local(f"{_values(edition, printed)}\n", own)
         files[local(f"data/{edition.project.results.name}/{VALUES_FILE}", own)] = values
-    if (license_file := root / "LICENSE").is_file():
+    if (license_file := shown.report.root / "LICENSE").is_file():
         files["license.txt"] = license_file
     return files
 
