@@ -98,12 +98,18 @@ def is_narrow() -> bool:
 
 def _fit_narrow(drawing: Drawing) -> None:
     """Make texts large enough to be read and short enough to leave room, and no more ticks than help."""
-    for legend in drawing.legends:
+    for legend in [*drawing.legends]:
         names = [text.get_text() for text in legend.get_texts()]
-        is_wide = max(map(len, names), default=0) > LONGEST_NAME
-        legend.set_ncols(1 if is_wide else min(legend._ncols, 2))
-        for text in legend.get_texts():
-            text.set_fontsize(8)
+        is_long = max(map(len, names), default=0) > LONGEST_NAME
+        legend.remove()
+        drawing.legend(
+            legend.legend_handles,
+            names,
+            loc="outside upper left",
+            ncols=1 if is_long else min(legend._ncols, 2),
+            fontsize=8,
+            columnspacing=1.0,
+        )
     for axes in drawing.axes:
         # To ask for labels lays the axis out, which takes long; those of numbers are never long.
         is_named = not isinstance(
