@@ -17,14 +17,12 @@ import numpy as np
 import pandas as pd
 from conftest import contents, undrawn
 from current_columns import REASON, column_of, is_number, units_of
-from markupsafe import Markup
 
 from measured_report.editions.project import Project, own_release
 from measured_report.files.root import ROOT
 from measured_report.findings.editions import Edition
 from measured_report.pages.prose import Templates
 from measured_report.pages.wording import worded_editions
-from measured_report.parts.macros import Picture
 from measured_report.records.record import Record, load_record, record_text
 from measured_report.site.build import build
 from measured_report.site.check import check_site
@@ -364,17 +362,17 @@ def said(scenario: Scenario) -> tuple[dict[str, str], list[str]]:
             found = said_of(worded_editions(project, TEMPLATES), own)
             if scenario.name != CHECKED:
                 return found, []
-            editions = build(project)
+            releases, _ = build(project)
         lost = [
             state
-            for edition in editions.values()
-            for state in edition.left_out
-            if state.kind != "missing"
+            for states in releases.values()
+            for state in states
+            if state.kind not in ("missing", "stale")
         ]
         return found, [
             f"{state.section}: {state.notes}" for state in lost
         ] + check_site(project.site)
 
 
-def _undrawn(draw: Callable[[], object], *, name: str) -> list[Picture]:
-    return [Picture(kind, "0 0 1 1", Markup("")) for kind in ("broad", "narrow")]
+def _undrawn(draw: Callable[[], object], *, name: str) -> list[str]:
+    return ['<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 1 1"></svg>'] * 2

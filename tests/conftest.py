@@ -10,7 +10,6 @@ from pathlib import Path
 
 import pytest
 import warp as wp
-from markupsafe import Markup
 from toys import (
     HERE,
     KEPT,
@@ -194,16 +193,5 @@ def contents(
 
 
 def undrawn(parts: Sequence[Prose]) -> str:
-    """The words of some parts; of a figure those below it."""
-    figure = Markup("<figure><figcaption>{}</figcaption></figure>")
-    shown = (
-        {
-            each.anchor: figure.format(each.wording("caption", each.numbers))
-            for each in part.figures
-        }
-        for part in parts
-    )
-    return "".join(
-        f"<h2>{part.title}</h2>{part.html(figures)}"
-        for part, figures in zip(parts, shown, strict=True)
-    )
+    """The words of some parts, with their titles."""
+    return "".join(f"<h2>{part.title}</h2>{part.body}" for part in parts)

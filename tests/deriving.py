@@ -21,7 +21,7 @@ from current_columns import units_of
 from markupsafe import Markup
 
 from measured_report.editions.project import Project
-from measured_report.findings.sections import Read, derive_section, outline_of
+from measured_report.findings.sections import derive_section, outline_of
 from measured_report.parts.section import Section
 from measured_report.records.record import Record, load_record
 from measured_report.values.evidence import Evidence, Repeats
@@ -100,7 +100,7 @@ def results_with(
     return TracedResults(
         record,
         Project(release).record_path(section),
-        Read(outline, others),
+        others,
         evidence=Evidence(repeats={"runs": repeats}),
         label=outline.label,
         labels=outline.labels,

@@ -10,7 +10,8 @@ from typing import Any
 from current_columns import column_of
 from markupsafe import Markup
 
-from measured_report.pages.passages import needs_of
+from measured_report.files.errors import ReportError
+from measured_report.pages.passages import is_met, needs_of
 from measured_report.parts.claim import Claim
 from measured_report.parts.section import Section
 from measured_report.values.quantities import VALUES_FILE, Pointer, Quantity, Value
@@ -37,6 +38,17 @@ def named_pointers(thing: Any) -> Iterator[str]:
     elif isinstance(thing, Mapping | list | tuple):
         for part in thing.values() if isinstance(thing, Mapping) else thing:
             yield from named_pointers(part)
+
+
+def named_in(claim: Claim) -> Iterator[str]:
+    """Names of the numbers that some words of a claim can't do without."""
+    for name in sorted(claim.numbers):
+        others = {key: each for key, each in claim.numbers.items() if key != name}
+        try:
+            for part in claim.wording.parts:
+                claim.wording(part, others)
+        except ReportError:
+            yield name
 
 
 def measured(values: Mapping[str, Value], pointer: str) -> list[str]:
@@ -81,7 +93,7 @@ class Survey:
                 lacks_number and claim.outcome.answer == "cannot tell"
             ):  # which is all that is said
                 continue
-            for name in sorted(claim.wording.names & set(claim.numbers)):
+            for name in named_in(claim):
                 for pointer in dict.fromkeys(named_pointers(claim.numbers[name])):
                     if measured(self.values, pointer):
                         yield claim, name, pointer
@@ -185,7 +197,7 @@ def inert_passages(perturbation: Perturbation, release: str) -> set[str]:
 
     def falls(needs: str, leaves: tuple[str, ...], change: str) -> bool:
         return not all(
-            need.is_met(outcomes(need.section, leaves, change).get(need.claim))
+            is_met(need, outcomes(need[0], leaves, change).get(need[1]))
             for need in needs_of(needs)
         )
 

@@ -6,7 +6,6 @@ from report.shared import (
     MS_PER_S,
     SETTLES,
     Claim,
-    Download,
     Results,
     Section,
     all_of,
@@ -76,5 +75,5 @@ def derive(results: Results) -> Section:
             Claim("patch_rounds_up", all_of(*tests), numbers),
             Claim("test_tells", tells, {"before": before, "after": after}),
         ],
-        downloads=[Download(name, text) for name, text in fix_files().items()],
+        downloads=fix_files(),
     )

@@ -54,7 +54,6 @@ def derive(results: Results) -> Section:
             "solver_has_converged",
             all_of(within(largest, floor), variants.seen),
             {
-                **variants.numbers,
                 "iterations": more.iterations,
                 "tolerance": tighter.tolerance,
                 "change": largest,
@@ -74,7 +73,6 @@ def derive(results: Results) -> Section:
         )
         outcome = all_of(within(reduction, floor), variants.seen)
         numbers = {column: row[column], "slip": row.slip_mm, "reduction": reduction}
-        numbers = variants.numbers | numbers
         claims.append(Claim(name, outcome, numbers, effect=variants.slips))
     return variant_section(results, variants, *claims, *noslip)
 

@@ -15,14 +15,13 @@ from measured_report.parts.claim import (
     at_least,
     at_most,
     beyond,
-    contiguous,
     decided,
     decreases,
     equal_within,
     greater,
     within,
 )
-from measured_report.parts.section import Download, Figure, Section, Table
+from measured_report.parts.section import Figure, Section, Table
 from measured_report.values.quantities import (
     PERCENT,
     Quantity,
@@ -42,6 +41,7 @@ from report.shared.arithmetic import (
     Sections,
     cell_count,
     cell_or_absent,
+    contiguous,
     departure,
     extreme,
     gathered,

@@ -3,12 +3,13 @@
 import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from itertools import groupby
 from typing import Any
 
 from measured_report.files.columns import PLAIN
 from measured_report.files.settings import Config
 from measured_report.findings.chapters import Releases
-from measured_report.parts.claim import FAILS, Outcome, at_most
+from measured_report.parts.claim import FAILS, Outcome, at_most, decided
 from measured_report.parts.section import Section
 from measured_report.values.quantities import (
     PERCENT,
@@ -165,3 +166,8 @@ def joined(parts: Sequence[Section]) -> Section:
         tables |= part.tables
         figures |= part.figures
     return Section(tables, figures, [claim for part in parts for claim in part.claims])
+
+
+def contiguous(flags: Sequence[bool], *quantities: Quantity) -> Outcome:
+    """Test whether the true flags stand together, in the order given; they were decided by the quantities."""
+    return decided(sum(flag for flag, _ in groupby(flags)) == 1, *quantities)

@@ -40,19 +40,16 @@ OUTSIDE = """[...document.querySelectorAll("svg text")].filter((text) => {
 }).map((text) => text.textContent)"""
 PUT_IN = """drawings => {
   for (const picture of document.querySelectorAll("main picture")) {
-    const [narrow, broad] = [picture.querySelector("source").srcset, picture.querySelector("img").getAttribute("src")];
-    const parts = [["broad", broad], ["narrow", narrow]].map(([kind, name]) => {
-      const drawing = new DOMParser().parseFromString(drawings[name], "image/svg+xml").documentElement;
-      drawing.querySelector("style").remove();
-      drawing.classList.add(kind);
-      drawing.setAttribute("role", "img");
-      drawing.setAttribute("aria-label", picture.querySelector("img").alt);
-      return drawing;
-    });
-    picture.replaceWith(...parts);
+    const image = picture.querySelector("img"), isNarrow = matchMedia("(max-width: 30rem)").matches;
+    const name = isNarrow ? picture.querySelector("source").srcset : image.getAttribute("src");
+    const drawing = new DOMParser().parseFromString(drawings[name], "image/svg+xml").documentElement;
+    drawing.querySelector("style").remove();
+    drawing.setAttribute("role", "img");
+    drawing.setAttribute("aria-label", image.alt);
+    picture.replaceWith(drawing);
   }
 }"""
-"""Puts drawings that are files into the page, to be looked at as the others are."""
+"""Puts drawings into the page, to be looked at."""
 STOPS = """[...document.querySelectorAll("a[href], button, summary, [tabindex], video[controls]")]
   .filter((element) => element.tabIndex >= 0 && element.checkVisibility()).length"""
 
@@ -256,11 +253,8 @@ def test_without_script_the_page_is_whole(site, browser):
     )
     open_page(tab, site / "cause.html")
     assert tab.locator("main table tbody tr").count() > 1
-    assert (
-        tab.locator("main svg:visible").count()
-        == tab.locator("main svg.broad").count()
-        > 0
-    )
+    drawings = tab.locator("main picture img")
+    assert tab.locator("main picture img:visible").count() == drawings.count() > 0
     assert_drawn(tab)
     assert tab.locator("button:visible").count() == 0
     assert tab.locator(".beside a[aria-current=page]").is_visible()

@@ -320,7 +320,7 @@ def lay_out(folder: Path) -> None:
     put(
         folder,
         "templates/front.md.j2",
-        "# A report\n\n{% for name in sections %}{{ name }}{% endfor %}\n",
+        "# A report\n\n{% for name in measured %}{{ name }}{% endfor %}\n",
     )
     put(folder, "templates/story.md.j2", "# The story\n")
     for page in ("cause", "limits"):

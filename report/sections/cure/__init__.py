@@ -4,7 +4,7 @@ from dataclasses import replace
 
 from measured_report.files.root import ROOT
 from report.sections.cure import bodies, budget, controls, limits, turntable
-from report.shared import Download, Results, Section, joined
+from report.shared import Results, Section, joined
 
 order = 141
 page = "cure"
@@ -32,10 +32,10 @@ FILES = (  # said in full: what is kept of a section is made anew when a file ch
 
 
 def derive(results: Results) -> Section:
-    downloads = [
-        Download(file.name, file.read_text(encoding="utf-8"))
+    downloads = {
+        file.name: file.read_text(encoding="utf-8")
         for file in map(ROOT.joinpath, FILES)
-    ]
+    }
     # The budget comes last, since it reads what the limits are.
     parts = (turntable, controls, limits, bodies, budget)
     return replace(

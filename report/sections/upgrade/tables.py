@@ -108,8 +108,8 @@ def slip_figure(releases: Releases, steps: list[tuple[str, str]]) -> Figure:
 
 def _draw_slips(releases: Releases, lines: dict[Query, list[Quantity]]):
     # Matplotlib takes long to import, and whoever only compares draws nothing.
-    from measured_report.parts.figures import INK, new_figure, tick_125
     from report.shared import drawing as shared
+    from report.shared.drawing import INK, new_figure, tick_125
 
     drawing, axes = new_figure(7.2, 3.4)
     looks = (

@@ -81,3 +81,14 @@ def test_a_cube_that_was_lost_has_not_slipped():
     assert {claims[name].outcome.reason for name in ("slips", "stiff_pads_hold")} == {
         "as shipped: lost"
     }
+
+
+def test_true_flags_stand_together_or_not():
+    flags = {
+        (0, 1, 1, 0): "holds",
+        (1,): "holds",
+        (1, 0, 1): "fails",
+        (0,): "fails",
+        (): "fails",
+    }
+    assert {each: arithmetic.contiguous(each).name for each in flags} == flags

@@ -40,15 +40,10 @@ def texts(editions, templates, release: str) -> dict[str, str]:
         if content.page == report().settings.front
     ]
     front, story, _ = page.texts
-    drawn = {
-        figure.anchor: f"[{figure.anchor}]"
-        for text in page.texts
-        for figure in text.figures
-    }
     return {
         "title": front.title.striptags(),
-        "front": front.html(drawn),
-        "story": story.html(drawn),
+        "front": str(front.body),
+        "story": str(story.body),
     }
 
 
@@ -127,7 +122,7 @@ def flipped(editions, section: str, claim: str, outcome: Outcome) -> dict[str, E
         ("reproduction", "stiff_pads_hold", "shape_material_ke"),
         ("reproduction", "stiff_pads_hold", "these lines go"),
         ("drift_law", "follows", "law of the creep"),
-        ("contacts", "term_restored", "[story-mechanism]"),
+        ("contacts", "term_restored", 'id="story-mechanism"'),
         ("speed", "stiff_pads_only_same_time", "Hardly any"),
         ("friction", "not_the_cause", "your solver’s budget"),
     ],

@@ -292,7 +292,7 @@ def rate_of(edition: Edition) -> Counter[str]:
     """Count comparisons of a section's measurements in which nothing had changed, those
     in which a change is told, and what they compare; nothing if no section has three."""
     rate: Counter[str] = Counter()
-    for evidence in edition.measurements.evidence.values():
+    for evidence in edition.evidence.values():
         for numbers, moves in evidence.changed:
             if numbers:
                 told = int(moves > 0)

@@ -7,8 +7,7 @@ from collections.abc import Iterable
 from measured_report.commands.options import Arguments, refuse_unmeasured, shared
 from measured_report.editions.project import Project
 from measured_report.editions.status import Kind, State
-from measured_report.measuring.machine import needs_device
-from measured_report.measuring.measure import machines_besides
+from measured_report.files.groups import grouped
 from measured_report.records.identity import sections
 from measured_report.site.build import build
 
@@ -24,34 +23,25 @@ def run(project: Project, arguments: Arguments) -> int:
 def build_site(project: Project, address: str = "") -> tuple[bool, bool]:
     """Build the site and say what it lacks; return whether a record is damaged, and whether any is to be renewed."""
     gc.disable()  # a build keeps what it makes, and is a tenth faster so
-    releases = build(project, address)
-    built, measurable = releases[project.release], sections(project.root)
-    missing = [state.section for state in built.left_out if state.kind == Kind.MISSING]
-    whole = (Kind.MISSING, Kind.NOT_SHOWN)
-    damaged = [state.section for state in built.left_out if state.kind not in whole]
+    releases, notes = build(project, address)
+    by_kind = grouped(
+        (state.kind, state.section) for state in releases[project.release]
+    )
+    measurable = sections(project.root)
+    kinds = (Kind.MISSING, Kind.DAMAGED, Kind.STALE)
     lacking = [
-        name for name in (*missing, *damaged, *built.stale) if name in measurable
+        name for kind in kinds for name in by_kind.get(kind, ()) if name in measurable
     ]
-    for label, names in (("not measured", missing), ("stale", built.stale)):
-        if names:
-            print(f"{label}: {', '.join(names)}")
+    for label, kind in (("not measured", Kind.MISSING), ("stale", Kind.STALE)):
+        if kind in by_kind:
+            print(f"{label}: {', '.join(by_kind[kind])}")
     if lacking:
-        # A CPU's results never stand with those of an accelerator.
-        takes_card = needs_device(lacking[0], project) and any(
-            machines_besides(project, "cpu")
-        )
-        accelerator = project.report.accelerator
-        on = f" on a {accelerator.NOUN}"
-        device = None if accelerator.accelerators() or takes_card else "cpu"
-        print(
-            f"{project.rerun(lacking[0], device)} measures one of them{on if takes_card else ''}"
-        )
-    for note in (*built.gaps, *built.notes):
+        print(f"{project.rerun(lacking[0])} measures one of them")
+    for note in notes:
         print(note)
     print(f"built {project.site.name}/index.html")
-    return say_damage(
-        state for release in releases.values() for state in release.left_out
-    ), bool(lacking)
+    is_damaged = say_damage(state for states in releases.values() for state in states)
+    return is_damaged, bool(lacking)
 
 
 def say_damage(states: Iterable[State]) -> bool:

@@ -1,9 +1,10 @@
 """Write REFERENCE.md: the settings, what measuring, deriving and templates can name, and the units."""
 
 import ast
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Iterator, Sequence
+from itertools import takewhile
 from pathlib import Path
-from typing import Any
+from textwrap import dedent
 
 from measured_report.commands.options import Arguments
 from measured_report.editions.project import Project
@@ -20,7 +21,7 @@ NAMES = {
     "values/results": "Results Row",
     "values/quantities": "Quantity constant combined",
     "findings/sections": "Outline",
-    "parts/section": "Section Table Figure Download",
+    "parts/section": "Section Table Figure",
     "parts/figures": "new_figure",
     "parts/claim": "Claim decided at_least at_most greater decreases equal_within within beyond all_of",
     **dict.fromkeys(("parts/words", "pages/passages", "parts/citations"), ""),
@@ -35,6 +36,7 @@ def run(project: Project, arguments: Arguments) -> int:
 
 
 def reference(report: Report) -> str:
+    """Return the reference of a report as Markdown."""
     parts = [
         "# Reference",
         "Made from what the generator says of itself; `make reference` makes it anew.",
@@ -43,60 +45,26 @@ def reference(report: Report) -> str:
         text = (GENERATOR / f"{module}.py").read_text(encoding="utf-8")
         tree = ast.parse(text)
         title, _, description = (ast.get_docstring(tree) or "").partition("\n")
-        entries = _entries(
-            text.splitlines(),
-            tree.body,
-            names.split(),
-            ast.FunctionDef if HANDED in module else (),
-        )
-        parts += [f"## {title.rstrip('.')}", description.strip("\n"), *entries]
+        parts += [f"## {title.rstrip('.')}", description.strip("\n")]
+        for node in tree.body:
+            if getattr(node, "name", "") in names.split():
+                parts += _entry(node, text.splitlines(), HANDED in module)
     ends = ", ".join(f"`_{end}` {unit}" for end, unit in report.columns.units.items())
-    return "\n\n".join(
-        filter(None, [*parts, "## Units by the end of a column's name", ends])
-    )
+    parts += ["## Units by the end of a column's name", ends]
+    return "\n\n".join(filter(None, parts))
 
 
-def _entries(
-    lines: Sequence[str], body: Sequence[ast.stmt], names: Collection[str], methods: Any
-) -> Iterator[str]:
-    """Yield what is defined under these names of a module, and the fields of its classes with their ``methods``."""
-    for node, below in zip(body, [*body[1:], ast.Pass()], strict=True):
-        if isinstance(node, ast.AnnAssign):
-            value = getattr(
-                below, "value", None
-            )  # what a field is stands behind it or, where that is long, below it
-            long = (
-                value.value
-                if isinstance(below, ast.Expr) and isinstance(value, ast.Constant)
-                else ""
-            )
-            if (
-                description := " ".join(str(long).split())
-                or lines[(node.end_lineno or 0) - 1].partition("  # ")[2]
-            ):
-                yield f"- `{ast.unparse(node)}` {description}"
-        elif isinstance(node, ast.ClassDef) and node.name in names:
-            fields = [part for part in node.body if isinstance(part, ast.AnnAssign)]
-            order = ", ".join(
-                f"{ast.unparse(part.target)}{'=…' if part.value else ''}"
-                for part in fields
-            )
-            yield "\n\n".join(
-                [
-                    f"### {node.name}",
-                    f"`{node.name}({order})`",
-                    str(ast.get_docstring(node)),
-                ]
-            )
-            handed = [
-                part.name
-                for part in node.body
-                if isinstance(part, methods) and not part.name.startswith("_")
-            ]
-            yield from _entries(lines, node.body, handed, methods)
-        elif (
-            isinstance(node, ast.FunctionDef)
-            and node.name in names
-            and ast.get_docstring(node)
-        ):
-            yield f"- `{node.name}({ast.unparse(node.args)})` {' '.join(str(ast.get_docstring(node)).split())}"
+def _entry(node: ast.stmt, lines: Sequence[str], has_methods: bool) -> Iterator[str]:
+    """Yield a function with its arguments, or a class with the code of its fields."""
+    if isinstance(node, ast.FunctionDef):
+        text = " ".join((ast.get_docstring(node) or "").split())
+        yield f"- `{node.name}({ast.unparse(node.args)})` {text}"
+    if isinstance(node, ast.ClassDef):
+        yield f"### {node.name}\n\n{ast.get_docstring(node)}"
+        fields = [*takewhile(lambda part: not hasattr(part, "name"), node.body)][1:]
+        if fields:
+            code = "\n".join(lines[fields[0].lineno - 1 : fields[-1].end_lineno])
+            yield f"```python\n{dedent(code)}\n```"
+        for part in node.body if has_methods else ():
+            if not getattr(part, "name", "_").startswith("_"):
+                yield from _entry(part, lines, has_methods)

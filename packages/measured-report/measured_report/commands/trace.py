@@ -1,8 +1,9 @@
 """Show where a number comes from: page, rows, case and command."""
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping
 from itertools import groupby
+from typing import Any
 
 from measured_report.changes.query import Query
 from measured_report.commands.options import (
@@ -29,6 +30,8 @@ OPTIONS = {
     **shared("edition", "profile"),
 }
 
+PLACES = re.compile(' id="([^"]+)"| data-src="([^"]+)"')
+
 
 def run(project: Project, arguments: Arguments) -> int:
     refuse_unmeasured(project, arguments.release.asked)
@@ -37,7 +40,7 @@ def run(project: Project, arguments: Arguments) -> int:
 
 
 def provenance(project: Project, editions: Mapping[str, Edition], name: str) -> str:
-    """Return the provenance of ``section.name``, ``section.case.column``, or a page's pointer to either, in lines."""
+    """Return in lines where ``section.name``, ``section.case.column`` or a page's pointer comes from."""
     chapters = editions[project.release].chapters
     records = {
         owner.results.source: owner
@@ -50,134 +53,102 @@ def provenance(project: Project, editions: Mapping[str, Edition], name: str) -> 
         for value in chapter.results.derived.values()
     }
     query = Query(name)
-    package = project.report.settings.edition
-    pointer = (
-        name
-        if name.startswith(f"{package}-")
-        else f"{package}-{project.release}/{name}"
-    )
-    answers = (
-        query.quantity(chapters),
-        values.get(pointer),
-        _cell(records, Pointer(pointer)),
-    )
-    quantity = next(
-        (
-            answer
-            for answer in answers
-            if isinstance(answer, Quantity) and answer.source
-        ),
-        None,
-    )
-    if quantity is None:
-        fault = f"{name} is no value of {package} {project.release}{suggestion(name, query.names(chapters))}"
-        hint = f"all values are in site/data/{VALUES_FILE}, a number of a row is SECTION.CASE.COLUMN"
-        raise UsageError(f"{fault}; {hint}")
+    folder = project.results.name
+    pointer = name if "/" in name.partition("#")[0] else f"{folder}/{name}"
+    quantity: Any = values.get(pointer) or _cell(records, pointer)
+    quantity = quantity or query.quantity(chapters)
+    if not isinstance(quantity, Quantity) or not quantity.source:
+        hint = suggestion(name, query.names(chapters))
+        raise UsageError(
+            f"{name} is no value of {folder}{hint}; all values are in "
+            f"site/data/{VALUES_FILE}, a number of a row is SECTION.CASE.COLUMN"
+        )
     lines = [f"{name}: {_text(quantity)}"]
     if isinstance(quantity, Value):
         lines.append(f"  is          {quantity.formula}")
-        for value in (
-            values[pointer] for pointer in quantity.sources if pointer in values
-        ):
-            lines.append(
-                f"  made of     {'.'.join(value.source.split('/')[2:])}, {_text(value)}: {value.formula}"
-            )
-    lines += [
-        f"  printed at  {anchor}"
-        for anchor in dict.fromkeys(_printed(project, quantity.source)) or ["no page"]
-    ]
+        for value in (values[each] for each in quantity.sources if each in values):
+            source = ".".join(value.source.split("/")[2:])
+            lines.append(f"  made of     {source}, {_text(value)}: {value.formula}")
+    for page in _pages(project, quantity.source) or ["no page"]:
+        lines.append(f"  printed at  {page}")
     for section, chapter in chapters.items():
-        claims = (
-            claim
-            for claim in chapter.section.claims
-            if quantity.source in claim.outcome.reads
-        )
-        lines += [
-            f"  decides     {section}.{claim.name}: {claim.outcome.answer}"
-            for claim in claims
-        ]
-    cells = [
-        Pointer(pointer)
-        for pointer in sorted(quantity.reads)
-        if VALUES_FILE not in pointer
-    ]
-    for file, cells_of_file in groupby(cells, key=lambda cell: cell.file):
-        chapter = (
-            records.get(file) or records[re.sub(r"\.[^/]*\.csv\.gz$", ".json", file)]
-        )
-        lines += [
-            "",
-            f"from {file}",
-            *_of_record(project, chapter, list(cells_of_file)),
-        ]
+        for claim in chapter.section.claims:
+            if quantity.source in claim.outcome.reads:
+                answer = claim.outcome.answer
+                lines.append(f"  decides     {section}.{claim.name}: {answer}")
+    pointers = [each for each in sorted(quantity.reads) if VALUES_FILE not in each]
+    for file, of_file in groupby(pointers, key=lambda each: each.partition("#")[0]):
+        trace = re.sub(r"\.[^/]*\.csv\.gz$", ".json", file)
+        lines += ["", f"from {file}", *_of_record(project, records, trace, of_file)]
     return "\n".join(lines)
 
 
-def _printed(project: Project, source: str) -> Iterator[str]:
+def _pages(project: Project, source: str) -> list[str]:
+    """Return the pages that print a number, each with the part that does."""
     own = project.of(project.own_release or project.release).results.name
-    for path in sorted(
-        (project.site if project.is_own else project.site / project.results.name).glob(
-            "*.html"
-        )
-    ):
+    site = project.site if project.is_own else project.site / project.results.name
+    places: dict[str, None] = {}
+    for path in sorted(site.glob("*.html")):
         anchor = ""
-        for match in re.finditer(
-            ' id="([^"]+)"| data-src="([^"]+)"', path.read_text(encoding="utf-8")
-        ):
+        for match in PLACES.finditer(path.read_text(encoding="utf-8")):
             anchor = match[1] or anchor
-            if match[2] and local(source, own) in match[2].split():
-                yield f"{path.name}#{anchor}"
+            if match[2] == local(source, own):
+                places[f"{path.name}#{anchor}"] = None
+    return [*places]
 
 
-def _cell(records: Mapping[str, Chapter], pointer: Pointer) -> Quantity | None:
+def _cell(records: Mapping[str, Chapter], text: str) -> Quantity | None:
+    """Return the number that a pointer to a cell leads to."""
+    pointer = Pointer(text)
     if not pointer.cell or pointer.file not in records:
         return None
-    cells = (
-        row[pointer.cell[1]]
-        for row in records[pointer.file].results.rows
-        if pointer.cell[1] in row
-    )
-    return next(
-        (
-            cell
-            for cell in cells
-            if isinstance(cell, Quantity) and cell.source == pointer.text
-        ),
-        None,
-    )
+    index, column = pointer.cell
+    for row in records[pointer.file].results.rows:
+        if row.source.endswith(f"/{index}"):
+            return row[column]
+    return None
 
 
 def _of_record(
-    project: Project, chapter: Chapter, cells: Sequence[Pointer]
+    project: Project,
+    records: Mapping[str, Chapter],
+    file: str,
+    pointers: Iterable[str],
 ) -> Iterator[str]:
+    chapter = records[file]
     record = chapter.results.record
     columns = chapter.results.columns
-    for index, column, cell in sorted(
-        (*pointer.cell, pointer) for pointer in cells if pointer.cell
-    ):
+    for pointer in pointers:
+        if not (cell := Pointer(pointer).cell):
+            continue
+        index, column = cell
         row = record.rows[index]
         parameters = columns.changed_parameters(row).items()
         changed = ", ".join(f"{name} {value}" for name, value in parameters)
         but = f", but for {changed}" if changed else ""
         changes = f" ({columns.settings.baseline}{but})" if columns.parameters else ""
-        number = _cell({chapter.results.source: chapter}, cell)
-        yield f"  row {index}, case {row['case']}{changes}: {column} = {_text(number) if number else row[column]}"
-    release = record.origin.release
+        number = _cell(records, pointer)
+        text = _text(number) if number else row[column]
+        yield f"  row {index}, case {row['case']}{changes}: {column} = {text}"
     commit = record.measured["commit"]
-    measured = f"{record.machine_text}, {record.time_text}, {columns.settings.edition} {release}"
-    yield f"  measured on {measured}{f', commit {commit}' if commit else ''}"
-    yield from (f"  carried     {pointer}" for pointer in record.carried)
+    measured = (
+        record.machine_text,
+        record.time_text,
+        f"{columns.settings.edition} {record.origin.release}",
+        *([f"commit {commit}"] if commit else []),
+    )
+    yield f"  measured on {', '.join(measured)}"
+    yield from (f"  carried     {carried}" for carried in record.carried)
     if chapter.state.notes:
         yield f"  stale:      {chapter.state.words}"
-    yield f"  again by    {project.of(release).rerun(record.section, record.machine['device'])}"
+    again = project.of(record.origin.release)
+    yield f"  again by    {again.rerun(record.section, record.machine['device'])}"
 
 
 def _text(number: Quantity) -> str:
     if number.value is None:
         return f"not there, for {number.reason}"
-    noise = (
-        "not known"
-        if number.noise is None
-        else f"{number.noise:.2g} {unit_label(number.unit)}".rstrip()
-    )
+    noise = "not known"
+    if number.noise is not None:
+        noise = f"{number.noise:.2g} {unit_label(number.unit)}".rstrip()
     return f"{number} ({number.value!r}), noise {noise}"

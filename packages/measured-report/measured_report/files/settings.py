@@ -130,8 +130,6 @@ class Config:
     """In order, the front page first."""
     text_modules: str = ""  # the package with a module for each text of a page: `front` derives what `front.md.j2` says
     plugins: str = "measured_report.pages.plugins"  # the module of what else it shows; this says what it may
-    formulas: Sequence[str] = ()
-    """Patterns of names and formulas in drawings and table cells, which lead to no record."""
 
     @property
     def front(self) -> Page:
@@ -211,7 +209,7 @@ def read_settings(root: Path) -> Config:
                         f"there is no setting {table_name}{name}{suggestion(name, names)}"
                     )
         config = convert(settings, Config)
-        for pattern in (*(table.pattern for table in config.columns), *config.formulas):
+        for pattern in (table.pattern for table in config.columns):
             re.compile(pattern)
         if not all(table.names or table.pattern for table in config.columns):
             raise ValueError("a table of columns has neither names nor a pattern")

@@ -36,10 +36,9 @@ class DerivedCache(Cache):
     digests: dict[Path, str] = field(default_factory=dict)  # of code
 
     def get(self, name: str, key: str) -> Any:
-        if (name, key) not in self.read:
-            if (kept := super().get(name, key)) is None:
-                return None
-            self.read[name, key] = kept
+        """Return what is kept, read once; None when there is nothing whole."""
+        if not self.read.get((name, key)):
+            self.read[name, key] = super().get(name, key)
         return self.read[name, key]
 
     def key(self, code: Path, inputs: Sequence[str]) -> str:
@@ -56,8 +55,8 @@ class DerivedCache(Cache):
         closure = {file for start in starts for file in code.closure(str(start))}
         sources = {code.name_of(file): code.source(file) for file in closure}
         # No module imports the settings, which say what columns are.
-        named = {name for source in sources.values() for name in source.assets}
-        named.update(self.report.settings.sources)
+        named = set(self.report.settings.sources)
+        named.update(name for source in sources.values() for name in source.assets)
         paths = {name: self.report.root / name for name in named}
         paths[macros.FILE.name] = macros.FILE
         digests = {

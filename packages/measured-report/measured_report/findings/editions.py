@@ -20,25 +20,21 @@ from measured_report.findings.chapters import (
     before,
     results_digest,
 )
-from measured_report.findings.replicas import (
-    Measurements,
-    measurements_of,
-    replica_files,
-)
+from measured_report.findings.replicas import measurements_of, replica_files
 from measured_report.findings.sections import (
     Outline,
-    Read,
     derive_by,
     derive_section,
     file_of,
     outline_of,
 )
+from measured_report.parts.claim import Claim
 from measured_report.parts.section import Section
 from measured_report.records.code import read_source
 from measured_report.records.identity import files_digest
 from measured_report.records.replicas import FOLDER
 from measured_report.values.evidence import Evidence
-from measured_report.values.quantities import Value
+from measured_report.values.quantities import Pointer, Value
 from measured_report.values.results import Results, ResultsError
 
 Derived = tuple[Section, Mapping[str, Value]]
@@ -55,7 +51,11 @@ class Edition:
     chapters: dict[str, Chapter] = field(default_factory=dict)  # in order
     left_out: list[State] = field(default_factory=list)
     """What has no record or can't be shown: sections, and replicas and texts as well."""
-    measurements: Measurements = field(default_factory=Measurements)
+    evidence: Mapping[str, Evidence] = field(default_factory=dict)  # by section
+    confirmed: Mapping[str, str] = field(default_factory=dict)
+    """By section: by how many measurements its claims are decided, in words."""
+    replicas: Sequence[str] = ()  # names of the other measurements
+    stories: dict[str, Section] = field(default_factory=dict)  # of its texts, worded
 
     @cached_property
     def report(self) -> Report:
@@ -165,8 +165,9 @@ class Edition:
             records = {
                 name: each.results.record for name, each in self.chapters.items()
             }
-            self.measurements = measurements_of(self.project, records, self.cache)
-            for fault in self.measurements.damaged:
+            measured = measurements_of(self.project, records, self.cache)
+            self.evidence, self.confirmed, damaged, self.replicas = measured
+            for fault in damaged:
                 self.left_out.append(State(FOLDER, Kind.DAMAGED, notes=(fault,)))
         self.update(partial(self._derived, releases=releases))
 
@@ -174,16 +175,20 @@ class Edition:
         name, outline = chapter.name, chapter.outline
         if releases is not None and not outline.compares:
             return chapter
-        others = {each.name: each.results for each in self._read_by(chapter).values()}
-        read = Read(outline, others)
         for other in outline.reads:
             if self._outline_of(other).order >= outline.order:
                 raise ReportError(
                     f"{outline.source} reads {other}, which stands after it: "
                     "give it a higher order"
                 )
-        evidence = self.measurements.evidence.get(name, Evidence())
-        results = replace(chapter.results, evidence=evidence, others=read, derived={})
+        results = replace(
+            chapter.results,
+            evidence=self.evidence.get(name, Evidence()),
+            others={
+                each.name: each.results for each in self._read_by(chapter).values()
+            },
+            derived={},
+        )
         chapter = replace(chapter, results=results)
         if outline.compares and releases is None:
             return chapter
@@ -193,8 +198,15 @@ class Edition:
 
         section, values = self._kept(self._entry(name), chapter.key, name, derive)
         results.derived.update(values)
-        section = self.measurements.confirmed(name, section)
-        return replace(chapter, section=section)
+        claims = [self._with_count(claim, name) for claim in section.claims]
+        return replace(chapter, section=replace(section, claims=claims))
+
+    def _with_count(self, claim: Claim, section: str) -> Claim:
+        """Let a claim say by how many measurements it is decided; replicas lack traces."""
+        has_traces = any(Pointer(read).is_trace for read in claim.outcome.reads)
+        if claim.outcome.name == "unknown" or has_traces:
+            return claim
+        return replace(claim, confirmed=self.confirmed.get(section, ""))
 
     def story(self, name: str, releases: Releases) -> Section:
         """Derive what a text of a page tells: its module takes chapters or releases."""
@@ -226,7 +238,7 @@ class Edition:
             return kept
         section, values = derive()
         if self.draws:
-            section = section.drawn(anchor, self.report.columns)
+            section = section.drawn(anchor)
             self.cache.put(entry, key, (section, values))
         return section, values
 

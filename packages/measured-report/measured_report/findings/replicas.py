@@ -1,7 +1,6 @@
 """Measurements of an edition: what its replicas are, and what they say together with what is tracked."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from measured_report.editions.project import Project
@@ -12,41 +11,17 @@ from measured_report.files.errors import ReportError
 from measured_report.files.groups import grouped
 from measured_report.findings.cache import DerivedCache
 from measured_report.findings.sections import outline_of
-from measured_report.parts.section import Section
 from measured_report.records.identity import files_digest
 from measured_report.records.record import Record
 from measured_report.records.replicas import FOLDER, Records, mismatch, read_replica
 from measured_report.values.cells import evidence_of
 from measured_report.values.evidence import Evidence, repeats_of
-from measured_report.values.quantities import Pointer
 
-
-@dataclass(frozen=True)
-class Measurements:
-    """Hold what all measurements of an edition say, by section."""
-
-    evidence: Mapping[str, Evidence] = field(default_factory=dict)
-    kinds: Mapping[str, str] = field(
-        default_factory=dict
-    )  # on how many kinds of processor, in words; empty for one
-    digest: str = ""  # covers the replicas
-    damaged: Sequence[str] = ()  # what is wrong with each replica that can't be read
-    names: Sequence[str] = ()  # of the others
-
-    def confirmed(self, name: str, section: Section) -> Section:
-        """Return a section whose claims say by how many measurements they are decided, where there are several."""
-        if (count := self.evidence[name].count if name in self.evidence else 1) < 2:
-            return section
-        text = f"by {count} measurements{self.kinds.get(name, '')}"
-        claims = []
-        for claim in section.claims:
-            pointers = map(Pointer, claim.outcome.reads)
-            has_traces = any(
-                pointer.is_trace for pointer in pointers
-            )  # which replicas lack
-            is_decided = claim.outcome.name != "unknown" and not has_traces
-            claims.append(replace(claim, confirmed=text) if is_decided else claim)
-        return replace(section, claims=claims)
+Measurements = tuple[
+    Mapping[str, Evidence], Mapping[str, str], Sequence[str], Sequence[str]
+]
+"""By section: the evidence, and words that say by how many measurements; what is wrong
+with each replica that can't be read; and the names of the others."""
 
 
 def measurements_of(
@@ -60,29 +35,26 @@ def measurements_of(
         replicas = [alike(tracked, records) for records in read.values()]
         noise = tracked.get(columns.settings.noise_section)
         repeats = repeats_of(noise.rows if noise else (), columns)
-        measured: dict[str, list[Record | None]] = {}
-        kinds = {}
-        for name, record in tracked.items():
-            measured[name] = [record, *(records.get(name) for records in replicas)]
-            kinds[name] = _kinds(
-                [each for each in measured[name] if each], project.report
-            )
+        measured: dict[str, list[Record | None]] = {
+            name: [record, *(records.get(name) for records in replicas)]
+            for name, record in tracked.items()
+        }
         evidence = evidence_of(measured, repeats, columns)
-        digest = files_digest(replica_files(project), project.results)
-        return Measurements(evidence, kinds, digest, damaged, [*read])
+        words = {}
+        for name, records in measured.items():
+            if (count := evidence[name].count) > 1:
+                kinds = _kinds([each for each in records if each], project.report)
+                words[name] = f"by {count} measurements{kinds}"
+        return evidence, words, damaged, [*read]
 
     if not tracked:
-        return Measurements()
+        return {}, {}, (), ()
     files = [*replica_files(project), *(project.record_path(name) for name in tracked)]
     name = f"{project.profile}.{project.release}.evidence"
     module = outline_of(next(iter(tracked))).file
     # What is no file has a name and no digest, and is named as damaged while it is there.
-    return cache.value(
-        name,
-        module,
-        [files_digest(files, project.results), *(path.name for path in files)],
-        find,
-    )
+    inputs = [files_digest(files, project.results), *(path.name for path in files)]
+    return cache.value(name, module, inputs, find)
 
 
 def _kinds(records: Sequence[Record], report: Report) -> str:

@@ -1,6 +1,6 @@
 """Section modules: each is found, read for what it says of itself, and given results."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from importlib import import_module
 from pathlib import Path
@@ -15,7 +15,14 @@ from measured_report.records.code import WORKED_OUT, read_source
 from measured_report.values.results import Results, ResultsError
 
 PACKAGE = "report.sections"
-FACTS = ("order", "page", "first", "label", "labels", "reads")
+FACTS: Mapping[str, tuple[type, str]] = {
+    "order": (int, "a number such as 125, its place on the page"),
+    "first": (bool, "True or False"),
+    "label": (str, "a text"),
+    "labels": (Mapping, 'a dict, as {"case": "words"}'),
+    "reads": (tuple, 'a tuple, as ("noise",)'),
+}
+"""What a module says of its section, read without running it."""
 
 
 @dataclass(frozen=True)
@@ -43,17 +50,13 @@ def outline_of(section: str, report: Report | None = None) -> Outline:
         )
     is_folder = file.name == "__init__.py"
     name = file.relative_to(file.parents[3 if is_folder else 2]).as_posix()
-    facts = read_source(file, name).top
-    for fact in FACTS:
-        if facts.get(fact) == WORKED_OUT:
-            raise ReportError(
-                f"{name}: {fact} is read without running it: "
-                "write it out, and work nothing out"
-            )
-    if not isinstance(facts.get("order"), int):
-        raise ReportError(
-            f"{name} has no line such as order = 125, its place on the page"
-        )
+    label = section.replace("_", " ")
+    facts: dict[str, Any] = {"first": False, "label": label, "labels": {}, "reads": ()}
+    facts |= read_source(file, name).top
+    for fact, (kind, words) in FACTS.items():
+        value = facts.get(fact)
+        if value == WORKED_OUT or not isinstance(value, kind):
+            raise ReportError(f"{name}: {fact} is not {words}, written out")
     if "derive" not in facts:
         raise ReportError(f"{name} has no function derive(results)")
     settings = (report or current_report()).settings
@@ -63,16 +66,7 @@ def outline_of(section: str, report: Report | None = None) -> Outline:
         raise ReportError(
             f"{name} names the page {page!r}; there are: {', '.join(pages)}"
         )
-    label = facts.get("label", section.replace("_", " "))
-    labels = facts.get("labels", {})
-    reads = facts.get("reads", ())
-    expected = (label, str), (labels, Mapping), (reads, tuple | list)
-    if not all(isinstance(fact, kind) for fact, kind in expected):
-        raise ReportError(
-            f'{name}: labels is a dict, as {{"case": "words"}}, '
-            'and reads a tuple, as ("noise",), label text'
-        )
-    for read in reads:
+    for read in facts["reads"]:
         if not file_of(PACKAGE, read):
             raise ReportError(f"{name} reads {read!r}, and there is no such section")
     return Outline(
@@ -81,33 +75,8 @@ def outline_of(section: str, report: Report | None = None) -> Outline:
         facts["order"],
         pages[page],
         compares=facts["derive"] > 1,
-        first=facts.get("first", False),
-        label=label,
-        labels=labels,
-        reads=tuple(reads),
+        **{fact: facts[fact] for fact in ("first", "label", "labels", "reads")},
     )
-
-
-@dataclass(frozen=True)
-class Read(Mapping[str, Results]):
-    """Give a section the results that it reads; ReportError for one that it does not name."""
-
-    outline: Outline
-    results: Mapping[str, Results]
-
-    def __getitem__(self, name: str) -> Results:  # which ``in`` and ``get`` ask as well
-        if name not in self.outline.reads and not self.outline.compares:
-            raise ReportError(
-                f"{self.outline.source} reads {name}, "
-                "which its line reads = (...) does not name"
-            )
-        return self.results[name]
-
-    def __iter__(self) -> Iterator[str]:
-        return iter(self.results)
-
-    def __len__(self) -> int:
-        return len(self.results)
 
 
 def file_of(package: str, name: str) -> Path | None:

@@ -7,7 +7,7 @@
     {% endpassage %}
 
 A need is a claim that holds, or one with an outcome behind it: ``fails``, or ``opposite``. A passage may print numbers
-of the claims that it needs, by ``section.claim.number``, and what it names itself: a ``cell``, a ``value``, a ``row``.
+of the claims that it needs, by ``section.claim.number``, and those that the template around it can name.
 Where a need is not met, what is under ``otherwise`` is said, or else what these claims say themselves. On one line a
 passage is a part of a paragraph, on several it is whole ones. ``answer="why"`` behind needs is its ``data-answer``.
 """
@@ -15,10 +15,9 @@ passage is a part of a paragraph, on several it is whole ones. ``answer="why"`` 
 import re
 from collections.abc import Callable, Mapping
 from types import SimpleNamespace
-from typing import Any, NamedTuple
+from typing import Any
 
 from jinja2 import Environment, nodes, pass_context
-from jinja2.meta import find_undeclared_variables
 from jinja2.parser import Parser
 from jinja2.runtime import Context
 from markupsafe import Markup
@@ -29,28 +28,7 @@ from measured_report.parts.prose import token
 from measured_report.values.quantities import lost_reason
 
 NEED = re.compile(r"(\w+)\.(\w+)( holds| fails| opposite)?")
-# What a passage may name besides the sections that it needs: each is one number's own name.
-NAMED = {"cell", "value", "row", "release", "config"}
-
-
-class Need(NamedTuple):
-    """Name a claim and the outcome that a passage rests on."""
-
-    section: str
-    claim: str
-    outcome: str
-
-    def is_met(self, claim: Claim | None) -> bool:
-        """Tell whether the claim, None where there is none, has this outcome."""
-        if claim is None:
-            return False
-        outcome = claim.outcome
-        if self.outcome == "opposite":
-            return outcome.is_opposite
-        return outcome.name == self.outcome
-
-    def __str__(self) -> str:
-        return f"{self.section}.{self.claim} {self.outcome}"
+Need = tuple[str, str, str]  # a section, its claim, and the outcome that is needed
 
 
 def needs_of(text: str) -> list[Need]:
@@ -59,8 +37,17 @@ def needs_of(text: str) -> list[Need]:
     for entry in map(str.strip, text.split(",")):
         if not (need := NEED.fullmatch(entry)):
             raise ValueError(f'needs: expects "section.claim", got {entry!r}')
-        needs.append(Need(need[1], need[2], (need[3] or "holds").strip()))
+        needs.append((need[1], need[2], (need[3] or "holds").strip()))
     return needs
+
+
+def is_met(need: Need, claim: Claim | None) -> bool:
+    """Tell whether the claim, None where there is none, has the outcome that is needed."""
+    if claim is None:
+        return False
+    if need[2] == "opposite":
+        return claim.outcome.is_opposite
+    return claim.outcome.name == need[2]
 
 
 def parse_passage(parser: Parser, environment: Environment) -> list[nodes.Node]:
@@ -70,7 +57,7 @@ def parse_passage(parser: Parser, environment: Environment) -> list[nodes.Node]:
     has_answer = parser.stream.current.test("name:answer")
     answer = _attribute(parser, "answer") if has_answer else ""
     try:
-        sections = sorted({need.section for need in needs_of(text)})
+        sections = sorted({section for section, _, _ in needs_of(text)})
     except ValueError as error:
         parser.fail(str(error), line)
     body = parser.parse_statements(("name:otherwise", "name:endpassage"))
@@ -79,23 +66,11 @@ def parse_passage(parser: Parser, environment: Environment) -> list[nodes.Node]:
     if has_other := end.value == "otherwise":
         otherwise = parser.parse_statements(("name:endpassage",))
         end = next(parser.stream)
-    template = nodes.Template(body)
-    template.set_environment(environment)
-    named = find_undeclared_variables(template)
-    if strange := sorted(named - {*sections, *NAMED, "passage"}):
-        parser.fail(
-            f"the passage names {strange[0]}, which is no section that it needs", line
-        )
-    name = f"otherwise_{line}_{end.lineno}"
-    macro = nodes.Macro(name, [], [], otherwise, lineno=line)
-    is_inline = end.lineno == line
-    arguments = [
-        *map(nodes.Const, (text, answer, is_inline)),
-        nodes.Name(name, "load") if has_other else nodes.Const(None),
-    ]
-    call = nodes.Call(nodes.Name("passage", "load"), arguments, [], None, None)
-    parameters = [nodes.Name(section, "param") for section in sections]
-    return [macro, nodes.CallBlock(call, parameters, [], body, lineno=line)]
+    arguments = map(nodes.Const, (text, answer, end.lineno == line, has_other))
+    call = nodes.Call(nodes.Name("passage", "load"), [*arguments], [], None, None)
+    names = [nodes.Name(name, "param") for name in ("stands", *sections)]
+    choice = nodes.If(nodes.Name("stands", "load"), body, [], otherwise, lineno=line)
+    return [nodes.CallBlock(call, names, [], [choice], lineno=line)]
 
 
 def _attribute(parser: Parser, name: str) -> str:
@@ -113,42 +88,38 @@ def passages(find: Callable[[str, str], Claim | None]) -> Callable[..., str]:
         text: str,
         answer: str,
         is_inline: bool,
-        otherwise: Callable[[], str] | None,
+        has_other: bool,
         caller: Callable[..., str],
     ) -> str:
         printed: list[Any] = context["printed"]
-        claims = {need: find(need.section, need.claim) for need in needs_of(text)}
+        start = len(printed)
+        needs = needs_of(text)
+        claims = {need: find(*need[:2]) for need in needs}
         measured = {need: claim for need, claim in claims.items() if claim}
         is_measured = len(measured) == len(claims)
-        stands = all(need.is_met(claim) for need, claim in claims.items())
-        start = len(printed)
         body = ""
         if is_measured:
             # Said where it falls as well: with other numbers it stands, and must not err.
-            body = caller(*_numbers(measured))
-            stands &= not any(map(lost_reason, printed[start:]))
+            body = caller(True, *_numbers(measured))
+        stands = all(is_met(need, claim) for need, claim in claims.items())
+        stands &= not any(map(lost_reason, printed[start:]))
         if not stands:
             # Tokens are counted: what nobody sees may not stand among them.
             del printed[start:]
-            body = ""
-        if otherwise:
-            start = len(printed)
-            alternative = otherwise()
-            if not stands:
-                return alternative
-            del printed[start:]
-        elif is_measured and not stands:  # the page lists what was not measured
-            said = [claim.html(need.section) for need, claim in measured.items()]
+            if has_other:
+                return caller(False)
+            if not is_measured:  # the page lists what was not measured
+                return Markup("")
+            said = [claim.html(need[0]) for need, claim in measured.items()]
             body = token(printed, Markup(" ").join([*said, macros().other_data()]))
         if not body:
             return Markup("")
         element, edge = ("span", "") if is_inline else ("div", "\n\n")
-        needs = ", ".join(map(str, claims))
-        opening = macros().passage(element, needs, stands, answer)
-        before = token(printed, opening)
+        text = ", ".join(f"{section}.{name} {end}" for section, name, end in needs)
+        before = token(printed, macros().passage(element, text, stands, answer))
         behind = token(printed, Markup(f"</{element}>"))
-        end = "" if is_inline else "\n"
-        return Markup(edge.join(["", before, body.strip(), behind, end]))
+        last = "" if is_inline else "\n"
+        return Markup(edge.join(["", before, body.strip(), behind, last]))
 
     return passage
 
@@ -156,7 +127,6 @@ def passages(find: Callable[[str, str], Claim | None]) -> Callable[..., str]:
 def _numbers(claims: Mapping[Need, Claim]) -> list[SimpleNamespace]:
     """Return what a passage can name of each section, by claim and number."""
     numbers: dict[str, dict[str, Any]] = {}
-    for need, claim in claims.items():
-        named = SimpleNamespace(**claim.numbers)
-        numbers.setdefault(need.section, {})[need.claim] = named
+    for (section, name, _), claim in claims.items():
+        numbers.setdefault(section, {})[name] = SimpleNamespace(**claim.numbers)
     return [SimpleNamespace(**numbers[section]) for section in sorted(numbers)]

@@ -1,15 +1,11 @@
 """Templates of Markdown and of layouts: parsed once, and rendered with names."""
 
-import marshal
 import re
-import sys
-from collections import defaultdict
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
-from functools import cache
+from functools import cache, partial
 from pathlib import Path
 from traceback import extract_tb
-from types import CodeType
 from typing import Any
 
 import jinja2
@@ -19,21 +15,19 @@ from jinja2.parser import Parser
 from jinja2.runtime import Context
 from markupsafe import Markup, escape
 
-from measured_report.files.cache import Cache
 from measured_report.files.config import Report
 from measured_report.files.config import report as current_report
 from measured_report.files.errors import ReportError
 from measured_report.pages.passages import parse_passage
-from measured_report.parts.citations import parse_stated, references, stated
+from measured_report.parts.citations import references, stated
 from measured_report.parts.macros import environment
-from measured_report.parts.prose import NUMBER, OPEN, Mark, Prose, put_back, token
-from measured_report.parts.section import Figure
+from measured_report.parts.prose import NUMBER, OPEN, Prose, put_back, token
 from measured_report.parts.words import (
     PARTS,
     Wording,
     parse_words,
     refuse_numbers,
-    with_formulas,
+    wordings_of,
 )
 from measured_report.records.identity import files_digest, sources
 from measured_report.values.results import ResultsError
@@ -41,9 +35,6 @@ from measured_report.values.results import ResultsError
 GENERATOR = Path(__file__).resolve().parents[1]
 LAYOUT = GENERATOR / "pages" / "layout"
 """Templates of HTML, and what else lies beside every page; a report's own may extend ``layout/NAME``."""
-LINK = re.compile(r'(?:(?<=\]\()|(?<= href="))#([\w-]+)(?=[)"])')
-"""In Markdown, a link that leads to an id."""
-OF_CLASS = re.compile(r"'measured_report[\w.]*\.(\w+) object'")
 TITLE = re.compile(r"\A<h[12].*?</h[12]>\n?")
 HEADING = re.compile(r'<(h[2-6]) id="([^"]+)">(.*?)</\1>')
 SELF = (
@@ -54,7 +45,6 @@ SELF = (
 PARSERS = {
     **dict.fromkeys(PARTS, parse_words),
     "passage": parse_passage,
-    "stated": parse_stated,
 }
 Words = Mapping[tuple[str, str], Wording]
 
@@ -63,6 +53,12 @@ class Tags(Extension):
     """Add the tags of prose to an environment."""
 
     tags = {*PARSERS}  # noqa: RUF012, as Jinja has it
+
+    def preprocess(
+        self, source: str, name: str | None, filename: str | None = None
+    ) -> str:
+        refuse_numbers(source)
+        return source
 
     def parse(self, parser: Parser) -> list[nodes.Node]:
         return PARSERS[parser.stream.current.value](parser, self.environment)
@@ -74,26 +70,27 @@ class Templates:
     def __init__(self, folder: Path, report: Report | None = None):
         own, base = map(jinja2.FileSystemLoader, (folder, LAYOUT))
         layouts = jinja2.PrefixLoader({"layout": base})
-        self._loader = jinja2.ChoiceLoader([own, base, layouts])
-        self._layout = environment(loader=self._loader)
-        self._prose = self._layout.overlay(finalize=_as_token, extensions=[Tags])
+        # Compiling all templates takes a second; they are kept while this code is the same.
+        digest = files_digest([*GENERATOR.glob("pa*/*.py")], GENERATOR)[:16]
+        layout_cache, prose_cache = (
+            jinja2.FileSystemBytecodeCache(pattern=f"{kind}-{digest}-%s")
+            for kind in ("layout", "prose")
+        )
+        self._layout = environment(
+            loader=jinja2.ChoiceLoader([own, base, layouts]),
+            bytecode_cache=layout_cache,
+        )
+        self._prose = self._layout.overlay(
+            finalize=_as_token, extensions=[Tags], bytecode_cache=prose_cache
+        )
         self.references = references(folder)
-        self._prose.extend(wordings=defaultdict(dict), references=self.references)
         self._layout.globals |= {
             "references": self.references,
             "config": (report or current_report()).settings,
             "sources": sources(),
-            "stated": stated,
+            "stated": partial(stated, self.references),
         }
-        self._parsed = cache(self._parse)
-        self._kept = Cache(folder.parent)
-        code = [*GENERATOR.glob("pa*/*.py")]
-        self._made_by = [sys.version, jinja2.__version__, self.references]
-        self._made_by.append(files_digest(code, GENERATOR))
-
-    def words(self, name: str) -> Words:
-        """Return what a template says of claims, figures and tables, by kind and name."""
-        return self._parsed(name)[1]
+        self.words = cache(self._words)
 
     def prose(
         self, name: str, anchor: str, names: Mapping[str, Any], level: int = 2
@@ -106,10 +103,9 @@ class Templates:
         from markdown.extensions.toc import slugify
 
         printed: list[Any] = []
-        template, _ = self._parsed(name)
         with _named(name):
+            template = self._prose.get_template(name)
             text = template.render({**names, "printed": printed})
-        text = LINK.sub(lambda link: token(printed, Mark(f"#{link[1]}")), text)
 
         def id_of(title: str, separator: str) -> str:
             return f"{anchor}-{slugify(NUMBER.sub('', title), separator)}"
@@ -131,18 +127,17 @@ class Templates:
             (heading["id"], put_back(heading["name"], printed))
             for heading in top["children"]
         ]
-        return Prose(put_back(top["name"], printed), body, printed, anchor, headings)
+        title = put_back(top["name"], printed)
+        return Prose(title, put_back(body, printed), printed, anchor, headings)
 
     def layout(self, template: str, names: Mapping[str, Any]) -> str:
         with _named(template):
             return self._layout.get_template(template).render(names)
 
-    def _parse(self, name: str) -> tuple[jinja2.Template, Words]:
+    def _words(self, name: str) -> Words:
+        """Return what a template says of claims, figures and tables, by kind and name."""
         with _named(name):
-            code, wordings = self._compiled(name)
-        template = jinja2.Template.from_code(
-            self._prose, code, self._prose.make_globals(None)
-        )
+            template = self._prose.get_template(name)
 
         def render(block: str, numbers: Mapping[str, Any]) -> Markup:
             printed: list[Any] = []
@@ -151,21 +146,7 @@ class Templates:
                 text = "".join(template.blocks[block](context))
             return put_back(" ".join(text.split()), printed)
 
-        return template, {key: make(render) for key, make in wordings.items()}
-
-    def _compiled(self, name: str) -> tuple[CodeType, Mapping[Any, Any]]:
-        """Parse a template, unless the cache has it: parsing all takes half a second."""
-        source, path, _ = self._loader.get_source(self._prose, name)
-        entry = f"template.{name.replace('/', '.')}"
-        key = [source, *self._made_by]
-        if kept := self._kept.get(entry, key):
-            return marshal.loads(kept[0]), kept[1]
-        source = with_formulas(source)
-        refuse_numbers(source)
-        code = self._prose.compile(source, name, path)
-        wordings = vars(self._prose)["wordings"][name]
-        self._kept.put(entry, key, (marshal.dumps(code), wordings))
-        return code, wordings
+        return wordings_of(template.blocks, render)
 
 
 def stylesheet(root: Path) -> str:
@@ -201,8 +182,7 @@ def _named(name: str, code: jinja2.Template | None = None) -> Iterator[None]:
         line = lines[-1] if lines else None
         if line and code:
             line = code.get_corresponding_lineno(line)
-        text = OF_CLASS.sub(r"a \1", str(error))
-        message = f"templates/{name}{f':{line}' if line else ''}: {text}"
+        message = f"templates/{name}{f':{line}' if line else ''}: {error}"
     placed = kind(message)
     vars(placed)["place"] = name
     raise placed
@@ -216,6 +196,5 @@ def _as_token(context: Context, value: Any) -> Markup:
         raise ReportError(
             f"it prints {value}, which says nothing of where it comes from"
         )
-    if not isinstance(value, Figure):
-        value = value.__html__() if hasattr(value, "__html__") else escape(value)
-    return token(context["printed"], value)
+    html = value.__html__() if hasattr(value, "__html__") else escape(value)
+    return token(context["printed"], html)

@@ -17,8 +17,10 @@ from measured_report.findings.sections import outline_of
 from measured_report.pages.passages import passages
 from measured_report.pages.prose import Templates
 from measured_report.parts.claim import HOLDS, Claim
+from measured_report.parts.macros import macros
 from measured_report.parts.prose import Prose
 from measured_report.parts.section import Section
+from measured_report.records.identity import sections as sections_of
 from measured_report.values.results import ResultsError
 
 Sections = Mapping[str, Section]
@@ -42,7 +44,7 @@ def give_words(edition: Edition, templates: Templates) -> None:
     def worded(chapter: Chapter) -> Chapter:
         template = template_of(chapter.name)
         words = templates.words(template)
-        section = chapter.section.worded(chapter.name, template, words)
+        section = chapter.section.worded(chapter.name, template, words, edition.root)
         return replace(chapter, section=section)
 
     edition.update(worded)
@@ -58,9 +60,11 @@ def sentences_of(project: Project) -> Callable[[str, Claim], str]:
 
     def say(section: str, claim: Claim) -> str:
         template = template_of(section)
-        words = templates().words(template)
-        alone = Section(claims=[claim], unmeasured=[name for _, name in words])
-        return alone.worded(section, template, words).claims[0].text
+        if ("claim", claim.name) not in (words := templates().words(template)):
+            raise ReportError(
+                f"templates/{template} says nothing of the claim {claim.name}"
+            )
+        return replace(claim, wording=words["claim", claim.name]).text
 
     return say
 
@@ -98,16 +102,20 @@ def texts_of(
 ) -> list[Prose]:
     """Say a page's own texts; one that can't be said is said as if nothing was measured."""
     files = {file.rpartition("/")[2].partition(".")[0]: file for file in page.texts}
-    stories = {}
     for anchor, file in files.items():
         story = edition.story(anchor, releases)
-        stories[anchor] = _worded(anchor, file, story, templates)
+        edition.stories[anchor] = _worded(edition, anchor, file, story, templates)
+
+    def say(edition: Edition, anchor: str, level: int) -> Prose:
+        stories = {name: edition.stories[name] for name in files}
+        told = {**_text_names(edition, anchor, stories), **names}
+        return templates.prose(files[anchor], anchor, told, level)
+
     texts: list[Prose] = []
     for anchor, file in files.items():
         level = 2 if texts else 1
         try:
-            told = {**_text_names(edition, anchor, stories), **names}
-            prose = templates.prose(file, anchor, told, level)
+            prose = say(edition, anchor, level)
         except ReportError as error:
             lacking = (Kind.DAMAGED, Kind.NOT_SHOWN)
             is_lacking = any(state.kind in lacking for state in edition.left_out)
@@ -116,10 +124,9 @@ def texts_of(
             if all(state.section != anchor for state in edition.left_out):
                 state = State(anchor, Kind.NOT_SHOWN, notes=(str(error),))
                 edition.left_out.append(state)
-            bare = replace(edition, chapters={})
-            untold = _worded(anchor, file, Section(), templates)
-            told = {**_text_names(bare, anchor, {**stories, anchor: untold}), **names}
-            prose = templates.prose(file, anchor, told, level)
+            untold = _worded(edition, anchor, file, Section(), templates)
+            stories = {**edition.stories, anchor: untold}
+            prose = say(replace(edition, chapters={}, stories=stories), anchor, level)
         texts.append(prose)
     return texts
 
@@ -135,31 +142,28 @@ def _text_names(edition: Edition, anchor: str, stories: Sections) -> Names:
         if section.claims or section.unmeasured
     }
     sections |= {name: chapter.section for name, chapter in chapters.items()}
+    # What was not measured says nothing.
+    kinds = ("claim", "table", "figure", "download")
+    nothing = dict.fromkeys(kinds, lambda thing: Markup(""))
+    unmeasured = dict.fromkeys(sections_of(edition.project.root), nothing)
+    measured = {name: each.names for name, each in chapters.items()}
     return {
         "release": edition.project.release,
-        "sections": _Names({name: each.names for name, each in chapters.items()}),
+        "measured": list(chapters),
+        "sections": unmeasured | measured,
         **_names_of(anchor, story, sections),
         **edition.plugins.names(story),
     }
 
 
 def _worded(
-    anchor: str, template: str, section: Section, templates: Templates
+    edition: Edition, anchor: str, template: str, section: Section, templates: Templates
 ) -> Section:
     """Give what a text tells its words; where nothing was measured it tells nothing."""
     words = templates.words(template)
     if not section.claims:
         section = replace(section, unmeasured=[name for _, name in words])
-    return section.worded(anchor, template, words)
-
-
-class _Names(dict[str, Names]):
-    """Hold what each section's words can name; one that wasn't measured says nothing."""
-
-    def __missing__(self, name: str) -> Names:
-        outline_of(name)  # refuses a name that no section has
-        kinds = ("claim", "table", "figure", "download")
-        return dict.fromkeys(kinds, lambda thing: Markup(""))
+    return section.worded(anchor, template, words, edition.root)
 
 
 def _names_of(anchor: str, section: Section, sections: Sections) -> Names:
@@ -167,11 +171,11 @@ def _names_of(anchor: str, section: Section, sections: Sections) -> Names:
     # Words that only another record has are said as nothing.
     claims = dict.fromkeys(section.unmeasured, Markup(""))
     claims |= {claim.name: claim.html(anchor) for claim in section.claims}
-    parts = {
+    parts: Mapping[str, Mapping[str, Any]] = {
         "claim": claims,
         "table": section.tables,
         "figure": section.figures,
-        "download": {download.name: download for download in section.downloads},
+        "download": {name: macros().download(name) for name in section.downloads},
     }
 
     def find(name: str, claim: str) -> Claim | None:
@@ -189,17 +193,11 @@ def _names_of(anchor: str, section: Section, sections: Sections) -> Names:
         needed = find(name or anchor, claim)
         return needed is not None and needed.outcome == HOLDS
 
-    finders = {kind: _finder(anchor, kind, named) for kind, named in parts.items()}
+    def find_part(kind: str, name: str) -> Any:
+        if name not in parts[kind]:
+            present = ", ".join(parts[kind]) or "none"
+            raise ReportError(f"{anchor} has no {kind} {name!r}; it has: {present}")
+        return parts[kind][name]
+
+    finders = {kind: partial(find_part, kind) for kind in parts}
     return {"holds": holds, "passage": passages(find), **finders}
-
-
-def _finder(section: str, kind: str, parts: Mapping[str, Any]) -> Callable[[str], Any]:
-    """Return what finds a part of a section by its name."""
-
-    def find(name: str) -> Any:
-        if name not in parts:
-            present = ", ".join(parts) or "none"
-            raise ReportError(f"{section} has no {kind} {name!r}; it has: {present}")
-        return parts[name]
-
-    return find

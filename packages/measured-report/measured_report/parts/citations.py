@@ -1,6 +1,6 @@
 """Statements from documentation or source code, which are not measured here and say where they are from.
 
-    {% stated sea_level %} The sea rises by 3 to 4 mm a year. {% endstated %}
+    {% call stated("sea_level") %} The sea rises by 3 to 4 mm a year. {% endcall %}
 
 ``templates/sources.toml`` has a table for each name: ``url`` with a ``title``, or ``package``, ``version``, ``file``
 below its folder, ``line``, and an ``excerpt`` that this line must hold. Its table ``packages`` has the address of a
@@ -11,15 +11,11 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any
 
-from jinja2 import Environment, nodes, pass_context
-from jinja2.parser import Parser
-from jinja2.runtime import Context
 from markupsafe import Markup
 
 from measured_report.files.config import read_toml
 from measured_report.files.errors import ReportError
 from measured_report.parts.macros import macros
-from measured_report.parts.prose import Mark, token
 
 NAME = "sources.toml"
 LINE = ("version", "file", "line", "excerpt")  # tell where in a package a statement is
@@ -31,38 +27,23 @@ References = Mapping[str, Mapping[str, Any]]
 def references(templates: Path) -> References:
     """Read the references of a folder of templates by name; ReportError for a wrong one."""
     path = templates / NAME  # which need not be there
-    try:
-        tables = read_toml(path) if path.is_file() else {}
-        addresses = tables.pop("packages", {})
-        for name, table in tables.items():
-            if unknown := sorted(table.keys() - FIELDS.keys()):
-                raise ValueError(
-                    f"{name} has {unknown[0]}, which is no part of a source"
-                )
-            if table.get("package") in addresses and all(map(table.get, LINE)):
-                table["url"] = addresses[table["package"]].format(**table)
-            tables[name] = FIELDS | table
-            if not str(table.get("url")).startswith("http"):
-                raise ValueError(f"{name} needs url, or package, {', '.join(LINE)}")
-    except (ValueError, TypeError, AttributeError, LookupError) as error:
-        raise ReportError(f"templates/{NAME}: {error}") from None
+    tables = read_toml(path) if path.is_file() else {}
+    addresses = tables.pop("packages", {})
+    for name, table in tables.items():
+        table = FIELDS | table
+        try:
+            table["url"] = table["url"] or addresses[table["package"]].format(**table)
+        except LookupError:
+            raise ReportError(
+                f"templates/{NAME}: {name} needs url, "
+                f"or a package of the table packages, {', '.join(LINE)}"
+            ) from None
+        tables[name] = table
     return tables
 
 
-def parse_stated(parser: Parser, environment: Environment) -> list[nodes.Node]:
-    """Parse a statement; ``environment.references`` has those that it may cite."""
-    line = next(parser.stream).lineno
-    name = parser.stream.expect("name").value
-    if name not in vars(environment)["references"]:
-        parser.fail(f"templates/{NAME} has no {name}", line)
-    body = parser.parse_statements(("name:endstated",), drop_needle=True)
-    call = nodes.Call(nodes.Name("stated", "load"), [nodes.Const(name)], [], None, None)
-    return [nodes.CallBlock(call, [], [], body, lineno=line)]
-
-
-@pass_context
-def stated(context: Context, name: str, caller: Callable[[], str]) -> Markup:
-    """Write a statement with the mark of its source, whose number only the page knows."""
-    statement = Markup(" ".join(caller().split()))
-    mark = token(context["printed"], Mark(f"source {name}"))
-    return macros().stated(statement, mark) + "\n"
+def stated(references: References, name: str, caller: Callable[[], str]) -> Markup:
+    """Write a statement with the name of its source, for which the page puts a number."""
+    if name not in references:
+        raise ReportError(f"templates/{NAME} has no {name}")
+    return macros().stated(Markup(" ".join(caller().split())), name) + "\n"

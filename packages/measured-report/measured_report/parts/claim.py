@@ -5,7 +5,7 @@ import operator
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from itertools import accumulate, groupby
+from itertools import accumulate
 from typing import Any
 
 from markupsafe import Markup
@@ -78,54 +78,36 @@ class Claim:
     confirmed: str = ""  # says how many measurements agree, where there are several
     effect: Outcome = HOLDS  # whether there is what its `because` explains; where that fails it is not explained
 
-    def __post_init__(self) -> None:
-        assert isinstance(self.outcome, Outcome), (
-            f"the claim {self.name} takes what a test returns, as at_most(…)"
-        )
-        assert isinstance(self.numbers, Mapping), (
-            f"the claim {self.name} takes numbers by name, as {{'gain': gain}}"
-        )
-
     @cached_property
     def sentence(self) -> Markup:
         """Word the outcome; one that is unknown, or fails without words for that, by what the claim asks."""
-        parts = (
-            ["opposite", "fails"] if self.outcome.is_opposite else [self.outcome.name]
-        )
-        if sentence := next(filter(None, map(self.render, parts)), Markup("")):
+        outcome = self.outcome
+        parts = ["opposite", "fails"] if outcome.is_opposite else [outcome.name]
+        for sentence in filter(None, map(self.render, parts)):
             return sentence
-        question, verdict = (
-            self.render("asks"),
-            "cannot be told" if self.outcome.name == "unknown" else "is not shown",
-        )
+        question = self.render("asks")
+        verdict = "cannot be told" if outcome.name == "unknown" else "is not shown"
         sentence = Markup("{}{} {}").format(question[:1].upper(), question[1:], verdict)
-        return sentence + (
-            Markup(" ({}).").format(self.outcome.reason) if self.outcome.reason else "."
-        )
+        reason = Markup(" ({})").format(outcome.reason) if outcome.reason else ""
+        return sentence + reason + "."
 
     def checked(self) -> "Claim":
         """Return the same; where a number that its sentence names is not there, it can't tell, and says why."""
         lost = _absent(
-            *(
-                number
-                for number in self.numbers.values()
-                if isinstance(number, Quantity)
-            )
+            *(each for each in self.numbers.values() if isinstance(each, Quantity))
         )
         if not lost or self.outcome.name == "unknown":
             return self
-        return replace(
-            self,
-            outcome=replace(
-                self.outcome, name="unknown", reason=lost.reason, is_opposite=False
-            ),
+        outcome = replace(
+            self.outcome, name="unknown", reason=lost.reason, is_opposite=False
         )
+        return replace(self, outcome=outcome)
 
     def unread(self, columns: Schema) -> Iterator[str]:
         """Yield the numbers it may print of which its test read neither themselves nor all that makes them."""
-        names = self.wording.names if self.wording else ()
-        for name in sorted(names) if self.outcome.name != "unknown" else ():
-            number = self.numbers.get(name)
+        if self.outcome.name == "unknown":
+            return
+        for name, number in self.numbers.items():
             if not isinstance(number, Quantity) or number.source in self.outcome.reads:
                 continue
             for leaf in number.reads - self.outcome.reads:
@@ -184,11 +166,6 @@ def _bounded(
         return HOLDS if keeps(a.number, bound.number) else FAILS
 
     return _judged(judge, a, bound, why=why)
-
-
-def contiguous(flags: Sequence[bool], *quantities: Quantity) -> Outcome:
-    """Test whether the true flags stand together, in the order given; they were decided by the quantities."""
-    return decided(sum(flag for flag, _ in groupby(flags)) == 1, *quantities)
 
 
 def greater(

@@ -1,12 +1,11 @@
-"""Macros: the HTML of what a section prints, ``pages/layout/parts.html.j2``, and drawings."""
+"""Macros: the HTML of what a section prints, ``pages/layout/parts.html.j2``."""
 
 from functools import cache, partial
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any
 
 import jinja2
 from jinja2.utils import missing
-from markupsafe import Markup
 
 from measured_report.values.results import ResultsError
 
@@ -14,7 +13,7 @@ FILE = Path(__file__).parents[1] / "pages" / "layout" / "parts.html.j2"
 
 
 class Undefined(jinja2.StrictUndefined):
-    """Raise ResultsError for what is asked of a text or of nothing, as of a number.
+    """Raise ResultsError for an attribute of a text or of nothing, as of a number.
 
     A record then has it otherwise than was thought; any other name is a mistake.
     """
@@ -44,16 +43,3 @@ def macros(file: Path = FILE) -> Any:
     """Compile the macros of a template, which are the names of what is returned."""
     loader = jinja2.FileSystemLoader(file.parent)
     return environment(loader=loader).get_template(file.name).module
-
-
-class Picture(NamedTuple):
-    """Hold a drawing in SVG, of which the element itself is left out."""
-
-    kind: str  # `broad` or `narrow`: the screens that it is for
-    view: str  # the box that it shows, as an SVG element has it
-    content: Markup
-
-    @property
-    def size(self) -> list[int]:
-        """Return width and height, as far as their proportion goes."""
-        return [round(float(side)) for side in self.view.split()[2:]]

@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING, Any
 
 from markupsafe import Markup
 
-from measured_report.files.columns import PLAIN, Schema, unlike
+from measured_report.files.columns import PLAIN, unlike
 from measured_report.files.errors import ReportError, bug_of
 from measured_report.parts.claim import Claim
-from measured_report.parts.macros import Picture, macros
+from measured_report.parts.macros import macros
 from measured_report.parts.words import Wording
 from measured_report.values.format import ABSENT, unit_label
 from measured_report.values.quantities import VALUES_FILE, Quantity
@@ -23,8 +23,8 @@ if TYPE_CHECKING:  # these take long to import, and what is kept needs none of t
 UNDRAWN = "This cannot be drawn from what was measured"  # shown in place of a figure
 FIGURE_SPACE, POINT_SPACE = "\u2007", "\u2008"
 """As wide as a digit and as a point; the stylesheet puts them there."""
-SOURCE = re.compile('<data value="[^"][^>]* data-src="([^"]*)"')
-"""The source of each number that there is, in HTML."""
+SIZE = re.compile(r'viewBox="0 0 ([\d.]+) ([\d.]+)"')
+"""The width and the height of a drawing in SVG."""
 
 
 @dataclass(frozen=True)
@@ -107,22 +107,24 @@ class Figure:
     )  # named by its caption and its alternative text
     wording: Wording | None = None
     anchor: str = ""
-    pictures: Sequence[Picture] = ()  # for broad screens and for narrow ones
+    root: str = ""  # the way from the page to the root of the site
+    pictures: Sequence[str] = ()  # in SVG, for broad screens and for narrow ones
     fault: str = ""  # why there are none, though something of it exists
 
     @property
     def is_there(self) -> bool:
         return any(source.value is not None for source in self.sources)
 
-    def drawn(self, anchor: str, columns: Schema) -> "Figure":
+    def drawn(self, anchor: str) -> "Figure":
         """Return the same drawn: of its series it keeps only whether they are there."""
-        pictures: Sequence[Picture] = ()
+        pictures: Sequence[str] = ()
         fault = ""
         if self.is_there:
             from measured_report.parts.figures import draw_svgs
 
             try:
-                pictures = draw_svgs(lambda: self._checked(columns), name=anchor)
+                assert self.draw, "it is drawn already"
+                pictures = draw_svgs(self.draw, name=anchor)
             except Exception as error:
                 if all(source.value is not None for source in self.sources):
                     bug = bug_of(error)
@@ -145,60 +147,8 @@ class Figure:
             fault=fault,
         )
 
-    def _checked(self, columns: Schema) -> "Drawing":
-        """Draw it; ReportError for what is no drawing, or an axis in a wrong unit."""
-        from matplotlib.figure import Figure as Drawing
-
-        assert self.draw, f"the figure {self.anchor} is drawn already"
-        if not isinstance(drawing := self.draw(), Drawing):
-            kind = f"{type(drawing).__module__}.{type(drawing).__name__}"
-            raise ReportError(f"it draws a {kind}, and not a new_figure()")
-        assert any(axes.has_data() for axes in drawing.axes), "it draws nothing"
-        units = set(self._units(columns))
-        labels = [
-            label
-            for axes in drawing.axes
-            for label in (axes.get_xlabel(), axes.get_ylabel())
-            if label
-        ]
-        said = {
-            label: match[1]  # the unit at its end
-            for label in labels
-            if (match := re.search(r"\[([^\[\]]+)\]$", label))
-        }
-        unsaid = sorted(units - {*said.values()}) if PLAIN not in units else []
-        for label in labels:
-            unit = said.get(label)
-            if unit is None and unsaid:
-                raise ReportError(
-                    f"its axis {label!r} has no unit, "
-                    f"and no axis has {unsaid[0]}, which it draws"
-                )
-            if unit is None or unit in units:
-                continue
-            if " " not in unit and not columns.is_unit(unit):
-                raise ReportError(
-                    f"its axis {label!r} has a unit that is not known; "
-                    "units in report.toml adds it"
-                )
-            for other in units:
-                if unlike([other, unit]):
-                    raise ReportError(
-                        f"its axis {label!r} has another unit than what it draws, "
-                        f"{other}"
-                    )
-        return drawing
-
-    def _units(self, columns: Schema) -> Iterator[str]:
-        """Yield the units of all that it draws."""
-        for source in self.sources:
-            if isinstance(source, Quantity):
-                yield source.unit
-            elif source.value is not None:
-                yield from (columns[name].unit for name in source.value)
-
-    def html(self, address: str = "", root: str = "") -> Markup:
-        """Show it, where anything of it exists; drawings that are files are at ``address``."""
+    def __html__(self) -> Markup:
+        """Show it, with links to the data that it draws, if anything of it exists."""
         pointers = [each.source for each in self.sources if each.value is not None]
         if not pointers:
             reasons = [source.reason for source in self.sources]
@@ -215,37 +165,16 @@ class Figure:
             (file, name if names.count(name) == 1 else file)
             for file, name in zip(files, names, strict=True)
         ]
-        return macros().figure(self, self._shown(address), links, f"{root}data/")
-
-    def _shown(self, address: str) -> Markup:
-        """Return its pictures, with what they show in words and the sources of those."""
         if self.fault:
-            return macros().left_out(UNDRAWN, self.fault)
-        assert self.wording, f"the figure {self.anchor} has no words yet"
-        assert self.pictures, f"the figure {self.anchor} is not drawn yet"
-        text = self.wording("alt", self.numbers)
-        alt = Markup(re.sub("<[^>]*>", "", text)).unescape().replace("\xa0", " ")
-        sources = SOURCE.findall(text)
-        if address:
-            sizes = (picture.size for picture in self.pictures)
-            return macros().picture(address, *sizes, alt, sources)
-        drawings = (macros().drawing(each, alt, sources) for each in self.pictures)
-        return Markup("").join(drawings)
-
-
-@dataclass(frozen=True)
-class Download:
-    """Offer a file, which lies on the site below ``download/``; printed, it is its text with a link to it."""
-
-    name: str
-    text: str
-
-    @property
-    def link(self) -> Markup:
-        return macros().download_link(self)
-
-    def __html__(self) -> Markup:
-        return macros().download(self)
+            shown = macros().left_out(UNDRAWN, self.fault)
+        else:
+            assert self.wording, f"the figure {self.anchor} has no words yet"
+            alt = self.wording("alt", self.numbers).striptags().replace("\xa0", " ")
+            sizes = [
+                match.groups() for match in map(SIZE.search, self.pictures) if match
+            ]
+            shown = macros().picture(self.anchor, *sizes, alt)
+        return macros().figure(self, shown, links)
 
 
 @dataclass(frozen=True)
@@ -257,7 +186,8 @@ class Section:
     )  # tables, and other things that print themselves
     figures: Mapping[str, Figure] = field(default_factory=dict)
     claims: Sequence[Claim] = ()
-    downloads: Sequence[Download] = ()
+    downloads: Mapping[str, str] = field(default_factory=dict)
+    """Texts of files by name, which lie on the site below ``download/``."""
     unmeasured: Collection[
         str
     ] = ()  # names that only other records have, so that the words for them stay unsaid
@@ -267,36 +197,41 @@ class Section:
         assert len(set(names)) == len(names), (
             f"two claims have one name: {', '.join(names)}"
         )
-        for name, item in (*self.tables.items(), *self.figures.items()):
-            is_shown = hasattr(item, "__html__") or hasattr(item, "draw")
-            assert is_shown, f"{name} is no Table(frame), or Figure(draw, …)"
 
-    def drawn(self, anchor: str, columns: Schema) -> "Section":
+    def drawn(self, anchor: str) -> "Section":
         """Return the same with its tables as HTML and its figures drawn."""
         tables = {
             name: table.rendered() if isinstance(table, Table) else table
             for name, table in self.tables.items()
         }
         figures = {
-            name: figure.drawn(f"{anchor}-{name}", columns)
+            name: figure.drawn(f"{anchor}-{name}")
             for name, figure in self.figures.items()
         }
         return replace(self, tables=tables, figures=figures)
 
     def worded(
-        self, anchor: str, template: str, wordings: Mapping[tuple[str, str], Wording]
+        self,
+        anchor: str,
+        template: str,
+        wordings: Mapping[tuple[str, str], Wording],
+        root: str = "",
     ) -> "Section":
         """Give it the words of the ``template``; ReportError unless items and wordings match."""
         items: Mapping[str, Mapping[str, Any]] = {
             "claim": {claim.name: claim for claim in self.claims},
-            "figure": self.figures,
+            "figure": {
+                name: replace(figure, anchor=f"{anchor}-{name}", root=root)
+                for name, figure in self.figures.items()
+            },
             "table": self.tables,
         }
-        for (kind, name), wording in wordings.items():
+        for kind, name in wordings:
             if name not in items[kind] and name not in self.unmeasured:
                 names = ", ".join(items[kind])
                 raise ReportError(
-                    f"{wording.source}: there is no {kind} {name}; there are: {names}"
+                    f"templates/{template}: there is no {kind} {name}; "
+                    f"there are: {names}"
                 )
 
         def with_words(kind: str) -> Iterator[tuple[str, Any]]:
@@ -306,17 +241,15 @@ class Section:
                         f"templates/{template} says nothing of the {kind} {name}"
                     )
                 if hasattr(item, "wording"):
-                    wordings[kind, name].check(f"{kind} {name}", item.numbers)
-                    item = replace(item, wording=wordings[kind, name])
+                    wording = wordings[kind, name]
+                    for part in wording.parts:  # with other numbers another one is said
+                        wording(part, item.numbers)
+                    item = replace(item, wording=wording)
                 yield name, item
 
-        figures = {
-            name: replace(figure, anchor=f"{anchor}-{name}")
-            for name, figure in with_words("figure")
-        }
         return replace(
             self,
             claims=[claim for _, claim in with_words("claim")],
-            figures=figures,
+            figures=dict(with_words("figure")),
             tables=dict(with_words("table")),
         )

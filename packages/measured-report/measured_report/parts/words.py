@@ -14,21 +14,18 @@
 number behind *at most* or *up to* is ``{{ angle.most }}``, behind *at least* ``{{ angle.least }}``. Around them the
 template of a section has ``row["north"].lean_mm``, ``rows``, ``value.lean`` as it was derived, ``release``,
 ``table(name)``, ``figure(name)``, ``download(name)`` and ``holds("section.claim")``; the texts of pages have
-``sections.tower.claim("leans")`` and the same of its tables and figures.
+``sections.tower.claim("leans")`` and the same of its tables and figures, and ``measured``, the names of the sections
+that have a record.
 """
 
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
-from functools import partial
 from typing import Any
 
 from jinja2 import Environment, TemplateSyntaxError, nodes
-from jinja2.meta import find_undeclared_variables
 from jinja2.parser import Parser
 from markupsafe import Markup
-
-from measured_report.files.errors import ReportError
 
 # The parts of each kind; `caption` follows the opening tag, the others have a tag each.
 PARTS = {
@@ -48,11 +45,6 @@ TYPED = re.compile(
     re.VERBOSE,
 )
 """A number with a unit, as one that was measured has it."""
-MARKDOWN = re.compile(r"\*\*|(?<![\w*])\*\w|`|\]\(")
-FORMULA = re.compile(
-    TAGS.pattern + r"|\$\$(.+?)\$\$|\$(?=\S)([^$\n]*\S)\$(?!\w)", re.DOTALL
-)
-"""A formula in TeX; there is none in tags and code."""
 BOUNDS = {
     "at most|within|no more than|not more than|up to|as much as": (".most",),
     "at least|no less than|not less than": (".least",),
@@ -60,72 +52,42 @@ BOUNDS = {
     "more than|less than": (".most", ".least"),
 }
 """Words that bound the number behind them, and how it is rounded there."""
-CONSTANTS = frozenset(("none", "None", "true", "True", "false", "False"))
-"""Names that Jinja has for itself."""
 
 
 @dataclass(frozen=True)
 class Wording:
     """Hold what a template says of one claim, figure or table."""
 
-    source: str
-    blocks: Mapping[str, str]  # names of the template's blocks, by part
-    names: frozenset[str]
+    parts: Mapping[str, str]  # names of the template's blocks
     render: Callable[[str, Mapping[str, Any]], Markup]  # renders a block
 
     def __call__(self, part: str, numbers: Mapping[str, Any]) -> Markup:
         """Return a part with its numbers; empty if the template has no such part."""
-        if part not in self.blocks:
+        if part not in self.parts:
             return Markup("")
-        return self.render(self.blocks[part], numbers)
+        return self.render(self.parts[part], numbers)
 
-    def check(self, item: str, numbers: Mapping[str, Any]) -> None:
-        """Refuse names that it is not given, or can't name; and say every part once."""
-        if name := min(CONSTANTS & set(numbers), default=""):
-            raise ReportError(
-                f"{self.source}: {item} is given {name}, "
-                "which is a constant in a template: rename it"
-            )
-        if unknown := sorted(self.names - set(numbers)):
-            names = ", ".join(sorted(numbers)) or "none"
-            raise ReportError(
-                f"{self.source}: {item} names {unknown[0]}, "
-                f"which it is not given; it is given: {names}"
-            )
-        for part in self.blocks:  # with other numbers another one is said
-            self(part, numbers)
+
+def wordings_of(
+    blocks: Iterable[str], render: Callable[[str, Mapping[str, Any]], Markup]
+) -> dict[tuple[str, str], Wording]:
+    """Return what the blocks of a template say, by kind and name of the item."""
+    parts: dict[tuple[str, str], dict[str, str]] = {}
+    for block in blocks:
+        kind, name, part = block.split("__")
+        parts.setdefault((kind, name), {})[part] = block
+    return {item: Wording(named, render) for item, named in parts.items()}
 
 
 def parse_words(parser: Parser, environment: Environment) -> list[nodes.Node]:
-    """Parse a claim, figure or table: its parts become blocks, and the whole a call.
-
-    What the template says of it is kept in ``environment.wordings``, by template, kind
-    and name, and takes only what renders its blocks.
-    """
+    """Parse a claim, figure or table: its parts become blocks, and the whole a call."""
     tag = next(parser.stream)
     kind, name = tag.value, parser.stream.expect("name").value
-    wordings = vars(parser).setdefault("wordings", {})
-    vars(environment)["wordings"][parser.name] = wordings
-    if (kind, name) in wordings:
-        parser.fail(f"{kind} {name} is worded twice", tag.lineno)
     blocks = _parse_parts(parser, kind, name, tag.lineno)
     optional = {"opposite", "because"} | ({"fails"} if "opposite" in blocks else set())
     for part in PARTS[kind]:
         if part not in optional | blocks.keys():
             parser.fail(f"{kind} {name} has no {{% {part} %}}", tag.lineno)
-    tree = nodes.Template([node for block in blocks.values() for node in block.body])
-    tree.set_environment(environment)
-    if any(MARKDOWN.search(text.data) for text in tree.find_all(nodes.TemplateData)):
-        parser.fail(
-            f"{kind} {name} has Markdown, and its words are HTML, as <em>", tag.lineno
-        )
-    line = min(block.lineno for block in blocks.values())
-    wordings[kind, name] = partial(
-        Wording,
-        f"templates/{parser.name}:{line}",
-        {part: block.name for part, block in blocks.items()},
-        frozenset(find_undeclared_variables(tree)),
-    )
     call = nodes.Call(nodes.Name(kind, "load"), [nodes.Const(name)], [], None, None)
     # The line behind the last tag ends there, and no sentence runs into the next.
     output = nodes.Output([call, nodes.TemplateData("\n")], lineno=tag.lineno)
@@ -176,31 +138,6 @@ def refuse_numbers(source: str) -> None:
                 raise TemplateSyntaxError(
                     f"{bound} takes {' or '.join(ends)}", _line_of(match)
                 )
-
-
-def with_formulas(source: str) -> str:
-    """Write as MathML what stands in TeX between dollars, or on its own between two."""
-
-    def written(match: re.Match[str]) -> str:
-        if not (tex := match[1] or match[2]):
-            return match[0]
-        from latex2mathml.converter import convert  # few templates have any
-
-        try:
-            formula = convert(tex, display="block" if match[1] else "inline")
-        except Exception:  # it has no one error, and no words for any
-            formula = "\\"
-        if "\\" in formula:
-            raise TemplateSyntaxError(
-                f"{tex:.60} is no TeX that is known here", _line_of(match)
-            )
-        return f"<span>{formula}</span>"
-
-    text = FORMULA.sub(written, source)
-    if "$$" in TAGS.sub("", text):
-        line = source.count("\n", 0, source.rfind("$$")) + 1
-        raise TemplateSyntaxError("$$ begins a formula that no $$ ends", line)
-    return text
 
 
 def _line_of(match: re.Match[str]) -> int:

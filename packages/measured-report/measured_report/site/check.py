@@ -1,17 +1,25 @@
-"""Check of a built site: what it shows is what was measured, and it needs nothing from elsewhere."""
+"""Check of a built site: its numbers are those of the data, and it needs nothing from elsewhere."""
 
 import re
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from html.parser import HTMLParser
 from pathlib import Path
 from urllib.parse import SplitResult, unquote, urlsplit
 
 from measured_report.files.config import Report, module_named
 from measured_report.files.config import report as current_report
 from measured_report.pages.prose import LAYOUT
-from measured_report.site.check_numbers import SCRIPT, Data, PageReader, check_numbers
+from measured_report.site.check_numbers import Data, Number, check_number
 
+SCRIPT = "page.js"  # the one script that pages run: the project's own, beside them
 SCHEMES = {"", "http", "https", "mailto"}
 """Of addresses that a page may lead to; nothing that it leads to may run in it."""
+FETCHING = (
+    "src srcset poster data xlink:href background action formaction ping manifest"
+)
+"""Attributes whose address a browser fetches or sends to, as it does every href but that of ``a``."""
+ACTIVE = "iframe frame object embed applet base form portal set animate"
+"""Elements that run, hold another page, or change where links lead."""
 OUTCOMES = {"holds", "fails", "unknown"}
 FETCHING_STYLE = re.compile(r"@import|url\(\s*['\"]?(?!#|data:)", re.IGNORECASE)
 UNREADABLE = (
@@ -23,6 +31,69 @@ UNREADABLE = (
     TypeError,
     ValueError,
 )
+
+
+class PageReader(HTMLParser):
+    """Read a page or a drawing: its numbers, and what it leads to, fetches and runs."""
+
+    def __init__(self, html: str):
+        super().__init__()
+        self.ids: list[str] = []
+        self.links: list[str] = []
+        self.fetched: list[str] = []
+        self.active: list[str] = []
+        self.claims: list[Mapping[str, str]] = []
+        self.numbers: list[Number] = []
+        self.scripts: list[tuple[Mapping[str, str], list[str]]] = []
+        self.styles = ""
+        self._tag = ""  # the element that began last, while nothing ended behind it
+        self._attributes: Mapping[str, str] = {}
+        self._text = ""
+        self._is_code = False
+        self.feed(html)
+
+    def handle_starttag(
+        self, tag: str, attrs: Sequence[tuple[str, str | None]]
+    ) -> None:
+        attributes = {name: value or "" for name, value in attrs}
+        self._tag = tag
+        self._attributes = attributes
+        self._text = ""
+        self._is_code |= tag == "code"
+        is_named = attributes.get("rel") in ("canonical", "alternate")
+        is_refresh = "refresh" in attributes.get("http-equiv", "").lower()
+        if tag in ACTIVE.split() or is_refresh:
+            self.active.append(tag)
+        if tag == "script":
+            self.scripts.append((attributes, []))
+        if "data-claim" in attributes:
+            self.claims.append(attributes)
+        for name, value in attributes.items():
+            if name == "id":
+                self.ids.append(value)
+            elif name == "style":
+                self.styles += value
+            elif name.startswith("on") or name == "srcdoc":
+                self.active.append(tag)
+            elif name == "href" and tag == "a":
+                self.links.append(value)
+            elif name in FETCHING.split() or (name == "href" and not is_named):
+                self.fetched.append(value)
+
+    def handle_data(self, data: str) -> None:
+        self._text += data
+        if self._tag == "script":
+            self.scripts[-1][1].append(data)
+        elif self._tag == "style":
+            self.styles += data
+
+    def handle_endtag(self, tag: str) -> None:
+        if tag == "data":
+            self.numbers.append((self._attributes, self._text, self._is_code))
+        self._is_code &= tag != "code"
+        self._tag = ""
+
+
 Pages = Mapping[Path, PageReader]
 
 
@@ -38,18 +109,20 @@ def check_site(site: Path, report: Report | None = None) -> list[str]:
 def _problems_of(site: Path, report: Report) -> Iterator[str]:
     scripts = module_named("plugins", report.settings.plugins).scripts()
     data = Data(site / "data", report)
-    # Drawings that are files are parts of pages.
     files = sorted([*site.rglob("*.html"), *site.rglob("*.svg")])
     pages = {
         path.resolve(): PageReader(path.read_text(encoding="utf-8")) for path in files
     }
     for path, page in pages.items():
-        problems = [*page.faults, *_check_safety(page, scripts)]
-        problems += _check_links(page, path, pages, site)
+        problems = [
+            *_check_safety(page, scripts),
+            *_check_links(page, path, pages, site),
+        ]
         for claim in page.claims:
             if claim.get("data-outcome") not in OUTCOMES:
                 problems.append(f"the claim {claim['data-claim']} has no outcome")
-        problems += check_numbers(page, data)
+        for number in page.numbers:
+            problems += check_number(number, data)
         yield from (f"{path.relative_to(site)}: {problem}" for problem in problems)
     html = {path: page for path, page in pages.items() if path.suffix == ".html"}
     for folder in {path.parent for path in html}:
@@ -70,8 +143,12 @@ def _problems_of(site: Path, report: Report) -> Iterator[str]:
 def _check_safety(page: PageReader, scripts: Collection[str]) -> Iterator[str]:
     """Say what runs on a page, or is fetched for it, that is not the report's own."""
     yield from (f"<{tag}> runs a script" for tag in page.active)
-    for text in page.inline:
-        if text not in scripts:
+    for attributes, texts in page.scripts:
+        text = "".join(texts)
+        # A file's bytes are checked where they lie, so that it need only be one of the site.
+        is_file = attributes.get("src", "").endswith(".js") and not text.strip()
+        is_plain = is_file and attributes.keys() <= {"src", "defer"}
+        if not is_plain and (attributes or text not in scripts):
             yield "a script runs that is not the project's own"
     for address in page.fetched:
         parts = _parts(address)

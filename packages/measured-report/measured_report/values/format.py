@@ -146,13 +146,6 @@ def format_short(value: float) -> str:
     )
 
 
-def number_pattern(text: str) -> re.Pattern[str]:
-    """Match a number as it is written, and not as a part of another one."""
-    return re.compile(
-        rf"(?<![\d.{THIN_SPACE}]){re.escape(text)}(?!\d|[.{THIN_SPACE}]\d)"
-    )
-
-
 def format_share(share: float, sign: str = "") -> str:
     """Write a share in percent, in two digits; ``sign`` as Python's formats have it."""
     return f"{float(f'{100 * share:.2g}'):{sign},.12g} %"

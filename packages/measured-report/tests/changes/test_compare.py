@@ -239,7 +239,7 @@ def test_a_share_is_sure_beyond_its_noise_whichever_way_it_moves_and_two_of_thre
         "a": SimpleNamespace(changed=[(40, 0), (40, 1), (0, 0)]),
         "b": SimpleNamespace(changed=[(20, 3)]),
     }
-    found = rate_of(SimpleNamespace(measurements=SimpleNamespace(evidence=evidence)))
+    found = rate_of(SimpleNamespace(evidence=evidence))
     assert found == {"comparisons": 3, "told": 2, "numbers": 100, "moves": 4}
 
 

@@ -17,7 +17,7 @@ TEXT = reference(Report(SKELETON / "pendulum"))
 
 @pytest.mark.parametrize("kind", [Config, Changes, Columns])
 def test_every_setting_is_told(kind):
-    assert not [each.name for each in fields(kind) if f"- `{each.name}: " not in TEXT]
+    assert not [each.name for each in fields(kind) if f"\n{each.name}: " not in TEXT]
 
 
 def test_what_a_section_imports_and_every_unit_are_told():
@@ -42,7 +42,7 @@ def test_what_a_section_imports_and_every_unit_are_told():
     assert not [end for end in units() if f"`_{end}`" not in TEXT]
 
 
-def test_what_the_docs_and_a_new_report_use_is_told_with_the_order_of_its_fields():
+def test_what_the_docs_and_a_new_report_use_is_told():
     documents = [
         path.read_text()
         for name in ("your-own", "section")
@@ -69,16 +69,10 @@ def test_what_the_docs_and_a_new_report_use_is_told_with_the_order_of_its_fields
     assert [
         name
         for name in sorted(used - {"", "measure", "derive"})
-        if not re.search(rf"`{name}[(:]|\b{name}[ (.]", TEXT)
+        if not re.search(rf"\b{name}[ (.:]", TEXT)
     ] == []
-    for signature in (
-        "Claim(name, outcome, numbers=…",
-        "Figure(draw, sources, numbers=…",
-        "Section(tables=…, figures=…, claims=…",
-    ):
-        assert f"`{signature}" in TEXT
     assert (
         "- `trace(self, case: str)`" in TEXT
-        and "- `order: int`" in TEXT
+        and "\norder: int  # place" in TEXT
         and "NEEDS_GPU = False" in TEXT
     )

@@ -53,11 +53,6 @@ TEXT = (SKELETON / "report.toml").read_text(encoding="utf-8")
         ),
         ("title =", "title", "Expected '=' after a key"),
         (
-            'formulas = ["RK4"]',
-            'formulas = ["RK4("]',
-            r"'RK4\(' is no regular expression",
-        ),
-        (
             'names = ["duration_s"]',
             "",
             "a table of columns has neither names nor a pattern",

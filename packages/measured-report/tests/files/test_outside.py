@@ -141,7 +141,7 @@ def test_finding_4_a_page_text_that_cannot_be_said_of_a_record_is_left_out_and_i
 ):
     toy.write(
         "templates/front.md.j2",
-        '# A report\n\n{% if sections %}{{ sections.toy.row["stiff"].note.code }}{% endif %}\n',
+        '# A report\n\n{% if measured %}{{ sections.toy.row["stiff"].note.code }}{% endif %}\n',
     )
     toy.measure([{**row, "note": "as text"} for row in ROWS])
     assert (

@@ -76,13 +76,8 @@ def test_a_passage_falls_with_a_number_that_is_not_there(toy):
         ("toy.helps.gain", "toy.helps.bound", "has no attribute 'bound'"),
         (
             "toy.helps.gain",
-            'sections["toy"].row["stiff"].slip_mm',
-            "names sections, which is no section that it needs",
-        ),
-        (
-            "toy.helps.gain",
             "gap.helps.gain",
-            "names gap, which is no section that it needs",
+            "'gap' is undefined",
         ),
         ("toy.helps.gain", "5 mm", "5 mm is typed"),
     ],

@@ -138,14 +138,6 @@ def test_what_is_decided_holds_or_fails_and_cannot_tell_without_one_of_its_numbe
     assert decided(True, mm(1.0), mm(None, reason="it fell")) == Outcome(
         "unknown", "it fell"
     )
-    flags = {
-        (0, 1, 1, 0): "holds",
-        (1,): "holds",
-        (1, 0, 1): "fails",
-        (0,): "fails",
-        (): "fails",
-    }
-    assert {each: said(module.contiguous(each)) for each in flags} == flags
 
 
 def test_of_several_one_that_fails_decides_then_an_opposite_then_one_that_cannot_tell():
@@ -201,7 +193,7 @@ def test_each_outcome_has_its_words_and_without_them_it_is_said_by_what_was_aske
     }
 
     def claim(**others) -> Claim:
-        wording = Wording("place", words, frozenset(), lambda text, _: text)
+        wording = Wording(words, lambda text, _: text)
         return Claim("c", outcome, {}, wording, **others)
 
     assert claim().sentence == text and ("E" in claim().html("s")) == (outcome == HOLDS)

@@ -10,7 +10,7 @@ pytestmark = pytest.mark.words
 
 
 def test_a_statement_says_that_it_is_not_measured_here(toy):
-    words = "\n{% stated law %} Twice *as* large as {{ row['stiff'].slip_mm }}. {% endstated %}\n"
+    words = "\n{% call stated('law') %} Twice *as* large as {{ row['stiff'].slip_mm }}. {% endcall %}\n"
     toy.write("templates/sources.toml", '[law]\nurl = "https://example.org/law"\n')
     toy.write("templates/sections/toy.md.j2", TEMPLATE + words)
     toy.build()

@@ -1,8 +1,7 @@
-"""The check of a site: what it finds in pages, numbers, links and drawings."""
+"""The check of a site: what it finds in pages, numbers and links."""
 
 from measured_report.site.check import check_site
 
-LABEL, SOURCE = 'aria-label="It moves 0.31 mm."', "newton-1.4.0/toy.json#/rows"
 ADDRESSES = (
     "javascript:alert(1)",
     "JaVaScRiPt:alert(1)",
@@ -31,8 +30,13 @@ WRONG = [
         '<script src="https://example.org/x.js"></script></main>',
         "fetched from elsewhere",
     ),
-    ("</main>", '<script src="data/values.json"></script></main>', "runs a script"),
+    (
+        "</main>",
+        '<script src="data/values.json"></script></main>',
+        "not the project's own",
+    ),
     ("</main>", '<script src="page.js" onload="x"></script></main>', "runs a script"),
+    ("</main>", "<script>alert(1)", "not the project's own"),
     ("</main>", "<script>alert(1)</script></main>", "not the project's own"),
     ("</main>", "<script></script></main>", "not the project's own"),
     (
@@ -57,29 +61,6 @@ WRONG = [
     ("</main>", "<form></main>", "runs a script"),
     ("</main>", '<base href="."></main>', "runs a script"),
     ("</main>", '<meta http-equiv="Refresh"></main>', "runs a script"),
-    (LABEL, 'aria-label="It moves 0.4 mm."', "is not said by"),
-    (LABEL, 'aria-label="It moves 0.31 mm of 7."', "leads nowhere"),
-    ("</svg>", "<text>7 mm</text></svg>", "leads nowhere"),
-    (
-        "</svg>",
-        f'<text data-src="{SOURCE}/0/slip_mm">7 mm</text></svg>',
-        "is not said by",
-    ),
-    (
-        "</svg>",
-        f'<text data-src="{SOURCE}/9/slip_mm">7 mm</text></svg>',
-        "resolves to nothing",
-    ),
-    ("</svg>", f'<text data-src="{SOURCE}/0/slip_mm">6.4 mm</text></svg>', ""),
-    (
-        "</svg>",
-        f'<text data-src="{SOURCE}/0/slip_mm">6 mm</text></svg>',
-        "is not said by",
-    ),
-    ("</svg>", '<g class="tick"><text>7</text></g></svg>', ""),
-    ("&nbsp;mm", "&nbsp;mm mm", "mm stands twice behind a number"),
-    ("</main>", "<em>x</main>", "<em> is not closed"),
-    ("</td>", ", 7 mm</td>", "leads nowhere in the cell"),
 ]
 
 

@@ -1,7 +1,6 @@
 """Numbers as people write them: the digits that their noise carries and never more, and what was chosen as it was."""
 
 import math
-import re
 from decimal import Decimal
 
 import pytest
@@ -11,7 +10,6 @@ pytest.importorskip("hypothesis", reason="the extra test has it")
 from hypothesis import assume, example, given
 from hypothesis import strategies as st
 
-from measured_report.parts.figures import draw_svgs, new_figure, write
 from measured_report.values.format import (
     format_least,
     format_most,
@@ -19,7 +17,6 @@ from measured_report.values.format import (
     label_of,
 )
 from measured_report.values.format import read_number as read
-from measured_report.values.quantities import Quantity
 
 SIZES = st.floats(1e-12, 1e12)
 VALUES = st.builds(math.copysign, SIZES, st.sampled_from((1.0, -1.0)))
@@ -57,31 +54,6 @@ def test_what_was_typed_is_written_as_it_was(digits, power):
     typed = Decimal(digits).scaleb(power)
     assume(typed == 0 or typed.adjusted() < 12)
     assert read(format_number(float(typed), noise=0.0)) == typed
-
-
-def test_a_drawing_says_where_its_numbers_are_from():
-    places = [f"newton-1.4.0/toy.json#/rows/{index}/slip_mm" for index in range(3)]
-    slips = [
-        Quantity(value, "mm", place, noise=0.005)
-        for value, place in zip((6.3617, 8.0, 8.001), places, strict=True)
-    ]
-
-    def draw():
-        drawing, axes = new_figure()
-        axes.plot([0.0, 6.36])
-        axes.set_yticks([6.36], ["6.36"])
-        axes.set_title(f"slips {write(slips[0])} mm")
-        axes.text(0.0, 1.0, f"{write(slips[1])} of {write(slips[2])}")
-        return drawing
-
-    for svg in draw_svgs(draw, name="toy-way"):
-        linked = dict(
-            re.findall(r'<text data-src="([^"]*)"[^>]*>([^<]*)</text>', svg.content)
-        )
-        assert linked == {
-            places[0]: "slips 6.36 mm",
-            " ".join(places[1:]): "8.00 of 8.00",
-        }, "the tick is a place"
 
 
 @given(VALUES, st.one_of(st.none(), st.just(0.0), SIZES))
