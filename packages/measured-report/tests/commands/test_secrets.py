@@ -58,6 +58,7 @@ def test_no_user_home_or_token_is_written_or_printed(toy, checkout, tmp_path):
         ("replicate --device cpu", 0),
     ]
     asked += [
+        ("page", 0),
         ("publish", 0),
         (f"publish --target dir:{home.parent}/www", 0),
         ("status", 0),
