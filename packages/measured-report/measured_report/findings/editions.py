@@ -23,8 +23,8 @@ from measured_report.findings.chapters import (
 )
 from measured_report.findings.replicas import (
     Measurements,
+    measured_digest,
     measurements_of,
-    replica_files,
 )
 from measured_report.findings.sections import (
     Outline,
@@ -36,7 +36,6 @@ from measured_report.findings.sections import (
 )
 from measured_report.parts.section import Section
 from measured_report.records.code import read_source
-from measured_report.records.identity import files_digest
 from measured_report.records.replicas import FOLDER
 from measured_report.values.evidence import Evidence
 from measured_report.values.quantities import Value
@@ -247,12 +246,8 @@ class Edition:
 
     @cached_property
     def _measured(self) -> str:
-        """Digest what says how noisy numbers are: replicas compare all sections."""
-        noise = self.report.settings.noise_section
-        paths = [self.project.record_path(noise)]
-        if replicas := replica_files(self.project):
-            paths += [*replicas, *map(self.project.record_path, self.chapters)]
-        return files_digest(paths, self.project.results)
+        """Digest the records and replicas of all editions, which say how numbers scatter."""
+        return measured_digest(self.project)
 
 
 def _digests_of(releases: Releases) -> list[str]:

@@ -16,8 +16,8 @@ from measured_report.parts.section import Section
 from measured_report.records.identity import files_digest
 from measured_report.records.record import Record
 from measured_report.records.replicas import FOLDER, Records, mismatch, read_replica
-from measured_report.values.cells import evidence_of
-from measured_report.values.evidence import Evidence, repeats_of
+from measured_report.values.body import Body, body_of
+from measured_report.values.evidence import Evidence
 from measured_report.values.quantities import Pointer
 
 
@@ -32,6 +32,8 @@ class Measurements:
     digest: str = ""  # covers the replicas
     damaged: Sequence[str] = ()  # what is wrong with each replica that can't be read
     names: Sequence[str] = ()  # of the others
+    calibration: Mapping[str, tuple[int, int]] = field(default_factory=dict)
+    """By kind of number: how many measurements lie where the others predict, of how many."""
 
     def confirmed(self, name: str, section: Section) -> Section:
         """Return a section whose claims say by how many measurements they are decided, where there are several."""
@@ -53,36 +55,63 @@ def measurements_of(
     project: Project, tracked: Records, cache: DerivedCache
 ) -> Measurements:
     """Return what all measurements of an edition say, kept from before."""
-    columns = project.report.columns
-
-    def find() -> Measurements:
-        read, damaged = read_replicas(project)
-        replicas = [alike(tracked, records) for records in read.values()]
-        noise = tracked.get(columns.settings.noise_section)
-        repeats = repeats_of(noise.rows if noise else (), columns)
-        measured: dict[str, list[Record | None]] = {}
-        kinds = {}
-        for name, record in tracked.items():
-            measured[name] = [record, *(records.get(name) for records in replicas)]
-            kinds[name] = _kinds(
-                [each for each in measured[name] if each], project.report
-            )
-        evidence = evidence_of(measured, repeats, columns)
-        digest = files_digest(replica_files(project), project.results)
-        return Measurements(evidence, kinds, digest, damaged, [*read])
-
     if not tracked:
         return Measurements()
-    files = [*replica_files(project), *(project.record_path(name) for name in tracked)]
-    name = f"{project.profile}.{project.release}.evidence"
-    module = outline_of(next(iter(tracked))).file
-    # What is no file has a name and no digest, and is named as damaged while it is there.
-    return cache.value(
-        name,
-        module,
-        [files_digest(files, project.results), *(path.name for path in files)],
-        find,
-    )
+    body = _body_of(project, next(iter(tracked)), cache)
+    read, damaged = read_replicas(project)
+    replicas = [alike(tracked, records) for records in read.values()]
+    kinds = {}
+    evidence = {}
+    for name, record in tracked.items():
+        records = [record, *(each[name] for each in replicas if name in each)]
+        kinds[name] = _kinds(records, project.report)
+        evidence[name] = body.sections.get(
+            (project.aside + project.release, name), Evidence()
+        )
+    digest = files_digest(replica_files(project), project.results)
+    return Measurements(evidence, kinds, digest, damaged, [*read], body.calibration)
+
+
+def _compared(project: Project) -> list[Project]:
+    """Return the editions whose measurements show how numbers scatter.
+
+    What was measured aside scatters as what is tracked, which is read with it.
+    """
+    sides = [project]
+    if project.aside:
+        sides.append(replace(project, aside="", profile="full"))
+    return [side.of(release) for side in sides for release in side.releases]
+
+
+def measured_digest(project: Project) -> str:
+    """Digest the records and replicas of all editions that are compared."""
+    files: list[Path] = []
+    for each in _compared(project):
+        files += replica_files(each)
+        files += each.results.glob("*.json")
+    digest = files_digest(files, project.root)
+    # A replica that is not a file has a name and no digest, and is named as damaged.
+    return f"{digest} {' '.join(sorted(path.name for path in files))}"
+
+
+def _body_of(project: Project, section: str, cache: DerivedCache) -> Body:
+    """Return the evidence of all editions together, kept from before."""
+
+    def find() -> Body:
+        measured: dict[tuple[str, str], list[Record | None]] = {}
+        for each in _compared(project):
+            shown = {record.section: record for record in records_of(each)}
+            replicas = [
+                alike(shown, found) for found in read_replicas(each)[0].values()
+            ]
+            for name, record in shown.items():
+                several = [record, *(found.get(name) for found in replicas)]
+                measured[each.aside + each.release, name] = several
+        return body_of(measured, project.report.columns)
+
+    name = f"{project.aside}{project.profile}.evidence"
+    module = outline_of(section).file
+    return cache.value(name, module, [measured_digest(project)], find)
 
 
 def _kinds(records: Sequence[Record], report: Report) -> str:

@@ -152,12 +152,13 @@ class Record:
 
     @property
     def machine_for_speed(self) -> tuple[str | None, ...]:
-        return tuple(
-            map(
-                self.machine.get,
-                ("device", "gpu", "driver", "cpu", "cores", "sections_at_once"),
-            )
-        )
+        """Return what two machines must share for their times to be compared.
+
+        Hosts with the same kind of processor differ by a few percent, which the noise of
+        a time includes.
+        """
+        names = ("device", "sections_at_once")
+        return self.processor, *map(self.machine.get, names)
 
     @cached_property
     def number_count(self) -> int:
