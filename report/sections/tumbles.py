@@ -39,6 +39,7 @@ def derive(results: Results) -> Section:
         "tumble_more",
         "worlds that gain with the term less those without, by the root of their sum",
         combined(_excess, exact, plain),
+        is_noise=True,  # chance is in the statistic
     )
     # Whether more of any body gain energy, or rise, with the term than chance has it.
     bodies = dict.fromkeys(row.plain["tumbling"] for row in rows)
@@ -62,6 +63,7 @@ def derive(results: Results) -> Section:
                     for body in bodies
                 ],
             ),
+            is_noise=True,
         )
         for kind, columns in DIFFERENCES.items()
     )

@@ -17,7 +17,6 @@ from measured_report.findings.editions import Edition
 from measured_report.parts.claim import Claim
 from measured_report.parts.macros import macros
 from measured_report.records.record import Record
-from measured_report.values.noise import FALSE_SHARE, discoveries
 from measured_report.values.quantities import Pointer
 
 
@@ -251,12 +250,6 @@ def compare(
     if timed:
         pairs |= _common(*(edition.chapters for edition in timed))
     compared = [cell for pair in pairs.values() for cell in moves_between(*pair)]
-    chances = [cell.chance for cell in compared if cell.chance is not None]
-    limit = max(discoveries(chances), FALSE_SHARE / max(1, len(chances)))
-    compared = [
-        replace(cell, limit=limit) if (cell.chance or 0.0) <= FALSE_SHARE else cell
-        for cell in compared
-    ]
     faults = [*_faults_between(before, after), *faults_of(before), *faults_of(after)]
     noise = f"/{after.project.report.settings.noise_section}.json"
     return Comparison(

@@ -4,6 +4,7 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import partial
+from statistics import median
 from typing import Any
 
 from measured_report.files.columns import REASON, Column, Schema, is_number
@@ -22,16 +23,23 @@ from measured_report.values.evidence import (
 from measured_report.values.noise import (
     FALSE_SHARE,
     ROUNDED_SHARE,
+    TO_DEVIATION,
     Estimate,
     chance_of,
+    discoveries,
+    exceeds_chance,
     t_quantile,
-    welch,
 )
 from measured_report.values.quantities import Quantity
 from measured_report.values.results import Results, Row
 
 NAMED = 4  # chosen: so many claims, and twice as many settings, are named in a line
-CHOSEN_SHARE = 0.1  # chosen: the noise of a value, as a share, where none was measured
+CHOSEN_SHARE = 0.1  # chosen: the noise of a value, as a share, if none was measured
+NEAR_ZERO = 0.01  # chosen: a number is close to zero below this share of its column's
+ODD_SHARE = 0.02
+"""Chosen: the share of rows that end otherwise by chance, if nothing was measured twice."""
+COST_SHARE = 1e-3  # chosen: a smaller relative difference of costs does not count
+LEAST_SHIFTED = 3  # chosen: how many times it takes to say that they moved together
 
 
 @dataclass(frozen=True)
@@ -50,7 +58,11 @@ class Move:
     place: Mapping[str, Any] = field(default_factory=dict)  # the key of its row
     rows: Sequence[Row] = ()  # its row in both; none if it is the mean of many
     rules: Changes = field(default_factory=Changes, repr=False)
-    limit: float = FALSE_SHARE  # the largest chance that counts as none
+    limit: float = FALSE_SHARE  # the largest chance that counts as a change
+    scale: float = 0.0  # below this size a number is close to zero
+    is_single: bool = False  # whether one edition has measured it only once
+    is_odd: bool = False  # whether single runs that end otherwise by chance explain it
+    row_count: int = 1  # of rows whose common change this is
 
     @property
     def sides(self) -> list[Any]:
@@ -76,9 +88,16 @@ class Move:
     @property
     def is_real(self) -> bool:
         """Return whether the values differ, numbers beyond the noise."""
+        if self.is_odd:
+            return False
         if self.is_setting or self.chance is None:
             return bool(self.before != self.after)
         return self.chance <= self.limit
+
+    @property
+    def may_be_odd(self) -> bool:
+        """Return whether a single run that ends otherwise by chance might explain it."""
+        return self.is_single and bool(self.rows) and not self.is_setting
 
     @property
     def noise(self) -> float | None:
@@ -92,9 +111,10 @@ class Move:
         """Return the change as a share of the older value; None without two numbers."""
         if None in (self.chance, self.before, self.after):
             return None
-        if self.before:
-            return (self.after - self.before) / abs(self.before)
-        return math.copysign(math.inf, self.after) if self.after else 0.0
+        difference: float = self.after - self.before
+        if size := max(abs(self.before), self.scale):
+            return difference / size
+        return math.copysign(math.inf, difference) if difference else 0.0
 
     @property
     def sure_share(self) -> float:
@@ -105,21 +125,33 @@ class Move:
         return certainty * abs(self.share)
 
     @property
-    def exceeds_threshold(self) -> bool:
-        """Return whether a setting, or a number that report.toml names, moved by more
-        than its threshold, or is lost."""
-        named = self.rules.thresholds
+    def is_named(self) -> bool:
+        """Return whether report.toml names it among the thresholds or the headlines."""
+        named = self.rules.named
         if "failure" in self.column.kinds:
             run = self.name.rpartition(".")[0]
-            return self.is_real and any(
-                name.rpartition(".")[0] == run for name in named
-            )
-        threshold = named.get(self.name)
+            return any(name.rpartition(".")[0] == run for name in named)
+        return self.name in named
+
+    @property
+    def threshold(self) -> float:
+        """Return the share by which it may change before that is an alarm."""
         if self.is_setting:
-            threshold = self.rules.setting_threshold
-        if threshold is None or self.share is None:
-            return threshold is not None and self.is_gone
-        return self.is_real and abs(self.share) > threshold
+            return self.rules.setting_threshold
+        usual = self.rules.threshold
+        if self.column.is_cost:
+            usual = self.rules.cost_threshold
+        return self.rules.thresholds.get(self.name, usual)
+
+    @property
+    def exceeds_threshold(self) -> bool:
+        """Return whether it changed by more than its threshold, or is lost."""
+        if "failure" in self.column.kinds:
+            return self.is_real
+        if self.share is None:
+            return self.is_gone and (self.is_setting or self.is_named)
+        # A change of exactly the threshold counts, in spite of rounding.
+        return self.is_real and abs(self.share) > self.threshold * (1 - 1e-6)
 
     @property
     def is_gone(self) -> bool:
@@ -167,9 +199,8 @@ def _text(cell: Any) -> str:
     return {True: "yes", False: "no", None: "none"}.get(cell, str(cell))
 
 
-Estimates = Sequence[Estimate | None]  # of a number in both editions; None: unknown
-Pair = tuple[Move, Estimates, float]
-"""A number that is not judged yet, its estimates, and the least chance that it has."""
+Pair = tuple[Move, Sequence[Estimate | None]]
+"""A number that is not judged yet, and what is known of it in both editions."""
 
 
 def moves_between(before: Chapter, after: Chapter) -> list[Move]:
@@ -179,10 +210,8 @@ def moves_between(before: Chapter, after: Chapter) -> list[Move]:
     columns = after.results.columns
     rules = columns.settings.changes
     edges = sides[0].evidence.edges | sides[1].evidence.edges
-    edge_share = max(side.evidence.edge_share for side in sides)
-    is_other_card = sides[0].record.card != sides[1].record.card
-    pairs = list(_means_between(sides, is_other_card))
-    means = {(move.place["case"], move.column) for move, *_ in pairs}
+    pairs = list(_means_between(sides))
+    means = {(move.place["case"], move.column) for move, _ in pairs}
     old, new = map(_rows_by_key, sides)
     moves = []
     for key in dict.fromkeys((*old, *new)):
@@ -206,19 +235,12 @@ def moves_between(before: Chapter, after: Chapter) -> list[Move]:
             if not all(map(is_number, ends)):
                 moves.append(move)
             elif (place["case"], column) not in means:
-                estimates = [row.estimate(column.name) for row in rows]
-                if is_absolute(column):
-                    if is_other_card and not _knows_cards(estimates):
-                        continue
-                    # How far a time of another process would be is not known.
-                    estimates = [
-                        time._replace(count=1.0, least=CHOSEN_SHARE * abs(time.value))
-                        if time and not time.is_again
-                        else time
-                        for time in estimates
-                    ]
-                pairs.append((move, estimates, edge_share))
-    return [*judged(pairs), *moves]
+                pairs.append((move, [row.estimate(column.name) for row in rows]))
+    numbers = _judged(pairs)
+    shifts = _shifts(numbers, sides)
+    is_single = any(side.evidence.count < 2 for side in sides)
+    texts = [replace(move, is_single=is_single) for move in moves]
+    return [*_without_chance([*numbers, *texts], sides), *shifts]
 
 
 def _rows_by_key(results: Results) -> dict[Key, Row]:
@@ -229,12 +251,7 @@ def _rows_by_key(results: Results) -> dict[Key, Row]:
     return single((key_of(row.plain, results.columns), row) for row in rows)
 
 
-def _knows_cards(estimates: Estimates) -> bool:
-    """Return whether it is known how far absolute times of two cards are apart."""
-    return any(estimate and estimate.is_of_cards for estimate in estimates)
-
-
-def _means_between(sides: Sequence[Results], is_other_card: bool) -> Iterator[Pair]:
+def _means_between(sides: Sequence[Results]) -> Iterator[Pair]:
     """Yield the means of runs of one case, of the section on noise."""
     columns = sides[1].columns
     rules = columns.settings.changes
@@ -243,16 +260,22 @@ def _means_between(sides: Sequence[Results], is_other_card: bool) -> Iterator[Pa
         return
     old, new = (side.evidence.means() for side in sides)
     for case, name in (key for key in old if key in new):
+        if is_absolute(columns[name]) and not _are_timed_alike(sides):
+            continue
         means = old[case, name], new[case, name]
-        if not (is_absolute(columns[name]) and is_other_card) or _knows_cards(means):
-            of_case = partial(Move, section=section, place={"case": case}, rules=rules)
-            yield of_case(columns[name], means[0].value, means[1].value), means, 0.0
+        of_case = partial(Move, section=section, place={"case": case}, rules=rules)
+        yield of_case(columns[name], means[0].value, means[1].value), means
 
 
 def cost_terms(record: Record, row: Cells, columns: Schema) -> tuple[Any, ...]:
     """Return what two costs must share to be compared: the machine and the amount of work."""
     work = [row.get(name) for name in columns.settings.cost_terms]
     return record.machine_for_speed, *work
+
+
+def _are_timed_alike(sides: Sequence[Results]) -> bool:
+    a, b = (side.record.machine_for_speed for side in sides)
+    return a == b
 
 
 def _comparable(rows: Sequence[Cells], sides: Sequence[Results]) -> Iterator[Column]:
@@ -289,56 +312,146 @@ def _comparable(rows: Sequence[Cells], sides: Sequence[Results]) -> Iterator[Col
             yield column  # a rate, of runs that only took longer or shorter
 
 
-def judged(pairs: Sequence[Pair]) -> list[Move]:
-    """Return numbers with the chance that they differ as much by noise alone."""
-    import numpy as np  # most commands that import this module judge no move
+def _judged(pairs: Sequence[Pair]) -> list[Move]:
+    """Return numbers with the chance that they differ as much by noise alone.
+
+    The share of false changes among those of this section is bounded by ``FALSE_SHARE``.
+    """
+    import numpy as np  # a slow import, and most commands judge no move
 
     if not pairs:
         return []
-    known = [_known(move, estimates) for move, estimates, _ in pairs]
+    known = [_known(move, estimates) for move, estimates in pairs]
     values = np.array([[side.value for side in sides] for sides, *_ in known])
-    variances = [[side.variance / side.count for side in sides] for sides, *_ in known]
-    freedoms = [[side.freedom for side in sides] for sides, *_ in known]
-    errors, freedoms = welch(np.array(variances), np.array(freedoms))
+    errors = np.array([[side.error for side in sides] for sides, *_ in known])
+    # Both variances are of the same scatter, so one does not add to what the other says.
+    freedoms = np.array([min(side.freedom for side in sides) for sides, *_ in known])
     leasts = np.array([least for _, least, _ in known])
     distances = np.maximum(0.0, abs(np.diff(values)[:, 0]) - leasts)
+    errors = np.hypot(*errors.T)
     chances = chance_of(distances, errors, freedoms)
+    limit = max(discoveries(chances), FALSE_SHARE / len(chances))
+    scales = _scales(pairs)
     moves = []
-    difference = zip(chances, errors.tolist(), freedoms.tolist(), strict=True)
-    for index, (chance, error, freedom) in enumerate(difference):
-        move, _, least_chance = pairs[index]
-        (before, after), least, is_chosen = known[index]
+    for index, chance in enumerate(chances):
+        move, _ = pairs[index]
+        sides, least, is_chosen = known[index]
         judged_move = replace(
             move,
-            before=before.value,
-            after=after.value,
-            chance=max(chance, least_chance),
-            error=error,
-            freedom=freedom,
+            before=sides[0].value,
+            after=sides[1].value,
+            chance=chance,
+            error=float(errors[index]),
+            freedom=float(freedoms[index]),
             least=least,
             is_chosen=is_chosen,
+            limit=limit,
+            scale=scales[move.column],
+            is_single=any(side.count < 2 for side in sides),
         )
         moves.append(judged_move)
     return moves
 
 
-def _known(move: Move, estimates: Estimates) -> tuple[list[Estimate], float, bool]:
+def _scales(pairs: Sequence[Pair]) -> dict[Column, float]:
+    """Return by column the size below which a number is close to zero: a percentage of
+    it would say nothing, so its change is a share of this size."""
+    sizes: dict[Column, list[float]] = {}
+    for move, _ in pairs:
+        sizes.setdefault(move.column, []).append(abs(move.before))
+    return {column: NEAR_ZERO * median(numbers) for column, numbers in sizes.items()}
+
+
+def _known(
+    move: Move, estimates: Sequence[Estimate | None]
+) -> tuple[list[Estimate], float, bool]:
     """Return the estimates of both sides, the least difference that counts, and whether
     that is chosen because no noise is known.
 
-    If only one side was measured several times, its scatter counts for the other side.
-    A noise that is known of one side only counts for both.
+    If the scatter of one side only is known, it counts for the other side, too.
     """
     ends = move.before, move.after
-    bare = [each or Estimate(end) for each, end in zip(estimates, ends, strict=True)]
-    size = max(abs(each.value) for each in bare)
+    size = max(map(abs, ends))
     resolution = move.column.resolution
-    if not any(estimates):
+    found = [each for each in estimates if each]
+    if not found:
+        bare = [Estimate(end) for end in ends]
         return bare, max(resolution, CHOSEN_SHARE * size), True
-    teacher = max(filter(None, estimates), key=lambda each: each.is_again)
-    sides = []
-    for side, each in zip(bare, estimates, strict=True):
-        if each is None or each.is_again < teacher.is_again:
-            side = Estimate(side.value, teacher.variance, teacher.freedom)
-        sides.append(side)
-    return sides, max(resolution, ROUNDED_SHARE * size, teacher.least), False
+    teacher = found[0]
+    sides = [
+        each or Estimate(end, teacher.variance, teacher.freedom)
+        for each, end in zip(estimates, ends, strict=True)
+    ]
+    rounding = size * (COST_SHARE if move.column.is_cost else ROUNDED_SHARE)
+    least = max(each.least for each in found)
+    return sides, max(resolution, rounding, least), False
+
+
+def _without_chance(moves: Sequence[Move], sides: Sequence[Results]) -> list[Move]:
+    """Return the moves; those that single runs explain that ended otherwise do not count.
+
+    Now and then one run ends unlike all others although nothing changed. A number that
+    one side measured once cannot tell that from a change. So such rows count only if
+    there are more of them than the measurements of this section explain, or if
+    ``report.toml`` names the number.
+    """
+    single_rows = {
+        move.rows[0].source for move in moves if move.may_be_odd and move.is_real
+    }
+    all_rows = {move.rows[0].source for move in moves if move.rows}
+    expected = 0.0
+    for side in sides:
+        odd_rows = side.evidence.odd_rows
+        expected += ODD_SHARE * len(all_rows) if odd_rows is None else odd_rows
+    if exceeds_chance(len(single_rows), expected):
+        return list(moves)
+    return [
+        replace(move, is_odd=True) if move.may_be_odd and not move.is_named else move
+        for move in moves
+    ]
+
+
+def _shifts(moves: Sequence[Move], sides: Sequence[Results]) -> list[Move]:
+    """Return by how much all times of a column moved together.
+
+    All times of one measurement share the error of its host and card, so many rows are
+    no better known together than one. Yet a change of all of them shows beside the
+    scatter between hosts, if that of a single row is hidden by the noise of that row.
+    """
+    by_column: dict[Column, list[Move]] = {}
+    for move in moves:
+        is_positive = min(move.before or 0.0, move.after or 0.0) > 0
+        if is_absolute(move.column) and move.rows and is_positive:
+            by_column.setdefault(move.column, []).append(move)
+    counts = [max(1, side.evidence.count) for side in sides]
+    shifts = []
+    for of_column in by_column.values():
+        if len(of_column) < LEAST_SHIFTED:
+            continue
+        logs = [math.log(move.after / move.before) for move in of_column]
+        middle = median(logs)
+        residual = TO_DEVIATION * median(abs(each - middle) for each in logs)
+        variance, freedom = sides[0].evidence.host
+        error = math.sqrt(
+            variance * sum(1 / count for count in counts)
+            + math.pi / 2 * residual**2 / len(logs)
+        )
+        before = median(move.before for move in of_column)
+        after = before * math.exp(middle)
+        [chance] = chance_of([abs(middle)], [error], [freedom])
+        shifts.append(
+            replace(
+                of_column[0],
+                before=before,
+                after=after,
+                chance=chance,
+                error=error * before,
+                freedom=freedom,
+                least=0.0,
+                place={},
+                rows=(),
+                limit=FALSE_SHARE / len(by_column),
+                row_count=len(of_column),
+            )
+        )
+    return shifts

@@ -13,11 +13,12 @@ from measured_report.editions.status import aligned
 from measured_report.files.columns import PLAIN, Schema
 from measured_report.findings.chapters import Chapters, Releases
 from measured_report.parts.claim import Claim
-from measured_report.values.noise import FALSE_SHARE, LEAST_RUNS, NORMAL, TINY, Z
+from measured_report.values.noise import FALSE_SHARE, NORMAL, Z
 from measured_report.values.quantities import Quantity, absent
 from measured_report.values.results import Results, Row
 
 Answer = str | float
+LEAST_STEPS = 3  # chosen: fewer differences of neighbours do not show a noise
 
 
 @dataclass(frozen=True)
@@ -176,7 +177,7 @@ def changes_in(
     if None in noises:
         steps = [abs(after - before) for before, after in pairwise(numbers)]
         usual = 0.0
-        if len(numbers) >= LEAST_RUNS:
+        if len(steps) >= LEAST_STEPS:
             usual = Z * median(steps) / (math.sqrt(2) * NORMAL.inv_cdf(0.75))
         noises = [usual if noise is None else noise for noise in noises]
     count = len(numbers)
@@ -193,8 +194,9 @@ def changes_in(
         math.hypot(*known[:best]) / best,
         math.hypot(*known[best:]) / (count - best),
     )
-    deviations = apart[best] / max(math.hypot(*errors) / Z, TINY)
-    if (count - 1) * math.erfc(deviations / math.sqrt(2)) > FALSE_SHARE:
+    error = math.hypot(*errors) / Z
+    chance = math.erfc(apart[best] / error / math.sqrt(2)) if error else 0.0
+    if (count - 1) * chance > FALSE_SHARE:
         return []
     later = changes_in(numbers[best:], known[best:], resolution)
     earlier = changes_in(numbers[:best], known[:best], resolution)

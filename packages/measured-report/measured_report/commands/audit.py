@@ -4,11 +4,14 @@ import sys
 from functools import cache
 from pathlib import Path
 
+from measured_report.editions.project import Project
+from measured_report.editions.status import records_of
 from measured_report.files.config import report
 from measured_report.files.errors import ReportError
-from measured_report.site.check_numbers import Data
-
-data_of = cache(lambda folder: Data(folder, report()))
+from measured_report.findings.cache import DerivedCache
+from measured_report.findings.replicas import measurements_of
+from measured_report.records.record import load_record
+from measured_report.values.evidence import Evidence
 
 
 def main() -> int:
@@ -29,11 +32,21 @@ def main() -> int:
 
 
 def noise_of_record(path: Path, row: int, column: str) -> float | None:
-    """Return the noise of a number in a record, computed from all that was measured of it."""
-    edition, file = path.parts[-2:]
+    """Return the noise of a number in a record, from all that was measured of it."""
     try:
-        return data_of(path.parents[1]).number(
-            f"{edition}/{file}#/rows/{row}/{column}"
-        )[1]
-    except ReportError as error:
+        cells = load_record(path).rows[row]
+        evidence = _evidence_of(path.parent.name).get(path.stem, Evidence())
+        estimate = evidence.estimate(column, cells, report().columns)
+    except (ReportError, LookupError) as error:
         raise ValueError(f"the noise of {column} is not known: {error}") from None
+    return estimate.written_noise if estimate else None
+
+
+@cache
+def _evidence_of(folder: str) -> dict[str, Evidence]:
+    """Return the evidence of each section of the edition in a folder of results."""
+    settings = report().settings
+    project = Project(settings.edition_in(folder), root=report().root)
+    tracked = {record.section: record for record in records_of(project)}
+    cache_of_report = DerivedCache(project.root, project.report)
+    return dict(measurements_of(project, tracked, cache_of_report).evidence)

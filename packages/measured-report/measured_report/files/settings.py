@@ -57,6 +57,9 @@ class Changes:
     )  # values that the history shows, by what they are called
     thresholds: Mapping[str, float] = field(default_factory=dict)
     """Numbers that raise an alarm, as ``section.case.column``, by the change that does, a share of the older one."""
+    threshold: Annotated[float, Meta(gt=0.0)] = 0.1
+    """The same for every other number that is compared."""
+    cost_threshold: Annotated[float, Meta(gt=0.0)] = 0.2  # the same for times and costs
     setting_threshold: Annotated[float, Meta(gt=0.0)] = 0.05  # the same for any setting
     settings: Mapping[str, str] = field(default_factory=dict)
     """Kinds of rows that are defaults and options, with what each is called: their values are compared exactly."""
@@ -69,6 +72,11 @@ class Changes:
     keys: Sequence[str] = ("case",)
     """Columns that tell the rows of one section apart, where they are there."""
     endings: str = ""  # the column that lists how the repeats of a run ended; where they differ, no row is compared
+
+    @property
+    def named(self) -> frozenset[str]:
+        """Return the numbers that have a threshold of their own or are headlines."""
+        return frozenset((*self.thresholds, *self.headlines.values()))
 
 
 @dataclass(frozen=True)

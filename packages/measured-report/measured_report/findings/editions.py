@@ -20,7 +20,7 @@ from measured_report.findings.chapters import (
     before,
     results_digest,
 )
-from measured_report.findings.replicas import measurements_of, replica_files
+from measured_report.findings.replicas import measured_digest, measurements_of
 from measured_report.findings.sections import (
     Outline,
     derive_by,
@@ -31,7 +31,6 @@ from measured_report.findings.sections import (
 from measured_report.parts.claim import Claim
 from measured_report.parts.section import Section
 from measured_report.records.code import read_source
-from measured_report.records.identity import files_digest
 from measured_report.records.replicas import FOLDER
 from measured_report.values.evidence import Evidence
 from measured_report.values.quantities import Pointer, Value
@@ -55,6 +54,9 @@ class Edition:
     confirmed: Mapping[str, str] = field(default_factory=dict)
     """By section: by how many measurements its claims are decided, in words."""
     replicas: Sequence[str] = ()  # names of the other measurements
+    calibration: Mapping[str, tuple[int, int]] = field(default_factory=dict)
+    """By kind of number: how many measurements lie where the others predict, of how many
+    in all editions."""
     stories: dict[str, Section] = field(default_factory=dict)  # of its texts, worded
 
     @cached_property
@@ -166,8 +168,11 @@ class Edition:
                 name: each.results.record for name, each in self.chapters.items()
             }
             measured = measurements_of(self.project, records, self.cache)
-            self.evidence, self.confirmed, damaged, self.replicas = measured
-            for fault in damaged:
+            self.evidence = measured.evidence
+            self.confirmed = measured.words
+            self.replicas = measured.names
+            self.calibration = measured.calibration
+            for fault in measured.damaged:
                 self.left_out.append(State(FOLDER, Kind.DAMAGED, notes=(fault,)))
         self.update(partial(self._derived, releases=releases))
 
@@ -258,12 +263,8 @@ class Edition:
 
     @cached_property
     def _measured(self) -> str:
-        """Digest what says how noisy numbers are: replicas compare all sections."""
-        noise = self.report.settings.noise_section
-        paths = [self.project.record_path(noise)]
-        if replicas := replica_files(self.project):
-            paths += [*replicas, *map(self.project.record_path, self.chapters)]
-        return files_digest(paths, self.project.results)
+        """Digest the records and replicas of all editions, which say how numbers scatter."""
+        return measured_digest(self.project)
 
 
 def _digests_of(releases: Releases) -> list[str]:

@@ -1,6 +1,7 @@
 """Measurements of an edition: what its replicas are, and what they say together with what is tracked."""
 
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from measured_report.editions.project import Project
@@ -14,47 +15,88 @@ from measured_report.findings.sections import outline_of
 from measured_report.records.identity import files_digest
 from measured_report.records.record import Record
 from measured_report.records.replicas import FOLDER, Records, mismatch, read_replica
-from measured_report.values.cells import evidence_of
-from measured_report.values.evidence import Evidence, repeats_of
+from measured_report.values.body import body_of
+from measured_report.values.evidence import Evidence
 
-Measurements = tuple[
-    Mapping[str, Evidence], Mapping[str, str], Sequence[str], Sequence[str]
-]
-"""By section: the evidence, and words that say by how many measurements; what is wrong
-with each replica that can't be read; and the names of the others."""
+
+@dataclass(frozen=True)
+class Measurements:
+    """Holds what all measurements of an edition say, by section."""
+
+    evidence: Mapping[str, Evidence] = field(default_factory=dict)
+    words: Mapping[str, str] = field(default_factory=dict)
+    """By how many measurements claims are decided, for sections that have several."""
+    damaged: Sequence[str] = ()  # what is wrong with each replica that cannot be read
+    names: Sequence[str] = ()  # of the other replicas
+    calibration: Mapping[str, tuple[int, int]] = field(default_factory=dict)
 
 
 def measurements_of(
     project: Project, tracked: Records, cache: DerivedCache
 ) -> Measurements:
     """Return what all measurements of an edition say, kept from before."""
-    columns = project.report.columns
-
-    def find() -> Measurements:
-        read, damaged = read_replicas(project)
-        replicas = [alike(tracked, records) for records in read.values()]
-        noise = tracked.get(columns.settings.noise_section)
-        repeats = repeats_of(noise.rows if noise else (), columns)
-        measured: dict[str, list[Record | None]] = {
-            name: [record, *(records.get(name) for records in replicas)]
-            for name, record in tracked.items()
-        }
-        evidence = evidence_of(measured, repeats, columns)
-        words = {}
-        for name, records in measured.items():
-            if (count := evidence[name].count) > 1:
-                kinds = _kinds([each for each in records if each], project.report)
-                words[name] = f"by {count} measurements{kinds}"
-        return evidence, words, damaged, [*read]
-
     if not tracked:
-        return {}, {}, (), ()
-    files = [*replica_files(project), *(project.record_path(name) for name in tracked)]
-    name = f"{project.profile}.{project.release}.evidence"
-    module = outline_of(next(iter(tracked))).file
-    # What is no file has a name and no digest, and is named as damaged while it is there.
-    inputs = [files_digest(files, project.results), *(path.name for path in files)]
-    return cache.value(name, module, inputs, find)
+        return Measurements()
+    every = cache.value(
+        f"{project.aside}{project.profile}.evidence",
+        outline_of(next(iter(tracked))).file,
+        [measured_digest(project)],
+        lambda: _measurements(project),
+    )
+    return every.get(project.aside + project.release, Measurements())
+
+
+def measured_digest(project: Project) -> str:
+    """Digest the records and replicas of all editions that are compared."""
+    files: list[Path] = []
+    for each in _compared(project):
+        files += replica_files(each)
+        files += each.results.glob("*.json")
+    digest = files_digest(files, project.root)
+    # A replica that is not a file has a name and no digest, and is named as damaged.
+    return f"{digest} {' '.join(sorted(path.name for path in files))}"
+
+
+def _compared(project: Project) -> list[Project]:
+    """Return the editions whose measurements show how numbers scatter.
+
+    What was measured aside scatters as what is tracked, which is read with it.
+    """
+    sides = [project]
+    if project.aside:
+        sides.append(replace(project, aside="", profile="full"))
+    return [side.of(release) for side in sides for release in side.releases]
+
+
+def _measurements(project: Project) -> dict[str, Measurements]:
+    """Return what all measurements of each edition say."""
+    measured: dict[tuple[str, str], list[Record | None]] = {}
+    found = {}
+    for each in _compared(project):
+        edition = each.aside + each.release
+        shown = {record.section: record for record in records_of(each)}
+        read, damaged = read_replicas(each)
+        replicas = [alike(shown, records) for records in read.values()]
+        for name, record in shown.items():
+            several = [record, *(records.get(name) for records in replicas)]
+            measured[edition, name] = several
+        found[edition] = Measurements(damaged=damaged, names=[*read])
+    body = body_of(measured, project.report.columns)
+    for edition, measurements in found.items():
+        evidence = {}
+        words = {}
+        for (other, name), records in measured.items():
+            if other != edition:
+                continue
+            evidence[name] = body.sections[edition, name]
+            present = [record for record in records if record]
+            if len(present) > 1:
+                kinds = _kinds(present, project.report)
+                words[name] = f"by {len(present)} measurements{kinds}"
+        found[edition] = replace(
+            measurements, evidence=evidence, words=words, calibration=body.calibration
+        )
+    return found
 
 
 def _kinds(records: Sequence[Record], report: Report) -> str:

@@ -140,8 +140,12 @@ class Record:
 
     @property
     def machine_for_speed(self) -> tuple[str | None, ...]:
-        names = ("device", "gpu", "driver", "cpu", "cores")
-        return tuple(map(self.machine.get, names))
+        """Return what two machines must share for their times to be compared.
+
+        Hosts with the same kind of processor differ by a few percent, which the noise of
+        a time includes.
+        """
+        return self.processor, self.machine.get("device")
 
     @cached_property
     def number_count(self) -> int:

@@ -4,7 +4,7 @@ import gzip
 import io
 import tarfile
 import zlib
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from hashlib import sha256
 from pathlib import Path
@@ -69,17 +69,6 @@ def read_replica(path: Path) -> Records:
         Path(name).stem: read_record(text, path.parent / name)
         for name, text in sorted(files.items())
     }
-
-
-def measurements_beside(path: Path, read: Callable[[Path], Records]) -> list[Record]:
-    """Return the record at ``path``, and those of the replicas beside it, as ``read``, that measured the same."""
-    tracked = read_record(read_file(path, BYTE_LIMIT), path)
-    found = [tracked]
-    for file in sorted((path.parent / FOLDER).glob("*.tgz")):
-        replica = read(file).get(path.stem)
-        if replica and not mismatch(tracked, replica):
-            found.append(replica)
-    return found
 
 
 def mismatch(tracked: Record, replica: Record) -> str:

@@ -1,15 +1,12 @@
 """Check of the numbers on a page: each is the number that its source has."""
 
 import json
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from functools import cache
 from pathlib import Path
 from typing import Any
 
 from measured_report.files.config import Report
-from measured_report.records.replicas import measurements_beside, read_replica
-from measured_report.values.cells import evidence_of
-from measured_report.values.evidence import Evidence, Repeated, repeats_of
 from measured_report.values.format import WRITES, format_code
 from measured_report.values.quantities import VALUES_FILE
 
@@ -18,44 +15,37 @@ Number = tuple[Mapping[str, str], str, bool]
 """Attributes and text of an element, and whether it is a part of code."""
 
 
+EXPONENTS = range(-15, 15)  # of the noises by which a number may be written
+
+
 class Data:
     """Read the data that a page's numbers point into."""
 
     def __init__(self, folder: Path, report: Report):
-        self.folder, self.report = folder, report
+        self.folder = folder
+        self.report = report
         self.file = cache(self._read)
-        self._evidence = cache(self._evidence_of)
-        self._repeats = cache(self._repeats_in)
-        self._replica = cache(read_replica)  # which is of all sections
 
     def _read(self, name: str) -> Any:
         return json.loads((self.folder / name).read_text(encoding="utf-8"))
 
-    def number(self, source: str) -> tuple[float | int | None, float | None]:
-        """Return a number and its noise; an error where the pointer leads to none."""
+    def number(self, source: str) -> tuple[float | int | None, Sequence[float | None]]:
+        """Return a number and the noises that it may be written by.
+
+        The noise of a derived value stands beside it; that of a cell comes from all
+        measurements, so that it may have any number of digits. An error is raised if the
+        pointer leads nowhere.
+        """
         name, _, pointer = source.partition("#")
         cell = _resolve(self.file(name), pointer)
         if name.endswith(VALUES_FILE):
-            return cell["value"], cell["noise"]
+            return cell["value"], [cell["noise"]]
         if not pointer.startswith("/rows/"):
-            return cell, None
+            return cell, [None]
         row_pointer, _, column = pointer.rpartition("/")
         row = _resolve(self.file(name), row_pointer)
         cell = self.report.columns.number_of(column, row)
-        estimate = self._evidence(name).estimate(column, row, self.report.columns)
-        return cell, estimate.written_noise if estimate else None
-
-    def _evidence_of(self, name: str) -> Evidence:
-        records = measurements_beside(self.folder / name, self._replica)
-        return evidence_of(
-            {name: records}, self._repeats(Path(name).parent), self.report.columns
-        )[name]
-
-    def _repeats_in(self, folder: Path) -> Repeated:
-        noise = folder / f"{self.report.settings.noise_section}.json"
-        if not (self.folder / noise).is_file():
-            return {}
-        return repeats_of(self.file(str(noise))["rows"], self.report.columns)
+        return cell, [None, 0.0, *(2 * 10.0**exponent for exponent in EXPONENTS)]
 
 
 def check_number(number: Number, data: Data) -> Iterator[str]:
@@ -63,14 +53,16 @@ def check_number(number: Number, data: Data) -> Iterator[str]:
     attributes, printed, is_code = number
     source = attributes.get("data-src", "")
     try:
-        value, noise = data.number(source)
+        value, noises = data.number(source)
         write = WRITES[attributes.get("data-as", "")]
-        text = format_code(value) if is_code else write(value, noise=noise)
+        texts = [write(value, noise=noise) for noise in noises]
+        if is_code:
+            texts = [format_code(value)]
     except UNRESOLVED:
         yield f"{source} resolves to nothing"
         return
     stated = json.loads(attributes.get("value") or "null")
-    if stated != value or printed != text:
+    if stated != value or printed not in texts:
         yield f"{source} is {value}, but {printed} ({stated}) is shown"
 
 

@@ -8,7 +8,7 @@ from collections import Counter
 from collections.abc import Callable, Iterable, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
-from functools import cached_property, partialmethod
+from functools import cached_property, partial, partialmethod
 from itertools import zip_longest
 from statistics import fmean
 from typing import Any
@@ -26,9 +26,10 @@ from measured_report.values.format import (
     format_number,
     unit_label,
 )
-from measured_report.values.noise import SURE, WRITTEN_SHARE, t_quantile
+from measured_report.values.noise import NORMAL, SURE, WRITTEN_SHARE, Z, t_quantile
 
 VALUES_FILE = "values.json"
+LEAST_TOGETHER = 3  # chosen: how many measurements show what times have in common
 POWERS = "⁰¹²³⁴⁵⁶⁷⁸⁹"
 FACTOR = re.compile(f"(/?)([^/·{POWERS}]+)([{POWERS}]?)")  # of a unit, as mm/s² or N·m
 
@@ -97,6 +98,8 @@ class Quantity:
     formula: str = ""  # words for how it is computed; of what was measured more than once between what
     samples: Sequence[float | None] = field(default=(), compare=False, repr=False)
     """The number in each measurement of its edition, None where it was not measured; empty where it is exact."""
+    is_shared: bool = field(default=False, compare=False, repr=False)
+    """Whether all numbers of one measurement share a part of its error, as times do."""
 
     def _with(
         self, function: Callable[..., Any], *operands: "Quantity | float"
@@ -144,6 +147,18 @@ class Quantity:
     def code(self) -> Markup:
         """Write the number as it is typed into a program."""
         return self._written(format_code(self.value))
+
+    @property
+    def interval(self) -> Markup:
+        """Write the number with its confidence interval and unit, as 0.042 ± 0.010 %."""
+        number = self._written(self.written)
+        if self.value is None or not self.noise:
+            return self._in_words()
+        spread = Markup('<span class="noise"> ± {}</span>').format(
+            format_number(self.noise, noise=self.noise / 10)
+        )
+        unit = Markup("&nbsp;") + self._label if self._label else Markup("")
+        return number + spread + unit
 
     @property
     def most(self) -> Markup:
@@ -271,12 +286,13 @@ def _measurements(sources: Sequence[Any]) -> list[tuple[Any, ...]]:
 
 
 def noise_of(function: Callable[..., float], sources: Sequence[Any]) -> float | None:
-    """Return the noise of a value: what its sources make of it, each by itself or all together, if that is less.
+    """Return the noise of a value that a function makes of its sources.
 
-    What is off independently adds in squares, as in the Guide to the Expression of Uncertainty in Measurement (JCGM
-    100:2008), 5.1.2, with differences for derivatives. What was chosen has a noise of 0. What measurements have in
-    common, as the speed of a card, cancels in a ratio of two numbers of each of them: so all sources are moved as they
-    are from one measurement to the next, by Student's t of their mean.
+    Errors that are independent add in squares, as in the Guide to the Expression of
+    Uncertainty in Measurement (JCGM 100:2008), 5.1.2, with differences for derivatives.
+    A chosen number has a noise of 0. Times of one measurement share the error of its host,
+    which cancels in a ratio: if there are enough measurements of times, all sources are
+    moved together as they differ from one measurement to the next.
     """
     values: list[Any] = [source.value for source in sources]
     noises = [
@@ -284,34 +300,51 @@ def noise_of(function: Callable[..., float], sources: Sequence[Any]) -> float | 
     ]
     if None in noises:
         return None
-    noisy = [(at, by) for at, by in enumerate(noises) if by]
-    alone = (
-        [[*values[:at], values[at] + way, *values[at + 1 :]] for way in (by, -by)]
-        for at, by in noisy
-    )
     middle = function(*values)
-    noise = _moved(function, middle, alone)
     rows = [row for row in _measurements(sources) if None not in row]
-    by_source = [*zip(*rows, strict=True)]
-    agrees = any(
-        noise and len(set(numbers)) == 1
-        for noise, numbers in zip(noises, by_source, strict=False)
-    )
-    if len(rows) > 2 or (len(rows) > 1 and not agrees):  # that two agree may be chance
+    is_shared = any(getattr(source, "is_shared", False) for source in sources)
+    if is_shared and len(rows) >= LEAST_TOGETHER:
         scale = t_quantile(SURE, len(rows) - 1) / math.sqrt(len(rows) * (len(rows) - 1))
-        means = [*map(fmean, by_source)]
+        means = [*map(fmean, zip(*rows, strict=True))]
         offs = [
             [scale * (number - mean) for number, mean in zip(row, means, strict=True)]
             for row in rows
         ]
-        together = (
+        moves = (
             [[*map(way, values, off)] for way in (operator.add, operator.sub)]
             for off in offs
         )
-        noise = min(noise, _moved(function, middle, together))
+    else:
+        noisy = [(at, by) for at, by in enumerate(noises) if by]
+        moves = (
+            [[*values[:at], values[at] + way, *values[at + 1 :]] for way in (by, -by)]
+            for at, by in noisy
+        )
+    noise = _moved(function, middle, moves)
     if not math.isfinite(noise):
         return None
     return max(float(noise), WRITTEN_SHARE * abs(middle)) if any(noises) else 0.0
+
+
+def extreme_noise(
+    choose: Callable[..., float], values: Sequence[float], noises: Sequence[float]
+) -> float:
+    """Return the noise of the largest or smallest of several numbers.
+
+    The truth of each of the numbers near the end may be the largest. So all of their
+    intervals have to hold at once, which takes a wider one each (Šidák 1967, J. Am. Stat.
+    Assoc. 62, 626-633); its upper ends bound the truth on one side, its lower ends on the
+    other.
+    """
+    end = choose(values)
+    noise = noises[values.index(end)]
+    near = sum(
+        abs(end - value) <= noise + by for value, by in zip(values, noises, strict=True)
+    )
+    wider = NORMAL.inv_cdf((1 + SURE ** (1 / near)) / 2) / Z
+    tops = [value + wider * by for value, by in zip(values, noises, strict=True)]
+    bottoms = [value - wider * by for value, by in zip(values, noises, strict=True)]
+    return max(choose(tops) - end, end - choose(bottoms))
 
 
 def _moved(
@@ -334,6 +367,7 @@ class Term(Value):
 
     function: Callable[..., float]
     operands: Sequence[Any]
+    chooses: Callable[..., float] | None  # max or min, if it is the largest or smallest
     source = ""
 
     def __init__(
@@ -342,6 +376,7 @@ class Term(Value):
         operands: Sequence[Any],
         unit: str,
         across: bool,
+        chooses: Callable[..., float] | None = None,
     ):
         origins = [operand.origins for operand in operands]
         refusal = "" if across else mixed(*origins)
@@ -359,8 +394,19 @@ class Term(Value):
         vars(self).update(
             function=function,
             operands=operands,
+            chooses=chooses,
+            is_shared=any(getattr(o, "is_shared", False) for o in operands),
             roots=frozenset().union(*(o.reads for o in operands)),
         )
+
+    @property
+    def leaves(self) -> list[Any]:
+        """Return the quantities that it is computed from, none of them a Term."""
+        leaves: dict[int, Any] = {}
+        for operand in self.operands:
+            parts = operand.leaves if isinstance(operand, Term) else [operand]
+            leaves |= {id(part): part for part in parts}
+        return list(leaves.values())
 
     @cached_property
     def samples(self) -> Sequence[float | None]:
@@ -368,7 +414,13 @@ class Term(Value):
 
     @cached_property
     def noise(self) -> float | None:
-        return None if self.value is None else noise_of(self.function, self.operands)
+        if self.value is None:
+            return None
+        noises: list[Any] = [getattr(each, "noise", None) for each in self.operands]
+        if self.chooses and None not in noises:
+            values: list[Any] = [operand.value for operand in self.operands]
+            return extreme_noise(self.chooses, values, noises)
+        return noise_of(self.function, self.operands)
 
     def _written(self, text: str, written_as: str = "") -> Markup:
         raise ReportError(
@@ -404,9 +456,19 @@ def combined(
     sources = tuple(
         source if hasattr(source, "reads") else constant(source) for source in sources
     )
-    groups = [
-        source.operands if isinstance(source, Term) else (source,) for source in sources
-    ]
+    if across:
+        sources = tuple(map(_across, sources))
+    if function in (max, min):
+        # Each source keeps its own noise, which that of the largest is made of.
+        choose = partial(function, default=math.nan)
+
+        def chosen(*values: Any) -> float:
+            return choose(values)  # the largest of none is not a number
+
+        return Term(
+            chosen, sources, unit or _unit_of(function, sources), across, choose
+        )
+    groups = [_operands(source) for source in sources]
     operands = {id(operand): operand for group in groups for operand in group}
     places = {key: place for place, key in enumerate(operands)}
     # Found once: to find the noise of a count of a thousand numbers, each of them is moved in turn.
@@ -416,22 +478,30 @@ def combined(
     ]
 
     def composed(*values: Any) -> float:
-        arguments = [way(values) for way in ways]
-        # The largest or smallest of none is no number.
-        return (
-            function(arguments, default=math.nan)
-            if function in (max, min)
-            else function(*arguments)
-        )
+        return function(*(way(values) for way in ways))
 
     return Term(
         composed, tuple(operands.values()), unit or _unit_of(function, sources), across
     )
 
 
+def _across(source: Any) -> Any:
+    """Return a source; one that is computed, as among numbers of several editions."""
+    if not isinstance(source, Term):
+        return source
+    operands = tuple(map(_across, source.operands))
+    return Term(source.function, operands, source.unit, True, source.chooses)
+
+
+def _operands(source: Any) -> Sequence[Any]:
+    """Return what a source is computed from; itself if it is an extreme, or no Term."""
+    is_computed = isinstance(source, Term) and not source.chooses
+    return source.operands if is_computed else (source,)
+
+
 def _way(source: Any, places: Sequence[int]) -> Callable[[Sequence[Any]], Any]:
     """Return what takes a source, or works it out, of the values of all operands."""
-    if isinstance(source, Term):
+    if isinstance(source, Term) and not source.chooses:
         return lambda values: source.function(*map(values.__getitem__, places))
     return operator.itemgetter(*places)
 

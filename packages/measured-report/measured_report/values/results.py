@@ -114,7 +114,12 @@ class Row:
             return Quantity(None, unit, pointer, reason, origins)
         if not (estimate := self.estimate(column)):
             return Quantity(value, unit, pointer, "", origins)
-        details = estimate.written_noise, estimate.note, estimate.samples
+        details = (
+            estimate.written_noise,
+            estimate.note,
+            estimate.samples,
+            estimate.is_shared,
+        )
         if estimate.value == value:
             return Quantity(value, unit, pointer, "", origins, *details)
         mean = f"{self._results.values_file}/{MEANS}.{self._index}.{column}"
@@ -292,10 +297,10 @@ class Results:
             "unit",
             "reason",
             "origins",
-            *(() if is_noise else ("noise", "samples")),
+            *(() if is_noise else ("noise", "samples", "is_shared")),
             "roots",
         )
-        sources = tuple(operand.source for operand in term.operands if operand.source)
+        sources = tuple(leaf.source for leaf in term.leaves if leaf.source)
         fields = {name: getattr(term, name) for name in names} | {
             "sources": sources,
             "formula": formula,

@@ -1,0 +1,201 @@
+"""Scatter: the variance between measurements of a number, estimated from all editions.
+
+The numbers of a column in a section scatter alike. Each row has a variance of its own,
+from the measurements of that row in every edition; it is shrunk towards the variance of
+its column by a strength that the variances themselves show: Smyth (2004), Statistical
+Applications in Genetics and Molecular Biology 3, article 3. A row that was never measured
+twice has the variance of its column. Outliers do not count for other rows and keep their
+own variance: Phipson et al. (2016), Annals of Applied Statistics 10, 946-963.
+"""
+
+from collections.abc import Hashable, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any, NamedTuple
+
+import numpy as np
+from scipy.special import digamma, fdtrc, ndtri, polygamma
+
+from measured_report.values.noise import OUTLIER, ROUNDED_SHARE, TO_DEVIATION
+
+Array = Any  # an array of NumPy's
+MOST_FREEDOM = 100.0  # strength of a column whose variances differ by chance alone
+USUAL_FREEDOM = 4.0  # chosen: the strength of a column with too few rows to tell
+USUAL_ROWS = (
+    8  # chosen: how many rows of a column that usual strength weighs as much as
+)
+LEAST_ROWS = 3  # fewer rows do not show how a column scatters
+WILD = 3.3
+"""Chosen: a row whose variance exceeds its column's by so many normal deviations keeps
+its own."""
+QUIET_SHARE = 0.1  # chosen: below this share of rows that scatter, the others do not
+
+
+def _trigamma(x: Array) -> Array:
+    return polygamma(1, x)
+
+
+def _trigamma_inverse(y: float) -> float:
+    """Return the x whose trigamma is ``y``, by bisection on a logarithmic scale."""
+    low = np.log(1e-3)
+    high = np.log(1e6)
+    for _ in range(60):
+        middle = (low + high) / 2
+        if _trigamma(np.exp(middle)) > y:
+            low = middle
+        else:
+            high = middle
+    return float(np.exp(low))
+
+
+@dataclass(frozen=True)
+class Scatter:
+    """Gives the variance of one measurement of any number of a column in a section."""
+
+    level: float  # the variance of a number of size 1
+    slope: float  # the power of a number's size that its variance goes with
+    freedom: float  # degrees of freedom of the variance of a row measured once
+    rows: Mapping[Hashable, tuple[float, float]] = field(default_factory=dict)
+    """Of each row that was measured twice: its level and its degrees of freedom."""
+
+    def of(self, row: Hashable, size: float) -> tuple[float, float]:
+        """Return the variance of a number of this size, and its degrees of freedom."""
+        level, freedom = self.rows.get(row, (self.level, self.freedom))
+        floor = (ROUNDED_SHARE * size) ** 2 / 12
+        return max(level * size**self.slope, floor), freedom
+
+
+@dataclass(frozen=True)
+class Fit:
+    """Holds the numbers of a column in a section, a line for each, and their scatter."""
+
+    scatter: Scatter
+    values: Array  # means, outliers fenced in
+    apart: Array  # by number and measurement: whether it is an outlier
+
+
+def prior_of(variances: Array, freedoms: Array, sizes: Array) -> Scatter:
+    """Fit the variances of a column, all above 0, by the distribution of their logarithms."""
+    logs = np.log(variances) - digamma(freedoms / 2) + np.log(freedoms / 2)
+
+    def spread(slope: float) -> float:
+        quartiles = np.quantile(logs - slope * np.log(sizes), [0.25, 0.75])
+        return float(np.ptp(quartiles))
+
+    slope = min((2.0, 1.0, 0.0), key=spread)
+    residuals = logs - slope * np.log(sizes)
+    low, high = np.quantile(residuals, [0.25, 0.75])
+    residuals = np.minimum(residuals, high + 1.5 * (high - low))  # Tukey's fence
+    by_chance = _trigamma(freedoms / 2).mean()
+    usual = USUAL_ROWS * (by_chance + _trigamma(USUAL_FREEDOM / 2))
+    squares = ((residuals - residuals.mean()) ** 2).sum() + usual
+    excess = squares / (len(residuals) - 1 + USUAL_ROWS) - by_chance
+    freedom = MOST_FREEDOM
+    if excess > _trigamma(MOST_FREEDOM / 2):
+        freedom = 2 * _trigamma_inverse(excess)
+    level = np.exp(residuals.mean() + digamma(freedom / 2) - np.log(freedom / 2))
+    return Scatter(float(level), slope, freedom)
+
+
+def fit_of(
+    samples: Array, rows: Sequence[Hashable], general: Scatter | None = None
+) -> Fit | None:
+    """Fit the numbers of a column in a section; None if nothing shows how they scatter.
+
+    Args:
+        samples: by number and measurement, NaN where there is none.
+        rows: the row of each number; a row occurs once for each edition that has it.
+        general: the scatter of the same column in all sections, for one with few rows.
+    """
+    counts = (~np.isnan(samples)).sum(axis=1)
+    medians = np.nanmedian(samples, axis=1)
+    sizes = np.maximum(abs(medians), 1e-12)
+    prior = _column_scatter(samples, counts, sizes) or general
+    if prior is None:
+        return None
+    floors = (ROUNDED_SHARE * sizes) ** 2 / 12
+    usual = np.maximum(prior.level * sizes**prior.slope, floors)
+    off = samples - medians[:, None]
+    deviations = TO_DEVIATION * np.nanmedian(abs(off), axis=1)
+    reach = OUTLIER * np.maximum(deviations, np.sqrt(usual))
+    reach = np.where(counts > 2, reach, np.inf)[:, None]
+    fenced = medians[:, None] + np.clip(off, -reach, reach)
+    scatter = _with_rows(prior, fenced, counts, sizes, rows)
+    return Fit(scatter, np.nanmean(fenced, axis=1), abs(off) > reach)
+
+
+def _column_scatter(samples: Array, counts: Array, sizes: Array) -> Scatter | None:
+    """Fit the scatter of a column by the numbers that were measured more than once."""
+    again = counts > 1
+    if again.sum() < LEAST_ROWS:
+        return None
+    variances = np.nanvar(samples[again], axis=1, ddof=1)
+    sizes = sizes[again]
+    floors = (ROUNDED_SHARE * sizes) ** 2 / 12
+    moves = variances > 1e-3 * floors
+    if moves.sum() < LEAST_ROWS or moves.mean() < QUIET_SHARE:
+        return Scatter(ROUNDED_SHARE**2 / 12, 2.0, USUAL_FREEDOM)
+    variances = np.maximum(variances, floors)[moves]
+    return prior_of(variances, counts[again][moves] - 1.0, sizes[moves])
+
+
+def _with_rows(
+    prior: Scatter,
+    samples: Array,
+    counts: Array,
+    sizes: Array,
+    rows: Sequence[Hashable],
+) -> Scatter:
+    """Return the scatter with the level of each row that was measured more than once."""
+    sums: dict[Hashable, list[float]] = {}
+    again = counts > 1
+    variances = np.full(len(samples), np.nan)
+    variances[again] = np.nanvar(samples[again], axis=1, ddof=1)
+    for index in np.flatnonzero(again):
+        freedom = counts[index] - 1.0
+        level = variances[index] / sizes[index] ** prior.slope
+        entry = sums.setdefault(rows[index], [0.0, 0.0])
+        entry[0] += freedom * level
+        entry[1] += freedom
+    levels = {}
+    for row, (weighted, freedom) in sums.items():
+        lent = prior.freedom
+        ratio = weighted / freedom / prior.level
+        if -ndtri(fdtrc(freedom, prior.freedom, ratio)) > WILD:
+            lent = 0.0
+        level = (lent * prior.level + weighted) / (lent + freedom)
+        levels[row] = level, lent + freedom
+    return Scatter(prior.level, prior.slope, prior.freedom, levels)
+
+
+class LeftOut(NamedTuple):
+    """Holds each measurement as the others predict it, by number and measurement."""
+
+    distances: Array  # from the mean of the others; NaN if that cannot be tested
+    errors: Array  # standard errors of those
+    freedoms: Array
+
+
+def left_out(samples: Array, rows: Sequence[Hashable], fit: Fit) -> LeftOut:
+    """Leave out each measurement in turn and predict it from the others.
+
+    What it adds to the variance of its row is left out with it; what the column lends to
+    that row stays as it is.
+    """
+    known = [fit.scatter.rows.get(row, (np.nan, np.nan)) for row in rows]
+    levels, freedoms = np.array(known).T[:, :, None]
+    counts = (~np.isnan(samples)).sum(axis=1)[:, None]
+    means = fit.values[:, None]
+    sizes = np.maximum(abs(means), 1e-12)
+    shapes = sizes**fit.scatter.slope
+    with np.errstate(invalid="ignore", divide="ignore"):
+        off = samples - means
+        squares = np.nansum(np.where(fit.apart, 0.0, off) ** 2, axis=1)[:, None]
+        own = np.minimum(off**2 * counts / (counts - 1), squares)
+        left = np.broadcast_to(freedoms - 1, samples.shape)
+        variances = (levels * freedoms - own / shapes) / left * shapes
+        floors = (ROUNDED_SHARE * sizes) ** 2 / 12
+        errors = np.sqrt(np.maximum(variances, floors) * counts / (counts - 1))
+        distances = abs(off) * counts / (counts - 1) - ROUNDED_SHARE * sizes
+    # Little is left that shows how a row scatters if its column lends nothing.
+    is_tested = ~np.isnan(samples) & (counts > 1) & (left >= 0.5)
+    return LeftOut(np.where(is_tested, np.maximum(distances, 0), np.nan), errors, left)
