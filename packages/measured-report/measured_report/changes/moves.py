@@ -28,6 +28,7 @@ from measured_report.values.noise import (
     chance_of,
     discoveries,
     exceeds_chance,
+    exceeds_share,
     t_quantile,
 )
 from measured_report.values.quantities import Quantity
@@ -36,8 +37,10 @@ from measured_report.values.results import Results, Row
 NAMED = 4  # chosen: so many claims, and twice as many settings, are named in a line
 CHOSEN_SHARE = 0.1  # chosen: the noise of a value, as a share, if none was measured
 NEAR_ZERO = 0.01  # chosen: a number is close to zero below this share of its column's
-ODD_SHARE = 0.02
-"""Chosen: the share of rows that end otherwise by chance, if nothing was measured twice."""
+ODD_SHARE = 0.4
+"""Chosen: the share of rows that may differ by chance if nothing was measured twice, so
+that nobody knows how its numbers scatter."""
+LEAST_SWEEP = 6  # chosen: with fewer rows each of them is looked at by itself
 COST_SHARE = 1e-3  # chosen: a smaller relative difference of costs does not count
 LEAST_SHIFTED = 3  # chosen: how many times it takes to say that they moved together
 
@@ -398,12 +401,16 @@ def _without_chance(moves: Sequence[Move], sides: Sequence[Results]) -> list[Mov
     single_rows = {
         move.rows[0].source for move in moves if move.may_be_odd and move.is_real
     }
-    all_rows = {move.rows[0].source for move in moves if move.rows}
-    expected = 0.0
-    for side in sides:
-        odd_rows = side.evidence.odd_rows
-        expected += ODD_SHARE * len(all_rows) if odd_rows is None else odd_rows
-    if exceeds_chance(len(single_rows), expected):
+    numbers = [move for move in moves if move.rows and move.chance is not None]
+    row_count = len({move.rows[0].source for move in numbers})
+    odd_rows = [side.evidence.odd_rows for side in sides]
+    if None not in odd_rows:
+        is_change = exceeds_chance(len(single_rows), sum(filter(None, odd_rows)))
+    elif row_count < LEAST_SWEEP:
+        is_change = True
+    else:
+        is_change = exceeds_share(len(single_rows), row_count, ODD_SHARE)
+    if is_change:
         return list(moves)
     return [
         replace(move, is_odd=True) if move.may_be_odd and not move.is_named else move

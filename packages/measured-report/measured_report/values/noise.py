@@ -78,6 +78,16 @@ def exceeds_chance(count: int, expected: float) -> bool:
     return bool(gammainc(count, expected) < FALSE_SHARE)
 
 
+def exceeds_share(count: int, total: int, share: float) -> bool:
+    """Return whether more of so many are rare events than their usual share explains.
+
+    Their number has the binomial distribution; see ``exceeds_chance``.
+    """
+    from scipy.special import bdtrc
+
+    return bool(bdtrc(count - 1, total, share) < FALSE_SHARE) if count else False
+
+
 def fenced(numbers: Sequence[float]) -> list[float]:
     """Return the numbers with outliers moved to ``OUTLIER`` deviations from the median.
 
