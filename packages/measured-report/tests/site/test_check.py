@@ -18,7 +18,7 @@ ADDRESSES += (
 )
 WRONG = [
     (">0.31<", ">0.32<", "is shown"),
-    (">0.31<", ">0.312<", "is shown"),
+    (">0.31<", ">0.313<", "is shown"),
     ('value="0.3124"', 'value="0.31"', "is shown"),
     ("#/rows/1/slip_mm", "#/rows/9/slip_mm", "resolves to nothing"),
     ('href="data/values.json"', 'href="data/other.json"', "leads nowhere"),

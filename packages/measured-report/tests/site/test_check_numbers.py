@@ -1,14 +1,12 @@
 """Numbers on a page against their sources: written and rounded."""
 
 import json
-from types import SimpleNamespace
 
 import pytest
 
 from measured_report.files.config import report
 from measured_report.site.check import PageReader
 from measured_report.site.check_numbers import Data, check_number
-from measured_report.values.noise import Estimate
 
 VALUES = {
     "gain": (6.3617, 0.0048),
@@ -62,17 +60,25 @@ def test_a_number_is_written_as_its_source_and_noise_have_it(tmp_path, html, sai
     assert bool(found) == bool(said) and said in "".join(found), found
 
 
-@pytest.mark.parametrize(
-    ("known", "noise"),
-    [(None, None), (Estimate(0.3124), 0.0), (Estimate(0.3124, least=0.1), 0.1)],
-)
-def test_the_noise_of_a_row_is_what_its_measurements_say(toy, known, noise):
+def test_a_cell_is_written_as_any_rounding_has_it(toy):
+    """Its noise comes from all measurements, which the check does not repeat."""
     data = Data(toy.record_path.parents[1], report())
-    data._evidence = lambda _: SimpleNamespace(estimate=lambda *_: known)
-    assert data.number("newton-1.4.0/toy.json#/rows/1/slip_mm") == (0.3124, noise)
-    assert data.number("newton-1.4.0/toy.json#/measured/seconds") == (1.5, None)
+    source = "newton-1.4.0/toy.json#/rows/1/slip_mm"
+
+    def is_right(shown: str) -> bool:
+        html = f'<data value="0.3124" data-src="{source}">{shown}</data>'
+        (number,) = PageReader(html).numbers
+        return not [*check_number(number, data)]
+
+    assert [
+        each for each in ("0.3", "0.31", "0.312", "0.3124") if not is_right(each)
+    ] == []
+    assert not any(map(is_right, ("0.32", "0.313", "0.310", "0.31240", "3.12")))
+
+
+def test_what_no_row_has_is_read_as_its_record_has_it(toy):
+    data = Data(toy.record_path.parents[1], report())
+    assert data.number("newton-1.4.0/toy.json#/measured/seconds") == (1.5, [None])
     toy.measure([{"case": "soft", "slip_mm": 6.0, "dropped": True}])
-    assert (
-        Data(data.folder, report()).number("newton-1.4.0/toy.json#/rows/0/slip_mm")[0]
-        is None
-    )
+    again = Data(data.folder, report())
+    assert again.number("newton-1.4.0/toy.json#/rows/0/slip_mm")[0] is None
