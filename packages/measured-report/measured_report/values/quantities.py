@@ -331,20 +331,26 @@ def extreme_noise(
 ) -> float:
     """Return the noise of the largest or smallest of several numbers.
 
-    The truth of each of the numbers near the end may be the largest. So all of their
-    intervals have to hold at once, which takes a wider one each (Šidák 1967, J. Am. Stat.
-    Assoc. 62, 626-633); its upper ends bound the truth on one side, its lower ends on the
-    other.
+    Each of the numbers near the end may be the true one, and the end is that with the
+    largest error. Independent errors of so many all stay below the bound that is used
+    with probability ``SURE`` (Šidák 1967, J. Am. Stat. Assoc. 62, 626-633).
     """
     end = choose(values)
     noise = noises[values.index(end)]
+    most = _factor(len(values))
     near = sum(
-        abs(end - value) <= noise + by for value, by in zip(values, noises, strict=True)
+        abs(end - value) <= most * (noise + by)
+        for value, by in zip(values, noises, strict=True)
     )
-    wider = NORMAL.inv_cdf((1 + SURE ** (1 / near)) / 2) / Z
+    wider = _factor(near)
     tops = [value + wider * by for value, by in zip(values, noises, strict=True)]
     bottoms = [value - wider * by for value, by in zip(values, noises, strict=True)]
     return max(choose(tops) - end, end - choose(bottoms))
+
+
+def _factor(count: int) -> float:
+    """Return how much wider an interval is that so many errors stay below at once."""
+    return NORMAL.inv_cdf(max((1 + SURE) / 2, SURE ** (1 / count))) / Z
 
 
 def _moved(
