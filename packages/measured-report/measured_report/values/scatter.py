@@ -10,6 +10,7 @@ own variance: Phipson et al. (2016), Annals of Applied Statistics 10, 946-963.
 
 from collections.abc import Hashable, Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -69,8 +70,13 @@ class Fit:
     """Holds the numbers of a column in a section, a line for each, and their scatter."""
 
     scatter: Scatter
-    values: Array  # means, outliers fenced in
-    apart: Array  # by number and measurement: whether it is an outlier
+    fenced: Array  # by number and measurement, outliers moved in
+    apart: Array  # the same: whether it is an outlier
+
+    @cached_property
+    def values(self) -> Array:
+        """Return the mean of each number."""
+        return np.nanmean(self.fenced, axis=1)
 
 
 def prior_of(variances: Array, freedoms: Array, sizes: Array) -> Scatter:
@@ -120,7 +126,7 @@ def fit_of(
     reach = np.where(counts > 2, reach, np.inf)[:, None]
     fenced = medians[:, None] + np.clip(off, -reach, reach)
     scatter = _with_rows(prior, fenced, counts, sizes, rows)
-    return Fit(scatter, np.nanmean(fenced, axis=1), abs(off) > reach)
+    return Fit(scatter, fenced, abs(off) > reach)
 
 
 def _column_scatter(samples: Array, counts: Array, sizes: Array) -> Scatter | None:
@@ -187,15 +193,14 @@ def left_out(samples: Array, rows: Sequence[Hashable], fit: Fit) -> LeftOut:
     means = fit.values[:, None]
     sizes = np.maximum(abs(means), 1e-12)
     shapes = sizes**fit.scatter.slope
+    floors = (ROUNDED_SHARE * sizes) ** 2 / 12
     with np.errstate(invalid="ignore", divide="ignore"):
-        off = samples - means
-        squares = np.nansum(np.where(fit.apart, 0.0, off) ** 2, axis=1)[:, None]
-        own = np.minimum(off**2 * counts / (counts - 1), squares)
+        own = (fit.fenced - means) ** 2 * counts / (counts - 1)
         left = np.broadcast_to(freedoms - 1, samples.shape)
         variances = (levels * freedoms - own / shapes) / left * shapes
-        floors = (ROUNDED_SHARE * sizes) ** 2 / 12
         errors = np.sqrt(np.maximum(variances, floors) * counts / (counts - 1))
-        distances = abs(off) * counts / (counts - 1) - ROUNDED_SHARE * sizes
+        others = (counts * means - fit.fenced) / (counts - 1)
+        distances = abs(samples - others) - ROUNDED_SHARE * sizes
     # Little is left that shows how a row scatters if its column lends nothing.
     is_tested = ~np.isnan(samples) & (counts > 1) & (left >= 0.5)
     return LeftOut(np.where(is_tested, np.maximum(distances, 0), np.nan), errors, left)

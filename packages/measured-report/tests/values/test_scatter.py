@@ -1,0 +1,183 @@
+"""Scatter: what the variances of a column show, and which rows keep their own."""
+
+import numpy as np
+import pytest
+from scipy import special, stats
+
+from measured_report.values.scatter import Fit, Scatter, fit_of, left_out, prior_of
+
+ROUNDING = (1e-6) ** 2 / 12
+
+
+def variances(
+    freedom: int, strength: float, count: int = 4000, level: float = 2.0
+) -> np.ndarray:
+    """Draw sample variances whose truth is level · strength / χ², as Smyth has it."""
+    chance = np.random.default_rng(7)
+    true = level * strength / chance.chisquare(strength, count)
+    return true * chance.chisquare(freedom, count) / freedom
+
+
+def drawn(deviations: np.ndarray, count: int, seed: int = 1) -> np.ndarray:
+    """Draw so many measurements of numbers that are all 1."""
+    chance = np.random.default_rng(seed)
+    return chance.normal(1.0, deviations[:, None], (len(deviations), count))
+
+
+@pytest.mark.parametrize(
+    ("freedom", "strength"), [(1, 4.0), (2, 4.0), (5, 4.0), (5, 12.0), (6, 20.0)]
+)
+def test_the_strength_and_the_level_of_a_column_are_found(freedom, strength):
+    sample = variances(freedom, strength)
+    prior = prior_of(sample, np.full(4000, float(freedom)), np.ones(4000))
+    assert prior.freedom == pytest.approx(strength, rel=0.5)
+    assert prior.level == pytest.approx(2.0, rel=0.15)
+
+
+def test_the_estimate_is_that_of_smyth():
+    """Formulas of section 6.2, with 8 more rows of the usual strength of 4."""
+    sample = variances(3, 6.0, 200)
+    prior = prior_of(sample, np.full(200, 3.0), np.ones(200))
+    logs = np.log(sample) - special.digamma(1.5) + np.log(1.5)
+    low, high = np.quantile(logs, [0.25, 0.75])
+    logs = np.minimum(logs, high + 1.5 * (high - low))
+    by_chance = special.polygamma(1, 1.5)
+    squares = logs.var() * 200 + 8 * (by_chance + special.polygamma(1, 2.0))
+    unlike = squares / 207 - by_chance
+    assert special.polygamma(1, prior.freedom / 2) == pytest.approx(unlike)
+    half = prior.freedom / 2
+    level = np.exp(logs.mean() + special.digamma(half) - np.log(half))
+    assert prior.level == pytest.approx(level)
+
+
+def test_a_column_of_few_rows_is_taken_to_be_as_unlike_as_usual():
+    """Three variances alike weigh 2 of 10, and rows of the usual strength the rest."""
+    few = prior_of(np.full(3, 2.0), np.full(3, 5.0), np.ones(3))
+    by_chance = special.polygamma(1, 2.5)
+    unlike = 8 / 10 * (by_chance + special.polygamma(1, 2.0)) - by_chance
+    assert special.polygamma(1, few.freedom / 2) == pytest.approx(unlike, rel=1e-5)
+    many = prior_of(np.full(400, 2.0), np.full(400, 5.0), np.ones(400))
+    assert many.freedom == 100.0
+
+
+@pytest.mark.parametrize("slope", [0.0, 1.0, 2.0])
+def test_variances_grow_with_the_number_as_the_column_shows(slope):
+    """1 µs and 62 µs in one column do not have one noise."""
+    sizes = np.tile([1.0, 62.0], 200)
+    sample = variances(4, 50.0, 400) * sizes**slope
+    prior = prior_of(sample, np.full(400, 4.0), sizes)
+    assert prior.slope == slope
+    assert prior.level == pytest.approx(2.0, rel=0.2)
+    variance, freedom = prior.of("a row", 62.0)
+    assert variance == pytest.approx(prior.level * 62.0**slope)
+    assert freedom == prior.freedom
+
+
+def test_a_row_and_its_column_count_by_their_degrees_of_freedom():
+    """The measurements of a row in several editions count together."""
+    samples = drawn(np.full(60, 0.1), 4)
+    rows = [f"row {index % 30}" for index in range(60)]
+    scatter = fit_of(samples, rows).scatter
+    own = samples.var(axis=1, ddof=1)
+    sizes = np.median(samples, axis=1) ** scatter.slope
+    levels = own / sizes
+    lent = scatter.freedom
+    expected = (lent * scatter.level + 3 * levels[5] + 3 * levels[35]) / (lent + 6)
+    assert scatter.rows["row 5"] == pytest.approx((expected, lent + 6))
+    assert scatter.of("row 5", 1.0) == pytest.approx((expected, lent + 6))
+
+
+def test_a_row_measured_once_has_the_scatter_of_its_column():
+    samples = drawn(np.full(40, 0.1), 4)
+    samples[7, 1:] = np.nan
+    scatter = fit_of(samples, range(40)).scatter
+    assert scatter.of(7, 1.0) == (scatter.level, scatter.freedom)
+    assert scatter.level == pytest.approx(0.01, rel=0.3)
+    assert scatter.of(7, 1.0) == scatter.of("of another edition", 1.0)
+
+
+def test_a_wild_row_keeps_its_own_variance_and_changes_no_other():
+    tame = drawn(np.full(60, 0.1), 4)
+    plain = fit_of(tame, range(60)).scatter
+    odd = tame.copy()
+    odd[-1] = [0.0, 40.0, 90.0, 7.0]
+    scatter = fit_of(odd, range(60)).scatter
+    assert scatter.of(59, 23.5) == pytest.approx((odd[-1].var(ddof=1), 3.0))
+    for row in range(59):
+        variance, _ = scatter.of(row, 1.0)
+        assert variance == pytest.approx(plain.of(row, 1.0)[0], rel=0.25)
+
+
+def test_an_outlier_is_moved_to_five_deviations_of_its_row():
+    """The median of 1 to 7 and 100 is 4.5, and its deviation 1.4826 times 2."""
+    samples = np.array([[1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 100.0]])
+    fit = fit_of(samples, ["a"], Scatter(1e-9, 0.0, 4.0))
+    assert fit.values[0] == pytest.approx((28 + 4.5 + 14.826) / 8)
+    assert fit.apart.tolist() == [[False] * 7 + [True]]
+    usual = fit_of(samples, ["a"], Scatter(400.0, 0.0, 4.0))
+    assert usual.values[0] == 16.0, "the column scatters as much"
+    pair = fit_of(samples[:, -2:], ["a"], Scatter(1e-9, 0.0, 4.0))
+    assert pair.values[0] == 53.5, "two do not show which one is off"
+
+
+def test_numbers_that_agree_to_the_last_bit_have_the_noise_of_rounding():
+    agree = fit_of(np.full((20, 3), 5.0), range(20)).scatter
+    assert agree.of(3, 5.0)[0] == pytest.approx(25 * ROUNDING)
+    some = np.vstack([np.full((16, 3), 5.0), drawn(np.full(4, 0.1), 3)])
+    scatter = fit_of(some, range(20)).scatter
+    assert scatter.of(19, 1.0)[0] > 1e-3
+
+
+def test_a_column_with_two_rows_scatters_as_it_does_elsewhere():
+    samples = drawn(np.full(2, 0.1), 3)
+    assert fit_of(samples, range(2)) is None
+    general = Scatter(0.04, 0.0, 8.0)
+    scatter = fit_of(samples, range(2), general).scatter
+    assert (scatter.level, scatter.freedom) == (0.04, 8.0)
+    own = samples[0].var(ddof=1)
+    assert scatter.of(0, 1.0) == pytest.approx(((8 * 0.04 + 2 * own) / 10, 10.0))
+
+
+@pytest.mark.parametrize(("lent", "level"), [(6.0, 9.0), (0.0, 0.0)])
+def test_each_measurement_is_predicted_by_the_others(lent, level):
+    """Of 1, 2, 3 and 10 the last is 8 from the mean of the others.
+
+    Their squares are 2, and those of all four 50; the column lends its own.
+    """
+    samples = np.array([[1.0, 2.0, 3.0, 10.0]])
+    with_row = (lent * level + 50) / (lent + 3)
+    scatter = Scatter(level, 0.0, lent, {"a": (with_row, lent + 3)})
+    fit = Fit(scatter, samples, np.zeros((1, 4), bool))
+    found = left_out(samples, ["a"], fit)
+    assert found.distances[0] == pytest.approx([4.0, 8 / 3, 4 / 3, 8.0], abs=1e-5)
+    variance = (lent * level + 2) / (lent + 2)
+    assert found.errors[0, 3] == pytest.approx((variance * 4 / 3) ** 0.5)
+    assert found.freedoms[0, 3] == lent + 2
+
+
+def test_nothing_is_predicted_without_a_second_measurement():
+    samples = np.array([[1.0, np.nan], [1.0, 2.0]])
+    scatter = Scatter(1.0, 0.0, 4.0, {"b": (0.5, 1.0)})
+    fit = Fit(scatter, samples, np.zeros((2, 2), bool))
+    assert np.isnan(left_out(samples, ["a", "b"], fit).distances).all()
+
+
+@pytest.mark.parametrize("count", [2, 3, 5, 8])
+def test_intervals_cover_the_truth_and_what_is_left_out(count):
+    """Rows have deviations of their own, as unlike as those of a real column."""
+    covered = []
+    predicted = []
+    for seed in range(12):
+        chance = np.random.default_rng(seed)
+        deviations = 0.1 * np.sqrt(8 / chance.chisquare(8, 40))
+        samples = drawn(deviations, count, seed)
+        fit = fit_of(samples, range(40))
+        for row, value in enumerate(fit.values):
+            variance, freedom = fit.scatter.of(row, abs(value))
+            reach = stats.t.ppf(0.975, freedom) * (variance / count) ** 0.5
+            covered.append(abs(value - 1) <= reach)
+        found = left_out(samples, range(40), fit)
+        within = stats.t.ppf(0.975, found.freedoms) * found.errors
+        predicted.append(found.distances <= within)
+    assert 0.92 <= np.mean(covered) <= 0.98
+    assert 0.93 <= np.mean(predicted) <= 0.98
