@@ -123,7 +123,7 @@ def fit_of(
         slopes: by which powers of a number's size its variance may go.
     """
     counts = (~np.isnan(samples)).sum(axis=1)
-    medians = np.nanmedian(samples, axis=1)
+    medians = _medians(samples)
     sizes = np.maximum(abs(medians), 1e-12)
     prior = _column_scatter(samples, counts, sizes, slopes) or general
     if prior is None:
@@ -131,12 +131,20 @@ def fit_of(
     floors = (ROUNDED_SHARE * sizes) ** 2 / 12
     usual = np.maximum(prior.level * sizes**prior.slope, floors)
     off = samples - medians[:, None]
-    deviations = TO_DEVIATION * np.nanmedian(abs(off), axis=1)
+    deviations = TO_DEVIATION * _medians(abs(off))
     reach = OUTLIER * np.maximum(deviations, np.sqrt(usual))
     reach = np.where(counts > 2, reach, np.inf)[:, None]
     fenced = medians[:, None] + np.clip(off, -reach, reach)
     scatter = _with_rows(prior, fenced, counts, sizes, rows)
     return Fit(scatter, np.nanmean(fenced, axis=1), abs(off) > reach)
+
+
+def _medians(samples: Array) -> Array:
+    """Return the median of each row, NaN left out; NumPy's own takes ten times as long."""
+    ranked = np.sort(samples, axis=1)  # NaN comes last
+    counts = (~np.isnan(samples)).sum(axis=1)
+    places = np.arange(len(samples))
+    return (ranked[places, (counts - 1) // 2] + ranked[places, counts // 2]) / 2
 
 
 def _column_scatter(
