@@ -89,6 +89,32 @@ def test_the_workflow_comments_with_the_answer_or_with_why_there_is_none(
     )
 
 
+def test_the_newest_release_is_measured_again_on_a_gpu_and_compared_anew(tmp_path):
+    given = {"NEWTON": "1.8.0", "WITH": "", "ANSWER": "as before", "STATUS": "0"}
+    run_script(tmp_path, 3, AGAIN="true", **given)
+    assert not (tmp_path / "log").exists(), (
+        "a quick run on a CPU repeats to the last bit"
+    )
+    (tmp_path / "nvidia-smi").write_text("#!/bin/bash\nexit 0\n")
+    run_script(tmp_path, 3, AGAIN="true", **given)
+    calls = (tmp_path / "log").read_text().splitlines()
+    assert calls[0] == "python|build.py|replicate|--newton|1.8.0|--with||"
+    assert calls[1].startswith(
+        "python|build.py|upgrade|--newton|1.8.0|--with||--profile|full|"
+    )
+
+
+def test_measurements_of_a_tracked_release_join_its_replicas(tmp_path):
+    for folder in (
+        "before/results-1.8.0/newton-1.8.0/replicas",
+        "results/newton-1.8.0",
+    ):
+        (tmp_path / folder).mkdir(parents=True)
+    (tmp_path / "before/results-1.8.0/newton-1.8.0/replicas/a.tgz").write_text("a")
+    assert run_script(tmp_path, 1).returncode == 0
+    assert (tmp_path / "results/newton-1.8.0/replicas/a.tgz").read_text() == "a"
+
+
 def test_finding_8_workflows_name_what_they_run_by_its_content_and_keep_no_credentials():
     shown = [ROOT / "packages/newton-lint/README.md", ROOT / "docs/audit.md"]
     for workflow in (*shown, *chain(*(folder.glob("*.yml") for folder in WORKFLOWS))):

@@ -6,6 +6,7 @@ from collections import Counter
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
+from statistics import median
 from typing import Any
 
 from measured_report.changes.compare import Comparison, faults_of
@@ -15,7 +16,7 @@ from measured_report.findings.editions import Edition
 from measured_report.parts.claim import Claim
 from measured_report.records.replicas import FOLDER
 from measured_report.values.format import format_share
-from measured_report.values.noise import FALSE_SHARE
+from measured_report.values.noise import FALSE_SHARE, SURE
 from measured_report.values.quantities import VALUES_FILE, Quantity, Value
 
 SCHEMA = 1
@@ -101,7 +102,7 @@ def diff_text(comparison: Comparison, rate: str, form: str, say: Say) -> str:
     ]
     lines += [f"settings: {settings_text(comparison.settings)}", *largest(comparison)]
     lines += [
-        f"smallest change that would have been seen: {power(comparison)}",
+        f"changes that would have been detected: {sensitivity_text(comparison)}",
         *_details(comparison, say),
     ]
     return _lines(lines, form)
@@ -172,6 +173,7 @@ def _diff_data(comparison: Comparison, say: Say) -> dict[str, Any]:
         "flips": flips,
         "settings": [_move_data(move) for move in comparison.settings],
         "alarms": [move.name for move in comparison.alarms],
+        "sensitivity": sensitivity(comparison),
         "largest": largest(comparison),
         "moved": _sums(comparison),
         "moves": [_move_data(move) for move in comparison.moves],
@@ -201,6 +203,7 @@ def _move_data(move: Move) -> dict[str, Any]:
         "unit": before.unit if isinstance(before, Quantity) else None,
         "noise": move.noise,
         "noise_is_chosen": move.is_chosen,
+        "rows": move.row_count,
         "verdict": move.direction,
     }
 
@@ -232,12 +235,15 @@ def largest(comparison: Comparison) -> list[str]:
             columns.setdefault(move.column.name, []).append(move)
     lines = []
     for lead, *more in list(columns.values())[:LINES]:
-        share = (
-            ""
-            if lead.share is None or math.isinf(lead.share)
-            else f", {format_share(lead.share, '+')}"
-        )
-        location = f"{lead.section} {lead.place.get('case', '')}".strip()
+        # The percentage of a number close to zero would say nothing.
+        is_near_zero = abs(lead.before or 0.0) < lead.scale
+        share = ""
+        if lead.share is not None and not (is_near_zero or math.isinf(lead.share)):
+            share = f", {format_share(lead.share, '+')}"
+        case = lead.place.get("case", "")
+        if lead.row_count > 1:
+            case = f"median of {lead.row_count} rows"
+        location = f"{lead.section} {case}".strip()
         location += f"; and {len(more)} more" if more else ""
         text = f"{'alarm: ' if lead.exceeds_threshold else ''}{lead.column.words} {lead.ends}{share}"
         lines.append(f"{text} {lead.direction}".rstrip() + f" ({location})")
@@ -270,22 +276,37 @@ def settings_text(settings: Sequence[Move]) -> str:
     return "; ".join(texts) or "all as they were"
 
 
-def power(comparison: Comparison) -> str:
-    """Return the least change of each named number that would have been seen if no other
-    changed, and which numbers were not measured in both editions."""
-    least: dict[str, float] = {}
-    limit = FALSE_SHARE / max(1, comparison.number_count)
-    thresholds = comparison.report.settings.changes.thresholds
+def sensitivity(comparison: Comparison) -> dict[str, float]:
+    """Return the change that each section would have shown in most of its numbers.
+
+    It is a share of them: of the median number, the least change that would be listed if
+    all numbers of the section changed alike.
+    """
+    shares: dict[str, list[float]] = {}
     for cell in comparison.cells:
-        if cell.name in thresholds and cell.share is not None and cell.before:
-            label = cell.column.words
-            share = (replace(cell, limit=limit).noise or 0.0) / abs(cell.before)
-            least[label] = max(least.get(label, thresholds[cell.name]), share)
-    shares = [f"{label} from {format_share(share)}" for label, share in least.items()]
+        size = (
+            max(abs(cell.before or 0.0), cell.scale) if cell.chance is not None else 0
+        )
+        if size and not (cell.is_setting or cell.column.is_exact):
+            noise = replace(cell, limit=FALSE_SHARE).noise or 0.0
+            shares.setdefault(cell.section, []).append(noise / size)
+    return {section: median(numbers) for section, numbers in shares.items()}
+
+
+def blind_sections(comparison: Comparison) -> list[str]:
+    """Return the sections that would have hidden a change beyond its threshold."""
+    threshold = comparison.report.settings.changes.threshold
+    found = sensitivity(comparison)
+    return [section for section, share in found.items() if share > threshold]
+
+
+def sensitivity_text(comparison: Comparison) -> str:
+    """Say which change each section would have shown, the least sensitive first."""
+    found = sorted(sensitivity(comparison).items(), key=lambda item: -item[1])
+    texts = [f"{section} {format_share(share)}" for section, share in found]
     missing = comparison.missing
-    return ", ".join(shares or ["nothing that is named"]) + (
-        f"; not measured in both: {', '.join(missing)}" if missing else ""
-    )
+    text = few(texts, 2 * NAMED) or "no section has numbers to compare"
+    return text + (f"; not measured in both: {', '.join(missing)}" if missing else "")
 
 
 def rate_of(edition: Edition) -> Counter[str]:
@@ -301,14 +322,37 @@ def rate_of(edition: Edition) -> Counter[str]:
 
 
 def rate_values(edition: Edition) -> dict[str, Value]:
-    """Return the counts for a page, by name; none where there was nothing to compare."""
-    prefix = f"{edition.project.results.name}/{VALUES_FILE}#/{FOLDER}"
+    """Return the counts for a page, by name; none if there was nothing to compare."""
     formula = "each measurement left out in turn and compared with the others: "
     counts = rate_of(edition).items()
-    return {
-        name: Value(count, "1", f"{prefix}/{name}", noise=0.0, formula=formula + name)
-        for name, count in counts
-    }
+    return {name: _count(edition, name, count, formula) for name, count in counts}
+
+
+def calibration_values(edition: Edition) -> dict[str, Value]:
+    """Return how often measurements lie within the noise that the others predict.
+
+    By kind of number there are the share [%] and the count of measurements. They are of
+    all editions together.
+    """
+    values = {}
+    for kind, (inside, total) in edition.calibration.items():
+        if not total:
+            continue
+        formula = (
+            f"{kind}: each measurement left out in turn and predicted by the others"
+        )
+        values[f"{kind}_total"] = _count(edition, f"{kind}_total", total, formula)
+        share = _count(edition, f"{kind}_share", 100 * inside / total, formula)
+        values[f"{kind}_share"] = replace(share, unit="%", noise=0.2)
+    if values:
+        aim = _count(edition, "aim", 100 * SURE, "chosen: as is usual for an interval")
+        values["aim"] = replace(aim, unit="%")
+    return values
+
+
+def _count(edition: Edition, name: str, number: float, formula: str) -> Value:
+    pointer = f"{edition.project.results.name}/{VALUES_FILE}#/{FOLDER}/{name}"
+    return Value(number, "1", pointer, noise=0.0, formula=formula)
 
 
 def rate_text(rate: Mapping[str, int]) -> str:

@@ -1,4 +1,7 @@
-"""Print, for a workflow, the newest release in the index, or of one other package, if newer than all here."""
+"""Print, for a workflow, which release to measure: a newer one, or the newest one again.
+
+The newest release is measured again until its own measurements show how they scatter.
+"""
 
 from dataclasses import replace
 
@@ -7,6 +10,9 @@ from measured_report.editions.project import PROFILES, Project
 from measured_report.editions.release import release_of, releases_of
 from measured_report.editions.status import records_of
 from measured_report.files.errors import ReportError
+from measured_report.findings.replicas import read_replicas
+
+ENOUGH = 3  # chosen: so many measurements show how the numbers of a release scatter
 
 
 def run(project: Project, arguments: Arguments) -> int:
@@ -32,10 +38,30 @@ def run(project: Project, arguments: Arguments) -> int:
         }
         if not found and latest and str(latest[0]) not in used:
             found = newest.version, f"{partner}=={latest[0]}"
-    if found:  # under the package's name, and for a workflow that knows none
+    again = ""
+    if not found and _lacks_measurements(project.of(str(newest))):
+        found = newest.version, " ".join(f"{name}=={pin}" for name, pin in newest.pins)
+        again = "true"
+    if found:
         release, pins = found
         label = release_of(release, pins, report=project.report)
-        print(
-            f"{package}={release}\nwith={pins}\noption={settings.flag}\nrelease={release}\nlabel={label}"
-        )
+        # Both under the name of the package, and for a workflow that does not know it.
+        answer = {
+            package: release,
+            "with": pins,
+            "option": settings.flag,
+            "release": release,
+            "label": label,
+            "again": again,
+        }
+        print("\n".join(f"{name}={value}" for name, value in answer.items()))
     return 0
+
+
+def _lacks_measurements(project: Project) -> bool:
+    """Return whether a section that decides was measured fewer than `ENOUGH` times."""
+    names = {record.section for record in records_of(project)}
+    deciding = names.intersection(project.settings.changes.upgrade_sections) or names
+    replicas, _ = read_replicas(project)
+    counts = [sum(name in each for each in replicas.values()) + 1 for name in deciding]
+    return min(counts, default=ENOUGH) < ENOUGH

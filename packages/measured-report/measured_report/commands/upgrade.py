@@ -10,8 +10,9 @@ from typing import TextIO
 
 from measured_report.changes.alarm import (
     Say,
+    blind_sections,
     largest,
-    power,
+    sensitivity_text,
     settings_text,
     summary,
     upgrade_text,
@@ -204,7 +205,7 @@ def verdict(
         f"settings: {settings_text(comparison.settings)}",
         f"flipped: {few(flips) if flips else 'no claim'}",
         *(largest(comparison) or ["changed: nothing"]),
-        f"smallest change that would have been seen: {power(comparison)}",
+        f"changes that would have been detected: {sensitivity_text(comparison)}",
         *_why(comparison, say, after),
         f"what to do: {_advice(comparison, before.project, after.project)}",
     ]
@@ -244,5 +245,10 @@ def _advice(comparison: Comparison, before: Project, after: Project) -> str:
         return f"make bisect {queries[0]} {ends} finds which change did it; {lists}"
     if comparison.moves:
         return f"see whether what changed was meant to: {lists}"
+    if blind := blind_sections(comparison):
+        return (
+            f"measure again, as a change could be hidden in {few(blind)}: "
+            f"make replicate NEWTON={after.release}"
+        )
     is_part = comparison.report.settings.changes.upgrade_sections
     return "nothing; make report measures the rest" if is_part else "nothing"

@@ -12,7 +12,7 @@ from typing import Any
 
 from markupsafe import Markup
 
-from measured_report.changes.alarm import rate_values
+from measured_report.changes.alarm import calibration_values, rate_values
 from measured_report.files.config import Page, Report
 from measured_report.files.groups import grouped
 from measured_report.findings.chapters import Chapter
@@ -93,7 +93,10 @@ def contents_of(
     """Put the pages of a release into words."""
     edition = editions[release]
     releases = {other: side.uncompared for other, side in editions.items()}
-    names = {"false_alarms": rate_values(edition)}
+    names = {
+        "false_alarms": rate_values(edition),
+        "calibration": calibration_values(edition),
+    }
     return [
         Content(page, texts_of(edition, page, releases, templates, names), chapters)
         for page, chapters in edition.pages.items()
@@ -273,7 +276,7 @@ def _values(edition: Edition, printed: set[str]) -> str:
     for name, chapter in chapters.items():
         names = means.get(chapter.results.values_file, ())
         derived[name] |= chapter.results.means(names)
-    if rates := rate_values(edition):  # how often an alarm is false
+    if rates := rate_values(edition) | calibration_values(edition):
         derived[FOLDER] = dict(rates)
     entries = {
         name: {label: value.entry for label, value in values.items()}

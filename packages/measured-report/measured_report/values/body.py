@@ -35,7 +35,7 @@ from measured_report.values.evidence import (
     scatters,
 )
 from measured_report.values.noise import SURE, chance_of, discoveries, exceeds_chance
-from measured_report.values.scatter import Fit, fit_of, left_out
+from measured_report.values.scatter import SLOPES, Fit, fit_of, left_out
 
 MOST_DISSENT = (
     1 / 3
@@ -75,7 +75,7 @@ def body_of(
     for (edition, section), found in gathered.items():
         for place, key, name, line in found.numbers:
             samples[section, place][edition, key, name] = line
-    fits = _fits(samples)
+    fits = _fits(samples, columns)
     numbers, apart = _numbers(samples, fits)
     odd_rows = _odd_rows(gathered, apart)
     chances = _predict(samples, fits)
@@ -201,7 +201,7 @@ def _array(lines: Samples) -> Any:
     return array
 
 
-def _fits(samples: Columns) -> Fits:
+def _fits(samples: Columns, columns: Schema) -> Fits:
     """Fit the numbers of each column in each section.
 
     A column with few numbers in one section scatters as it does in all sections.
@@ -212,14 +212,22 @@ def _fits(samples: Columns) -> Fits:
             together[place][edition, (section, *key), name] = line
     general = {}
     for place, lines in together.items():
-        if fit := fit_of(_array(lines), [line[1] for line in lines]):
+        slopes = _slopes(place, columns)
+        rows: list[Any] = [line[1] for line in lines]
+        if fit := fit_of(_array(lines), rows, slopes=slopes):
             general[place] = fit.scatter
     fits = {}
     for (section, place), lines in samples.items():
         rows = [line[1] for line in lines]
-        if fit := fit_of(_array(lines), rows, general.get(place)):
+        slopes = _slopes(place, columns)
+        if fit := fit_of(_array(lines), rows, general.get(place), slopes):
             fits[section, place] = fit
     return fits
+
+
+def _slopes(place: Place, columns: Schema) -> Sequence[float]:
+    """Return how the noise of a column may go with its numbers: costs are in proportion."""
+    return SLOPES[:1] if _column(place, columns).is_cost else SLOPES
 
 
 def _numbers(

@@ -28,6 +28,10 @@ LEAST_ROWS = 3  # fewer rows do not show how a column scatters
 WILD = 3.3
 """Chosen: a row whose variance exceeds its column's by so many normal deviations keeps
 its own."""
+SLOPES = (2.0, 1.0, 0.0)
+"""The powers of a number's size that its variance may go with: noise in proportion to it,
+to its root, or the same for all."""
+CLEARLY = 1.25  # chosen: by how much less the variances scatter with another slope
 QUIET_SHARE = 0.1  # chosen: below this share of rows that scatter, the others do not
 
 
@@ -79,15 +83,23 @@ class Fit:
         return np.nanmean(self.fenced, axis=1)
 
 
-def prior_of(variances: Array, freedoms: Array, sizes: Array) -> Scatter:
-    """Fit the variances of a column, all above 0, by the distribution of their logarithms."""
+def prior_of(
+    variances: Array, freedoms: Array, sizes: Array, slopes: Sequence[float] = SLOPES
+) -> Scatter:
+    """Fit the variances of a column, all above 0, by the distribution of their logarithms.
+
+    The first of the slopes is taken unless the logarithms scatter clearly less with
+    another one.
+    """
     logs = np.log(variances) - digamma(freedoms / 2) + np.log(freedoms / 2)
 
     def spread(slope: float) -> float:
         quartiles = np.quantile(logs - slope * np.log(sizes), [0.25, 0.75])
         return float(np.ptp(quartiles))
 
-    slope = min((2.0, 1.0, 0.0), key=spread)
+    slope = min(
+        slopes, key=lambda slope: spread(slope) * (1 if slope == slopes[0] else CLEARLY)
+    )
     residuals = logs - slope * np.log(sizes)
     low, high = np.quantile(residuals, [0.25, 0.75])
     residuals = np.minimum(residuals, high + 1.5 * (high - low))  # Tukey's fence
@@ -103,7 +115,10 @@ def prior_of(variances: Array, freedoms: Array, sizes: Array) -> Scatter:
 
 
 def fit_of(
-    samples: Array, rows: Sequence[Hashable], general: Scatter | None = None
+    samples: Array,
+    rows: Sequence[Hashable],
+    general: Scatter | None = None,
+    slopes: Sequence[float] = SLOPES,
 ) -> Fit | None:
     """Fit the numbers of a column in a section; None if nothing shows how they scatter.
 
@@ -111,17 +126,18 @@ def fit_of(
         samples: by number and measurement, NaN where there is none.
         rows: the row of each number; a row occurs once for each edition that has it.
         general: the scatter of the same column in all sections, for one with few rows.
+        slopes: by which powers of a number's size its variance may go.
     """
     counts = (~np.isnan(samples)).sum(axis=1)
-    medians = np.nanmedian(samples, axis=1)
+    medians = _medians(samples)
     sizes = np.maximum(abs(medians), 1e-12)
-    prior = _column_scatter(samples, counts, sizes) or general
+    prior = _column_scatter(samples, counts, sizes, slopes) or general
     if prior is None:
         return None
     floors = (ROUNDED_SHARE * sizes) ** 2 / 12
     usual = np.maximum(prior.level * sizes**prior.slope, floors)
     off = samples - medians[:, None]
-    deviations = TO_DEVIATION * np.nanmedian(abs(off), axis=1)
+    deviations = TO_DEVIATION * _medians(abs(off))
     reach = OUTLIER * np.maximum(deviations, np.sqrt(usual))
     reach = np.where(counts > 2, reach, np.inf)[:, None]
     fenced = medians[:, None] + np.clip(off, -reach, reach)
@@ -129,7 +145,17 @@ def fit_of(
     return Fit(scatter, fenced, abs(off) > reach)
 
 
-def _column_scatter(samples: Array, counts: Array, sizes: Array) -> Scatter | None:
+def _medians(samples: Array) -> Array:
+    """Return the median of each row, NaN left out; NumPy's own takes ten times as long."""
+    ranked = np.sort(samples, axis=1)  # NaN comes last
+    counts = (~np.isnan(samples)).sum(axis=1)
+    places = np.arange(len(samples))
+    return (ranked[places, (counts - 1) // 2] + ranked[places, counts // 2]) / 2
+
+
+def _column_scatter(
+    samples: Array, counts: Array, sizes: Array, slopes: Sequence[float]
+) -> Scatter | None:
     """Fit the scatter of a column by the numbers that were measured more than once."""
     again = counts > 1
     if again.sum() < LEAST_ROWS:
@@ -141,7 +167,7 @@ def _column_scatter(samples: Array, counts: Array, sizes: Array) -> Scatter | No
     if moves.sum() < LEAST_ROWS or moves.mean() < QUIET_SHARE:
         return Scatter(ROUNDED_SHARE**2 / 12, 2.0, USUAL_FREEDOM)
     variances = np.maximum(variances, floors)[moves]
-    return prior_of(variances, counts[again][moves] - 1.0, sizes[moves])
+    return prior_of(variances, counts[again][moves] - 1.0, sizes[moves], slopes)
 
 
 def _with_rows(
