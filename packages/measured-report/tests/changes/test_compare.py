@@ -5,22 +5,27 @@ from dataclasses import replace
 from functools import partial
 from types import SimpleNamespace
 
+import numpy as np
 import pytest
+from current_columns import units_of
+from scipy import stats
 from toys import MODULE, ROWS, Toy, compared, derived
 
 from measured_report.changes.alarm import rate_of, settings_text
 from measured_report.changes.compare import flips_between
-from measured_report.changes.moves import Move, judged
+from measured_report.changes.moves import Move, moves_between
 from measured_report.commands import diff, page
 from measured_report.editions.release import release_of
 from measured_report.files.config import report
+from measured_report.findings.chapters import Chapter
 from measured_report.parts.claim import FAILS, HOLDS, Claim, Outcome, at_most, greater
 from measured_report.parts.section import Section
 from measured_report.records.record import load_record
 from measured_report.site.check import check_site
-from measured_report.values.noise import Estimate
+from measured_report.values.evidence import Evidence, Several, key_of, place_of
 from measured_report.values.quantities import Quantity
 from measured_report.values.results import Results
+from measured_report.values.scatter import Scatter
 
 SOFT, STIFF = ROWS
 BETTER = ({**SOFT, "slip_mm": 0.4}, STIFF)
@@ -162,7 +167,7 @@ def test_what_is_near_the_noise_has_not_flipped(toy):
         ),
         (
             {"ms_per_s": 100.0, "ms_per_s_p5": 99.0, "ms_per_s_p95": 101.0},
-            {"ms_per_s": 116.0},
+            {"ms_per_s": 130.0},
             1,
         ),
         ({"drift_mm_s": 1.0}, {"drift_mm_s": 1.03}, 0),
@@ -180,35 +185,184 @@ def test_what_may_be_chance_has_not_moved(toy, newer, before, after, moved):
     assert len(compared(toy.project, newer.project).moves) == moved
 
 
-AGAIN, ONCE = (
-    Estimate(1.0, 0.01, 4.0, 4.0, is_again=True),
-    Estimate(2.0, 100.0, 7.0, least=0.5),
+DRIFT = "drift_mm_s"
+TIME = "frame_ms"
+
+
+@pytest.fixture
+def chapter(toy) -> Chapter:
+    return derived(toy.project).chapters["toy"]
+
+
+def side(
+    chapter: Chapter,
+    numbers: dict[str, float],
+    column: str = DRIFT,
+    *,
+    deviation: float = 0.1,
+    freedom: float = 20.0,
+    count: int = 1,
+    odd_rows: float | None = 0.0,
+    host: float = 0.03,
+    **cells: object,
+) -> Chapter:
+    """Return an edition with these numbers by case, whose measurements scatter so."""
+    rows = [{"case": case, column: value, **cells} for case, value in numbers.items()]
+    columns = chapter.results.columns
+    keys = [key_of(row, columns) for row in rows]
+    several = {
+        (key, column): Several(row[column], count * [row[column]], count)
+        for key, row in zip(keys, rows, strict=True)
+    }
+    evidence = Evidence(
+        count=count,
+        numbers=several if count > 1 else {},
+        scatters={
+            place_of(column, row, columns): Scatter(deviation**2, 0.0, freedom)
+            for row in rows
+        },
+        odd_rows=odd_rows,
+        host=(host**2, 10.0),
+    )
+    record = replace(chapter.results.record, rows=rows, units=units_of(rows))
+    results = replace(chapter.results, record=record, evidence=evidence, derived={})
+    return replace(chapter, results=results)
+
+
+def cases(count: int, value: float = 10.0) -> dict[str, float]:
+    return {f"c{index}": value for index in range(count)}
+
+
+@pytest.mark.parametrize(("before", "after"), [(1, 1), (4, 1), (4, 8)])
+def test_the_chance_of_a_change_is_that_of_student_s_t(chapter, before, after):
+    """The variance of a mean is that of one measurement over their number."""
+    old = side(chapter, {"a": 2.0}, count=before)
+    new = side(chapter, {"a": 2.3}, count=after)
+    [move] = moves_between(old, new)
+    error = 0.1 * (1 / before + 1 / after) ** 0.5
+    rounding = 2.3e-6
+    chance = 2 * stats.t.sf((0.3 - rounding) / error, 20)
+    assert (move.error, move.freedom) == pytest.approx((error, 20.0))
+    assert move.chance == pytest.approx(chance)
+    assert move.noise == pytest.approx(stats.t.ppf(0.995, 20) * error, rel=1e-4)
+
+
+def test_a_change_that_nobody_knows_the_noise_of_has_to_exceed_a_tenth(chapter):
+    unknown = Evidence()
+    old, new = (
+        side(chapter, {"a": 1.0, "b": 1.0}),
+        side(chapter, {"a": 1.1, "b": 1.2}),
+    )
+    sides = [
+        replace(each, results=replace(each.results, evidence=unknown))
+        for each in (old, new)
+    ]
+    moves = moves_between(*sides)
+    assert [(move.is_real, move.is_chosen) for move in moves] == [
+        (False, True),
+        (True, True),
+    ]
+    [lent] = moves_between(side(chapter, {"a": 1.0}), sides[1])[:1]
+    assert not lent.is_chosen
+    assert lent.error == pytest.approx(0.1 * 2**0.5), "of what the other side knows"
+
+
+def test_false_changes_are_bounded_within_a_section(chapter):
+    """Of 40 chances the limit is that of Benjamini and Hochberg, or 1 % of one number."""
+    chance = np.random.default_rng(1)
+    shifts = np.where(np.arange(40) < 10, 0.8, 0.0) + chance.normal(0, 0.1, 40)
+    after = {f"c{index}": 10.0 + float(shift) for index, shift in enumerate(shifts)}
+    moves = moves_between(side(chapter, cases(40)), side(chapter, after))
+    adjusted = stats.false_discovery_control([move.chance for move in moves])
+    found = [move.is_real for move in moves]
+    assert found == [each <= 0.01 for each in adjusted]
+    assert sum(found) >= 9
+    quiet = moves_between(side(chapter, cases(40)), side(chapter, cases(40)))
+    assert {move.limit for move in quiet} == {0.01 / 40}
+
+
+@pytest.mark.parametrize(
+    ("odd_rows", "wild", "listed"),
+    [(0.01, 1, 1), (0.5, 1, 0), (0.5, 8, 8), (8.0, 8, 0)],
 )
-KNOWN = [(AGAIN, ONCE, 0.0125, 5.882353, 2e-6), (ONCE, AGAIN, 0.0125, 5.882353, 2e-6)]
-KNOWN += [
-    (AGAIN, AGAIN._replace(value=2.0), 0.005, 8.0, 2e-6),
-    (AGAIN, None, 0.0125, 5.882353, 3e-6),
-]
-KNOWN += [(ONCE, None, 200.0, 14.0, 0.5)]
-
-
-@pytest.mark.parametrize(("before", "after", "square", "freedom", "least"), KNOWN)
-def test_what_was_measured_again_tells_of_what_was_measured_once(
-    before, after, square, freedom, least
+def test_single_runs_count_if_more_end_otherwise_than_chance_explains(
+    chapter, odd_rows, wild, listed
 ):
-    """By Welch: a mean of four and one, of a variance of 0.01, have (1/400 + 1/100)² / (1/400² + 1/100²) · 4."""
-    ends = tuple(each.value if each else 3.0 for each in (before, after))
-    [move] = judged([(Move(report().columns["load"], *ends), (before, after), 0.0)])
-    assert (move.error**2, move.freedom, move.least) == pytest.approx(
-        (square, freedom, least)
+    """By Poisson, of a row in a hundred, one in two, and eight usual ones."""
+    after = cases(40) | cases(wild, 30.0)
+    once = side(chapter, cases(40), odd_rows=odd_rows / 2)
+    again = side(chapter, after, odd_rows=odd_rows / 2)
+    assert sum(move.is_real for move in moves_between(once, again)) == listed
+    several = side(chapter, cases(40), odd_rows=odd_rows / 2, count=4)
+    both = side(chapter, after, odd_rows=odd_rows / 2, count=4)
+    found = moves_between(several, both)
+    assert sum(move.is_real for move in found) == wild, "measured again"
+
+
+def test_a_number_that_is_named_counts_even_if_its_run_may_be_odd(chapter, monkeypatch):
+    changes = replace(report().settings.changes, thresholds={"toy.c0.drift_mm_s": 0.05})
+    settings = replace(report().settings, changes=changes)
+    monkeypatch.setitem(vars(report()), "settings", settings)
+    vars(report()).pop("columns", None)
+    named = replace(chapter, results=replace(chapter.results, columns=report().columns))
+    after = cases(40) | {"c0": 30.0, "c1": 30.0}
+    old, new = (side(named, each, odd_rows=1.0) for each in (cases(40), after))
+    [real] = [move for move in moves_between(old, new) if move.is_real]
+    assert real.name == "toy.c0.drift_mm_s"
+    assert real.exceeds_threshold
+
+
+def test_times_that_move_together_are_told_beside_the_scatter_of_hosts(chapter):
+    """Each row is known to 30 %, all of nine to 3 % of their host."""
+    noisy = {"column": TIME, "deviation": 3.0}
+    old = side(chapter, cases(9), **noisy)
+    slower = side(chapter, cases(9, 13.0), **noisy)
+    *rows, shift = moves_between(old, slower)
+    assert not any(move.is_real for move in rows)
+    assert (shift.row_count, shift.is_real, shift.exceeds_threshold) == (9, True, True)
+    assert shift.share == pytest.approx(0.3)
+    chance = 2 * stats.t.sf(np.log(1.3) / (0.03 * 2**0.5), 10)
+    assert shift.chance == pytest.approx(chance)
+    *_, hidden = moves_between(old, side(chapter, cases(9, 10.8), **noisy))
+    assert not hidden.is_real
+    few = moves_between(
+        side(chapter, cases(2), **noisy), side(chapter, cases(2, 13.0), **noisy)
     )
-    stats = pytest.importorskip("scipy.stats")
-    assert move.chance == pytest.approx(
-        2 * stats.t.sf((abs(ends[1] - ends[0]) - least) / square**0.5, freedom),
-        rel=0.01,
+    assert len(few) == 2, "two do not show what they have in common"
+    assert (
+        len(moves_between(side(chapter, cases(9)), side(chapter, cases(9, 13.0)))) == 9
     )
-    [seldom] = judged([(Move(report().columns["load"], *ends), (before, after), 0.99)])
-    assert seldom.chance == 0.99
+
+
+def test_a_number_close_to_zero_changed_by_a_share_of_its_column(chapter):
+    before = cases(9) | {"zero": 0.001}
+    after = cases(9) | {"zero": 0.101}
+    quiet = {"deviation": 0.001}
+    *_, move = moves_between(
+        side(chapter, before, **quiet), side(chapter, after, **quiet)
+    )
+    assert move.is_real
+    assert move.share == pytest.approx(0.1 / (0.01 * 10.0)), "and not 100 times"
+
+
+@pytest.mark.parametrize(
+    ("column", "share", "exceeds"),
+    [
+        (DRIFT, 1.09, False),
+        (DRIFT, 1.11, True),
+        (TIME, 1.19, False),
+        (TIME, 1.21, True),
+    ],
+)
+def test_thresholds_are_10_percent_and_20_percent_of_times(
+    chapter, column, share, exceeds
+):
+    precise = {"column": column, "deviation": 0.01}
+    after = {"c0": 10.0 * share, "c1": 10.0}
+    old, new = (side(chapter, each, **precise) for each in (cases(2), after))
+    moved, same = moves_between(old, new)
+    assert (moved.is_real, moved.exceeds_threshold) == (True, exceeds)
+    assert not same.is_real
 
 
 def test_a_share_is_sure_beyond_its_noise_whichever_way_it_moves_and_two_of_three_comparisons_tell_a_change():
