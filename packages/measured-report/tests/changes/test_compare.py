@@ -167,7 +167,7 @@ def test_what_is_near_the_noise_has_not_flipped(toy):
         ),
         (
             {"ms_per_s": 100.0, "ms_per_s_p5": 99.0, "ms_per_s_p95": 101.0},
-            {"ms_per_s": 130.0},
+            {"ms_per_s": 150.0},
             1,
         ),
         ({"drift_mm_s": 1.0}, {"drift_mm_s": 1.03}, 0),
