@@ -404,7 +404,9 @@ def _without_chance(moves: Sequence[Move], sides: Sequence[Results]) -> list[Mov
     numbers = [move for move in moves if move.rows and move.chance is not None]
     row_count = len({move.rows[0].source for move in numbers})
     odd_rows = [side.evidence.odd_rows for side in sides]
-    if None not in odd_rows:
+    if 1 < row_count <= len(single_rows):
+        is_change = True  # all rows do not end otherwise at once
+    elif None not in odd_rows:
         is_change = exceeds_chance(len(single_rows), sum(filter(None, odd_rows)))
     elif row_count < LEAST_SWEEP:
         is_change = True

@@ -1,0 +1,184 @@
+"""The alarm in every section: what changed in it is listed, and nothing if nothing did.
+
+The tracked results of 1.4.0 are compared with copies of which all numbers of a section
+are larger, and its measurements with each other.
+"""
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
+from itertools import combinations
+
+import pytest
+
+from measured_report.changes.moves import Move, moves_between
+from measured_report.editions.project import Project, own_release
+from measured_report.editions.status import records_of
+from measured_report.files.columns import Schema
+from measured_report.files.config import report
+from measured_report.findings.cache import DerivedCache
+from measured_report.findings.chapters import Chapter
+from measured_report.findings.editions import read_edition
+from measured_report.findings.replicas import alike, read_replicas
+from measured_report.records.record import Record
+from measured_report.values.body import body_of
+from measured_report.values.evidence import Evidence, repeats_of, scatters
+
+pytestmark = pytest.mark.slow
+LABEL = "1.4.0"
+Measured = Mapping[tuple[str, str], Sequence[Record | None]]
+
+
+@pytest.fixture(scope="module")
+def project() -> Project:
+    return Project(LABEL, own_release=own_release())
+
+
+@pytest.fixture(scope="module")
+def chapters(project) -> Mapping[str, Chapter]:
+    """The sections of 1.4.0, which need not be derived to be compared."""
+    cache = DerivedCache(project.root, project.report)
+    return read_edition(project, cache).chapters
+
+
+@pytest.fixture(scope="module")
+def measured(project) -> Measured:
+    """All measurements of all releases."""
+    found = {}
+    for release in project.releases:
+        each = project.of(release)
+        shown = {record.section: record for record in records_of(each)}
+        read, _ = read_replicas(each)
+        replicas = [alike(shown, records) for records in read.values()]
+        for name, record in shown.items():
+            several = (records.get(name) for records in replicas)
+            found[release, name] = [record, *several]
+    return found
+
+
+@pytest.fixture(scope="module")
+def evidence(measured) -> Mapping[str, Evidence]:
+    return evidence_of(measured)
+
+
+def evidence_of(measured: Measured) -> Mapping[str, Evidence]:
+    """Return the evidence of the sections of 1.4.0."""
+    sections = body_of(measured, report().columns).sections
+    return {
+        name: each for (release, name), each in sections.items() if release == LABEL
+    }
+
+
+def side(
+    chapter: Chapter, evidence: Evidence, record: Record, *, is_single: bool = True
+) -> Chapter:
+    """Return the chapter with that record, by itself or as the mean of all measurements."""
+    if is_single:
+        columns = chapter.results.columns
+        is_noise = chapter.name == columns.settings.noise_section
+        evidence = replace(evidence, count=1, numbers={}, edges=frozenset())
+        if is_noise:
+            evidence = replace(evidence, repeats=repeats_of(record.rows, columns))
+    results = replace(chapter.results, record=record, evidence=evidence, derived={})
+    return replace(chapter, results=results)
+
+
+def scaled(record: Record, factor: float, columns: Schema) -> Record:
+    """Return the record with all numbers that are compared as many times as large."""
+    rows = [
+        {
+            name: cell * factor
+            if isinstance(cell, float) and scatters(columns[name])
+            else cell
+            for name, cell in row.items()
+        }
+        for row in record.rows
+    ]
+    return replace(record, rows=rows)
+
+
+def listed(moves: Sequence[Move]) -> list[Move]:
+    return [move for move in moves if move.is_real]
+
+
+@pytest.fixture(scope="module")
+def compared(chapters) -> list[Chapter]:
+    """The sections that have numbers to compare."""
+    sections = []
+    for chapter in chapters.values():
+        record = chapter.results.record
+        if scaled(record, 2.0, chapter.results.columns) != record:
+            sections.append(chapter)
+    assert len(sections) >= 28
+    return sections
+
+
+@pytest.mark.parametrize("is_single", [True, False], ids=["one measurement", "all"])
+@pytest.mark.parametrize("factor", [1.05, 1.2, 10.0])
+def test_a_change_of_a_section_is_listed_and_exceeds_its_threshold(
+    compared, evidence, factor, is_single
+):
+    unlisted = []
+    silent = []
+    for chapter in compared:
+        known = evidence[chapter.name]
+        record = chapter.results.record
+        larger = scaled(record, factor, chapter.results.columns)
+        before = side(chapter, known, record, is_single=is_single)
+        moves = listed(moves_between(before, side(chapter, known, larger)))
+        if not moves:
+            unlisted.append(chapter.name)
+        # Times may change by exactly their threshold.
+        if not any(move.exceeds_threshold for move in moves):
+            silent.append(chapter.name)
+    assert unlisted == []
+    if factor > 1.1:
+        assert silent == []
+
+
+def replicas_of(measured: Measured) -> Iterator[Mapping[str, Record]]:
+    """Yield each measurement of 1.4.0 by section, first the one that is tracked."""
+    of_release = {
+        name: each for (label, name), each in measured.items() if label == LABEL
+    }
+    count = max(map(len, of_release.values()))
+    for index in range(count):
+        yield {name: each[index] for name, each in of_release.items() if each[index]}
+
+
+def test_nothing_is_listed_between_two_measurements_of_one_release(
+    compared, evidence, measured
+):
+    alarms = []
+    found = []
+    for a, b in combinations(replicas_of(measured), 2):
+        moves = []
+        for chapter in compared:
+            name = chapter.name
+            if name in a and name in b:
+                sides = [side(chapter, evidence[name], each[name]) for each in (a, b)]
+                moves += listed(moves_between(*sides))
+        alarms += [move.name for move in moves if move.exceeds_threshold]
+        found.append(len(moves))
+    assert len(found) >= 50
+    assert alarms == []
+    assert max(found) <= 1
+
+
+def test_a_measurement_that_is_left_out_is_the_same_as_the_others(compared, measured):
+    tracked, *replicas = replicas_of(measured)
+    for index, replica in enumerate(replicas, 1):
+        others = {
+            (release, name): [*each[:index], None, *each[index + 1 :]]
+            for (release, name), each in measured.items()
+            if release == LABEL and name in replica
+        }
+        known = evidence_of(others)
+        alarms = []
+        for chapter in compared:
+            name = chapter.name
+            if name in replica:
+                before = side(chapter, known[name], tracked[name], is_single=False)
+                after = side(chapter, known[name], replica[name])
+                moves = listed(moves_between(before, after))
+                alarms += [move.name for move in moves if move.exceeds_threshold]
+        assert alarms == []
