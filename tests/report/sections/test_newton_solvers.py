@@ -7,7 +7,7 @@ import pytest
 from deriving import assert_found, with_cells
 
 from measured_report.records.record import Record
-from measured_report.values.cells import evidence_of
+from measured_report.values.body import body_of
 from measured_report.values.results import Results
 from report.sections.newton_solvers import derive
 
@@ -29,7 +29,8 @@ def test_whose_slip_does_not_repeat_is_named_with_each_that_keeps_the_cube(editi
         )
         again = replace(again, machine=first.machine | {"gpu_uuid": "another"})
         records = [first, again] if slips else [first]
-        evidence = evidence_of({"again": records}, {}, tracked.columns)["again"]
+        place = ("1.8.0", "newton_solvers")
+        evidence = body_of({place: records}, tracked.columns).sections[place]
         section = derive(
             Results(first, tracked.path, tracked.others, evidence=evidence)
         )
