@@ -32,8 +32,16 @@ from measured_report.values.results import Results, Series
 from tests.perturbed import load_trace_once
 
 NOISE = "noise of"
-NOISES = {"slip_mm": 0.007, "drift_mm_s": 0.0007}
-"""The noise of slip [mm] and drift [mm/s] unless a test sets it; others are rounded."""
+NOISES = dict.fromkeys(
+    (
+        *("along_mm", "creep_mm_s", "displacement_mm", "friction_residual_mm"),
+        *("increment_final_mm", "normal_residual_mm", "slide_mm", "numerical_error_mm"),
+        *("grasp_error_mm_per_cycle", "left_out_mm_s", "step_mm_s"),
+    ),
+    1e-9,
+)
+NOISES |= {"slip_mm": 0.001, "drift_mm_s": 0.0001}
+"""The noise of columns unless a test sets it; of others nobody knows it."""
 RUN_COUNT = 10**9  # so many runs that their scatter is known
 FLAGS = {
     ("drift_law", "law/follows"): ["follows"],
@@ -101,8 +109,8 @@ def results_with(
         else:
             others[place[0]] = changed(others[place[0]], {place[1]: new})
     repeats = {
-        name: Repeats(1e9, (noises.get(name, 0.0) / Z) ** 2, RUN_COUNT)
-        for name in record.units
+        name: Repeats(1e9, (noise / Z) ** 2, RUN_COUNT)
+        for name, noise in noises.items()
     }
     return TracedResults(
         record,
@@ -115,13 +123,19 @@ def results_with(
     )
 
 
-def chapters_with(*changes: Mapping[str, Mapping[str, Any]]) -> dict[str, Any]:
-    """Return chapters as they are tracked, by section with cells and values set."""
+def chapters_with(
+    *changes: Mapping[str, Mapping[str, Any]], release: str = "1.4.0"
+) -> dict[str, Any]:
+    """Return chapters as they are tracked, by section with cells and values set, as if
+    another release had been measured so."""
     chapters = {}
     for section in dict.fromkeys(name for change in changes for name in change):
         results = read(section, "1.4.0")
         for change in changes:
             results = changed(results, change.get(section, {}))
+        identity = results.record.identity
+        identity = replace(identity, packages=identity.packages | {"newton": release})
+        results = replace(results, record=replace(results.record, identity=identity))
         chapters[section] = SimpleNamespace(results=results, section=Section())
     return chapters
 

@@ -51,6 +51,8 @@ def derive(releases: Releases, shown: str) -> Section:
     releases = released(releases, shown)
     every = {name: sections_of(chapters) for name, chapters in releases.items()}
     sections = every[shown]
+    if not {"reproduction", "cure_cost"} & sections.results.keys():
+        return Section()
     bound = sections.value("reproduction", "slip_bound")
     slips = {  # with shipped pads and with stiff ones, by release
         way: [[each.cell(*place) for place in places] for each in every.values()]

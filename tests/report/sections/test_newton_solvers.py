@@ -79,7 +79,9 @@ GIVEN = {
                 "others_hold/solvers": "Kamino and Steel",
                 "others_hold/fastest": "Steel",
                 "others_hold/are_many": True,
-                "others_hold/is_longer": True,
+                "others_hold/faster": "",
+                "steel_speedup": 0.833333,
+                "kamino_speedup": 0.05,
                 "hands_go_as_far": "holds",
                 "steel_2ms": -0.001,
                 "steel_stays": "holds",
@@ -121,7 +123,7 @@ GIVEN = {
             },
             {
                 "others_hold": "fails",
-                "others_hold/is_longer": False,
+                "others_hold/faster": "",
                 "steel_stays": "fails",
             },
         ),
@@ -132,7 +134,7 @@ GIVEN = {
             },
             {
                 "costs_more": "the opposite",
-                "others_hold/is_longer": False,
+                "others_hold/faster": 1.25,
                 "hands_go_as_far": "fails",
                 "hands_go_as_far/is_farther": False,
             },
