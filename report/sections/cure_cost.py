@@ -8,8 +8,8 @@ from report.shared import (
     Results,
     RowsBy,
     Section,
-    at_most,
     combined,
+    negligible,
     resolution,
     table_of,
     worlds_name,
@@ -48,7 +48,7 @@ def derive(results: Results) -> Section:
             "by how much a frame takes longer, most of all numbers of worlds",
             combined(max, *(extra[case, count] for count in TIMED_WORLDS)),
         )
-        outcome = at_most(worst_case, bound)
+        outcome = negligible(worst_case, bound)
         numbers = {"worst": worst_case, "bound": bound}
         claims.append(Claim(f"{case}_costs_nothing", outcome, numbers))
     columns = {

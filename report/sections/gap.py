@@ -7,7 +7,7 @@ from report.shared import (
     Section,
     all_of,
     decreases,
-    at_most,
+    negligible,
     spread,
 )
 
@@ -39,12 +39,12 @@ def derive(results: Results) -> Section:
     loaded = [row.mean_loaded_row_count for row in rows]
     same = all_of(
         decreases(listed, by=0.5, why="a number of contacts that differs"),
-        at_most(spread(loaded), 0.5, why="the same number of contacts"),
+        negligible(spread(loaded), 0.5, why="the same number of contacts"),
     )
     numbers = {"share": share, "slip": slips[0]}
     return Section(
         claims=[
-            Claim("not_the_cause", at_most(share, bound), numbers),
+            Claim("not_the_cause", negligible(share, bound), numbers),
             Claim("same_contacts_carry", same),
         ]
     )

@@ -11,9 +11,9 @@ from report.shared import (
     Section,
     Value,
     all_of,
-    at_most,
     cell_count,
     gathered,
+    negligible,
     relevance,
     table_of,
 )
@@ -54,7 +54,7 @@ def derive(results: Results) -> Section:
         )
     results.chosen("confidence", "as is usual", 100 * SURE, "%")
     bound = relevance(results)
-    small = all_of(*(at_most(share, bound) for share in shares.values()))
+    small = all_of(*(negligible(share, bound) for share in shares.values()))
     numbers = {
         **deviations,
         "share": shares["slip"],

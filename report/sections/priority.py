@@ -13,6 +13,7 @@ from report.shared import (
     at_most,
     by_case,
     greater,
+    negligible,
     spread,
 )
 
@@ -90,7 +91,7 @@ def derive(results: Results) -> Section:
             ),
             Claim(
                 "cube_does_not_move_slip",
-                at_most(share, bound),
+                negligible(share, bound),
                 {"change": share, "bound": bound},
             ),
             Claim(

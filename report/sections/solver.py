@@ -8,6 +8,7 @@ from report.shared import (
     at_most,
     change_of,
     largest_size,
+    negligible,
     relevance,
     variant_section,
     variants_of,
@@ -56,7 +57,7 @@ def derive(results: Results) -> Section:
     claims = [
         Claim(
             "solver_has_converged",
-            at_most(share, bound),
+            negligible(share, bound),
             {
                 **variants.numbers,
                 "iterations": more.iterations,
@@ -82,7 +83,7 @@ def derive(results: Results) -> Section:
             "that reduction, of the baseline's slip",
             PERCENT * reduction / abs(slip),
         )
-        outcome = at_most(share, bound)
+        outcome = negligible(share, bound)
         numbers = {column: row[column], "slip": row.slip_mm, "reduction": share}
         numbers = variants.numbers | numbers
         claims.append(Claim(name, outcome, numbers, effect=variants.slips))

@@ -7,9 +7,9 @@ from report.shared import (
     Claim,
     Results,
     Section,
-    at_most,
     by_case,
     greater,
+    negligible,
     resolution,
 )
 
@@ -35,7 +35,7 @@ def derive(results: Results) -> Section:
         PERCENT * (one.frame_ratio - 1),
     )
     bound = results.chosen("slower", *SLOWER, "%")
-    same = at_most(abs(change), bound)
+    same = negligible(abs(change), bound)
     numbers = {"change": change, "bound": bound}
     claims = [Claim("stiff_pads_only_same_time", same, numbers)]
     columns = {

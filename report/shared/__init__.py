@@ -17,6 +17,7 @@ from measured_report.parts.claim import (
     decided,
     decreases,
     greater,
+    negligible,
 )
 from measured_report.parts.section import Download, Figure, Section, Table
 from measured_report.values.quantities import (

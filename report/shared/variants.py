@@ -3,7 +3,7 @@
 from collections.abc import Collection
 from typing import NamedTuple
 
-from measured_report.parts.claim import Claim, Outcome, at_least, at_most
+from measured_report.parts.claim import Claim, Outcome, at_least, negligible
 from measured_report.parts.section import Section
 from measured_report.values.quantities import PERCENT, Quantity, absent
 from measured_report.values.results import Results, Row
@@ -29,7 +29,7 @@ def variant_section(results: Results, variants: Variants, *claims: Claim) -> Sec
     """Make the section of variants: whether one of them is the cause, and more claims."""
     why = "a cause would change the slip by more"
     bound = results.chosen("cause_bound", why, 10.0, "%")
-    cause = at_most(results.derived["largest_share"], bound)
+    cause = negligible(results.derived["largest_share"], bound)
     return Section(claims=[Claim("not_the_cause", cause, variants.numbers), *claims])
 
 

@@ -432,6 +432,16 @@ def _unmeasured(
     return None
 
 
+def _fastest(ways: list[Way], times: dict[Way, Quantity]) -> Way:
+    """Return the first of the ways that is not surely slower than the fastest of them."""
+    fastest = min((times[way] for way in ways), key=lambda time: time.number)
+    return next(
+        way
+        for way in ways
+        if times[way] is fastest or not (times[way] - fastest).is_distinct
+    )
+
+
 def _faster(sections: Sections, way: Way, time: Quantity) -> Quantity | str:
     """Return how many times as fast a way is; empty if it is not surely faster."""
     section, _, variant = way.timed.partition("/")
@@ -461,7 +471,7 @@ def _advised(
         outcome = near[0] if near else Outcome("unknown", bound.reason or NOTHING_HOLDS)
         return Claim(name, outcome, _without(numbers, outcome.reason, bound))
 
-    way = min(least, key=lambda way: times[way].number)
+    way = _fastest(least, times)
     variant = way.timed.rpartition("/")[2]
     off = sections.cell("newton_solvers", f"{variant}-3cm", "wander_mm")  # on the way
     more = []
@@ -484,7 +494,7 @@ def _advised(
     }
     patches = [way for way in times if way.effort == PATCH]
     if patches:
-        patch = min(patches, key=lambda way: times[way].number)
+        patch = _fastest(patches, times)
         numbers |= {
             "patch": patch.name,
             "patch_slip": patch.slip(sections),

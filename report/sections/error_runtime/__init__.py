@@ -28,6 +28,7 @@ from report.shared import (
     gathered,
     greater,
     largest_size,
+    negligible,
     quantile,
 )
 
@@ -163,7 +164,7 @@ def derive(results: Results) -> Section:
         "runs with other solver effort",
         cell_count([row.substeps for row in efforts]),
     )
-    effort = at_most(share, 10.0, "a gain worth an effort")
+    effort = negligible(share, 10.0, "a gain worth an effort")
 
     numbers = {"rk4_warp": rk4_pays == HOLDS}
     errors = [row[ERROR] for row in points.settings]

@@ -26,6 +26,7 @@ from report.shared import (
     constant,
     decided,
     departure,
+    negligible,
     relevance,
 )
 
@@ -55,7 +56,7 @@ def derive(results: Results, releases: Releases) -> Section:
     before, after = ends.cells(tables.SLIP)
     share = _change(results, "slip_change", before, after, before)
     bound = relevance(results)
-    same_slip = ends.one or at_most(abs(share), bound).having_read(before, after)
+    same_slip = ends.one or negligible(abs(share), bound).having_read(before, after)
     slip_is_the_same = Claim(
         "slip_is_the_same",
         same_slip,
@@ -138,7 +139,7 @@ def _in_one_step(
     cells = {name: cell for name, cell in cells.items() if cell.value is not None}
     oldest = next(iter(cells.values()), None)
     tests = {
-        (a, b): at_most(
+        (a, b): negligible(
             abs(_change(results, f"slip_step_{b}", cells[a], cells[b], oldest)), bound
         )
         for a, b in pairwise(cells)
@@ -189,7 +190,7 @@ def _same_speed(results: Results, ends: Ends) -> Claim:
         "cases of one world whose frames were timed",
         cell_count(after for _, after in pairs),
     )
-    outcome = at_most(change, numbers["bound"])
+    outcome = negligible(change, numbers["bound"])
     outcome = outcome.having_read(numbers["least"], numbers["most"])
     outcome = machines_differ(ends.releases, "speed") or outcome
     chapters = [each["speed"] for each in ends.releases.values() if "speed" in each]

@@ -40,7 +40,7 @@ GIVEN = {
             {
                 "firm_worst": 5,
                 "best_costs_nothing": "holds",
-                "firm_costs_nothing": "fails",
+                "firm_costs_nothing": "the opposite",
             },
         ),
         (

@@ -163,7 +163,7 @@ GIVEN = {
                     "numerical_error_mm": 0.11
                 },
             },
-            {"low_error": 0.08, "solver_effort": "fails"},
+            {"low_error": 0.08, "solver_effort": "the opposite"},
         ),
         (
             {"worlds-*": {"time_ratio": 0.5}},

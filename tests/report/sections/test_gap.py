@@ -35,7 +35,7 @@ GIVEN = {
         ),
         (
             {"all-gaps-zero": {"slip_mm": 5.88, "mean_loaded_row_count": 8.4}},
-            {"not_the_cause": "fails", "same_contacts_carry": "holds"},
+            {"not_the_cause": "the opposite", "same_contacts_carry": "holds"},
         ),
         (
             {"all-gaps-zero": {"mean_loaded_row_count": 8.6}},

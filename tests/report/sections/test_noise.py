@@ -35,7 +35,7 @@ GIVEN = {
         ({"d": {"slip_mm": 0.37}}, {"noise_is_small": "holds"}),
         (
             {"b": {"drift_mm_s": 0.51}},
-            {"drift_scatter_share": 1.400211, "noise_is_small": "fails"},
+            {"drift_scatter_share": 1.400211, "noise_is_small": "the opposite"},
         ),
         (
             {"b": {"slip_mm": 6, "drift_mm_s": 0.5}},

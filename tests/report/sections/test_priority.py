@@ -42,7 +42,7 @@ GIVEN = {
                 "cube_dmax_spread": 0.01,
                 "cube_resolved_spread": 0.01,
                 "cube_does_not_count": "fails",
-                "cube_does_not_move_slip": "fails",
+                "cube_does_not_move_slip": "the opposite",
             },
         ),
         (

@@ -33,7 +33,7 @@ GIVEN = {
             },
             {
                 "stiff_pads_only_change": 5,
-                "stiff_pads_only_same_time": "fails",
+                "stiff_pads_only_same_time": "the opposite",
                 "many_worlds": "the opposite",
             },
         ),

@@ -59,9 +59,7 @@ class Outcome:
 HOLDS = Outcome("holds")
 FAILS = Outcome("fails")
 OPPOSITE = Outcome("fails", is_opposite=True)
-WITHIN = Outcome(
-    "unknown", "the difference is within its noise", is_inconclusive=True
-)
+WITHIN = Outcome("unknown", "the difference is within its noise", is_inconclusive=True)
 
 
 @dataclass(frozen=True)
@@ -163,11 +161,17 @@ def at_least(a: Quantity, bound: Number, why: str = "") -> Outcome:
 
 
 def at_most(a: Quantity, bound: Number, why: str = "") -> Outcome:
-    """Test whether a bound is kept; cannot tell if the interval of ``a`` has the bound in it.
-
-    ``at_most(abs(a - b), bound)`` tests whether two numbers are the same but for what matters.
-    """
+    """Test whether a bound is kept; cannot tell if the interval of ``a`` has the bound in it."""
     return _bounded(a, bound, why, operator.le)
+
+
+def negligible(change: Quantity, bound: Number, why: str = "") -> Outcome:
+    """Test whether a change is too small to matter; one above the bound is the opposite.
+
+    For a change in either direction it takes the size, ``negligible(abs(a - b), bound)``.
+    """
+    outcome = at_most(change, bound, why)
+    return replace(outcome, is_opposite=outcome == FAILS)
 
 
 def _bounded(
@@ -177,7 +181,9 @@ def _bounded(
         noise = math.hypot(a.noise or 0.0, bound.noise or 0.0)
         if abs(a.number - bound.number) < noise:
             reason = Markup("the bound of {} lies within the interval {}")
-            said = reason.format(_said(bound), a.interval if a.source else f"±{noise:.2g}")
+            said = reason.format(
+                _said(bound), a.interval if a.source else f"±{noise:.2g}"
+            )
             return Outcome("unknown", said, is_inconclusive=True)
         return HOLDS if keeps(a.number, bound.number) else FAILS
 

@@ -2,7 +2,7 @@
 
 import math
 from functools import partial
-from statistics import fmean, stdev
+from statistics import fmean
 
 import numpy as np
 import pytest
