@@ -161,8 +161,8 @@ def derive(results: Results) -> Section:
         "ke_alone_last", "largest ke of these runs", extreme(max, stiffnesses)
     )
     no_help = at_least(share, 80.0, "no help")
-    if slips == FAILS:
-        reason = "with shipped pads there is no slip to bring down"
+    if slips != HOLDS:
+        reason = slips.reason or "with shipped pads there is no slip to bring down"
         no_help = Outcome("unknown", reason, reads=slips.reads)
         no_help = no_help.having_read(low, share)
     gain = results.value(

@@ -11,6 +11,7 @@ from report.shared import (
     FAILS,
     HOLDS,
     MS_PER_S,
+    SLOWER,
     TIMED_WORLDS,
     Claim,
     Figure,
@@ -419,6 +420,7 @@ def _unmeasured(
             continue
         time = way.ratios(sections).get(ALONE)
         is_slower = time is not None and time.number >= fastest
+        is_slower = is_slower or fastest <= 1 + 0.01 * SLOWER[1]
         if (way.effort == effort and is_slower) or not way.is_offered(sections):
             continue
         what = "timed" if is_untimed else "measured"

@@ -39,11 +39,11 @@ GIVEN = {
         ),
         (
             {"all-gaps-zero": {"mean_loaded_row_count": 8.6}},
-            {"same_contacts_carry": "fails"},
+            {"same_contacts_carry": "the opposite"},
         ),
         (
             {"all-gaps-zero": {"mean_loaded_row_count": 9.1}},
-            {"same_contacts_carry": "fails"},
+            {"same_contacts_carry": "the opposite"},
         ),
     ],
 )
