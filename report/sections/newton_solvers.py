@@ -311,7 +311,10 @@ def _of_steel(
     is_lost = bool(far.dropped)
     is_lost_in_warp = bool(warp_far.dropped)
     sooner = decided(is_lost and not is_lost_in_warp, warp_far.wander_mm, far.wander_mm)
-    if is_lost_in_warp and not is_lost:
+    if None in (far.plain.get("dropped"), warp_far.plain.get("dropped")):
+        sooner = Outcome("unknown", "one of these runs failed, or was not measured")
+        sooner = sooner.having_read(warp_far.wander_mm, far.wander_mm)
+    elif is_lost_in_warp and not is_lost:
         sooner = OPPOSITE.having_read(warp_far.wander_mm, far.wander_mm)
 
     alone = times["steel", TIMED_WORLDS[0]]

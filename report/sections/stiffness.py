@@ -251,7 +251,6 @@ def derive(results: Results) -> Section:
                     "kd": fix.pad_kd,
                     "slipped": shipped.slip_mm,
                     "slip": fix.slip_mm,
-                    "gain": gain,
                 },
             ),
         ],
