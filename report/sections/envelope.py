@@ -68,11 +68,11 @@ def derive(results: Results) -> Section:
         columns[f"cube ends at, {name}"] = [row.cube_height_m for row in rows]
     columns["times less"] = [_times_less(results, shake) for shake in shakes]
     # Cells of the map scatter as the same runs in this table do.
-    slips = [row.slip_mm for row in results.rows if _is_held(row)]
-    shares = [slip.noise / slip.number for slip in slips if slip.noise and slip.value]
+    tried = [row.slip_mm for row in results.rows if _is_held(row)]
+    shares = [slip.noise / slip.number for slip in tried if slip.noise and slip.value]
     noise = math.sqrt(2) * max(shares, default=0.0) * (least.value or 0.0)
     gains = at_least(replace(least, noise=noise), 1.0, "less slip")
-    gains = gains.having_read(*slips)
+    gains = gains.having_read(*tried)
 
     names = [
         shake.replace("cm-", "\u00a0cm, ").replace("hz", "\u00a0Hz") for shake in shakes

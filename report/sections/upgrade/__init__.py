@@ -41,8 +41,6 @@ labels = {
     "hold-kf-off": "arm held still, kf below zero",
 }
 
-REACH = "the change, in size, and its noise together"
-
 
 def derive(results: Results, releases: Releases) -> Section:
     shown = results.edition
@@ -66,12 +64,7 @@ def derive(results: Results, releases: Releases) -> Section:
             "after": after,
             "change": share,
             "bound": bound,
-            "within": results.value(
-                "slip_within",
-                REACH,
-                _reach(share),
-                is_noise=True,
-            ),
+            "within": _within(results, "slip_within", share),
             "grows": (share.value or 0) > 0,
         },
     )
@@ -114,10 +107,13 @@ def derive(results: Results, releases: Releases) -> Section:
     )
 
 
-def _reach(change: Quantity) -> Quantity:
-    """Return how large a change may be, by its interval."""
+def _within(results: Results, name: str, change: Quantity) -> Value | str:
+    """Derive how large a change may be, by its interval; empty if nobody knows its noise."""
     why = change.reason or "nobody measured its noise"
-    return abs(change) + Quantity(change.noise, change.unit, "", why, noise=0.0)
+    noise = Quantity(change.noise, change.unit, "", why, noise=0.0)
+    formula = "the change, in size, and its noise together"
+    within = results.value(name, formula, abs(change) + noise, is_noise=True)
+    return "" if within.value is None else within
 
 
 def _change(
@@ -181,9 +177,7 @@ def _same_speed(results: Results, ends: Ends) -> Claim:
         across=True,
     )
     numbers["change"] = change
-    numbers["within"] = results.value(
-        "frame_within", REACH, _reach(change), is_noise=True
-    )
+    numbers["within"] = _within(results, "frame_within", change)
     numbers["bound"] = results.chosen("frame_bound", "the same time", 5.0, "%")
     numbers["count"] = results.value(
         "speed_case_count",
