@@ -43,6 +43,25 @@ def test_a_quantity_says_its_source_or_why_it_is_missing():
         assert quantity(value).code.striptags() == text, "as one types it"
 
 
+INTERVALS = {
+    (0.0421, 0.0097): "0.0421 ± 0.0097 mm",
+    (0.003, 0.010): "0.003 ± 0.010 mm",
+    (-23.082, 0.47): "−23.08 ± 0.47 mm",
+    (1234.0, 250.0): "1 230 ± 250 mm",
+    (5.0, 0.0): "5 mm",
+}
+
+
+@pytest.mark.parametrize(("given", "text"), INTERVALS.items())
+def test_an_interval_is_written_to_two_digits_of_the_noise(given, text):
+    value, noise = given
+    html = quantity(value, noise=noise).interval
+    assert html.striptags().replace("\xa0", " ") == text
+    assert 'data-as="interval"' in html
+    assert quantity(value, noise=noise).is_distinct == (abs(value) > noise)
+    assert quantity(None, "it fell").interval.striptags() == "n/a"
+
+
 NOISE = quantity(0.1)
 
 
