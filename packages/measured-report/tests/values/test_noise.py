@@ -2,7 +2,7 @@
 
 import math
 from functools import partial
-from statistics import fmean, stdev
+from statistics import fmean
 
 import numpy as np
 import pytest
@@ -22,7 +22,6 @@ from measured_report.values.noise import (
     discoveries,
     fenced,
     t_quantile,
-    tolerance,
     variance_of,
     welch,
 )
@@ -90,30 +89,6 @@ def test_an_outlier_is_moved_to_five_deviations_of_the_middle_half():
     )
     assert fenced([5.0] * 7 + [9.0]) == [5.0] * 7 + [9.0], "no deviation to count in"
     assert variance_of([2, 4, 4, 4, 5, 5, 7, 9]) == pytest.approx(32 / 7)
-
-
-def test_the_tolerance_is_what_nearly_all_pairs_stay_within():
-    """χ² at 39 degrees of freedom and 0.05 is 25.695, and the normal distribution has 0.9995 of it below 3.2905."""
-    runs = [6.36 + 0.001 * (-1) ** index for index in range(40)]
-    deviation = 0.001 * (40 / 39) ** 0.5
-    expected = 2**0.5 * 3.2905 * deviation * (39 / 25.695) ** 0.5
-    assert tolerance(runs) == pytest.approx(expected, rel=1e-3)
-    assert tolerance([*runs, 7.36, 5.0]) < 2.2 * expected, (
-        "two outliers of 40 are fenced in"
-    )
-    assert (
-        tolerance([6.36] * 40) == 0.0
-        and tolerance([1.0, 1.5]) == 0.5
-        and tolerance([1.0, 2.0, 4.0]) == 3.0
-    )
-    four = [1.0, 2.0, 3.0, 4.0]
-    limit = (
-        2**0.5
-        * stats.norm.ppf(0.9995)
-        * stdev(four)
-        * (3 / stats.chi2.ppf(0.05, 3)) ** 0.5
-    )
-    assert tolerance(four) == pytest.approx(limit, rel=0.04)
 
 
 @pytest.mark.parametrize(
