@@ -138,7 +138,7 @@ def derive(results: Results) -> Section:
         "that difference, of the slip of the reference, in size",
         PERCENT * largest / abs(base),
     )
-    bound = relevance(results)
+    bound = relevance(results, base)
 
     # The cost of each thing by itself, with the worlds for which each was timed alone.
     counts = [count for of, case, count in timed if (of, case) == (device, REFERENCE)]

@@ -39,7 +39,7 @@ def derive(results: Results) -> Section:
     apart = [*pads, *(f"{case}-noslip" for case in pads)]
     variants = variants_of(results, "iterations-15", apart=apart)
     slip = variants.baseline.slip_mm
-    bound = relevance(results)
+    bound = relevance(results, slip)
 
     converged = ("iterations-200", "tolerance-1e-10")
     largest = results.value(

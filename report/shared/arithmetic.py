@@ -31,6 +31,8 @@ MS_PER_S = constant(1e3, "ms/s")
 MM_PER_M = constant(1e3, "mm/m")
 # From which share of the slip or drift of shipped pads on a change matters, and why [%].
 RELEVANT = ("a smaller change makes no difference to a grasp", 1.0)
+# No smaller change of a slip matters, and why [mm].
+VISIBLE = ("less than any gripper is positioned to", 0.01)
 # A bound that sections choose: why, and how many times less.
 SETTLES = ("a change that settles the matter", 10.0)
 
@@ -111,10 +113,24 @@ def other_value(results: Results, section: str, name: str) -> Quantity:
     return Sections(results.others).value(section, name)
 
 
-def relevance(results: Results) -> Value:
-    """Return from which change of slip or drift on it matters [%]."""
+def relevance(results: Results, slip: Quantity | None = None) -> Value:
+    """Return from which change of slip or drift on it matters [%].
+
+    It is a share of the slip, and never less than ``VISIBLE`` millimetres of it.
+    """
     name = "relevance"
-    return results.derived.get(name) or results.chosen(name, *RELEVANT, "%")
+    if name in results.derived:
+        return results.derived[name]
+    if slip is None:
+        return results.chosen(name, *RELEVANT, "%")
+    share = results.chosen(f"{name}_share", *RELEVANT, "%")
+    visible = results.chosen(f"{name}_least", *VISIBLE, "mm")
+    return results.value(
+        name,
+        f"{share.written} % of the slip, and at least {visible}",
+        combined(max, share, PERCENT * visible / abs(slip)),
+        is_noise=True,
+    )
 
 
 def rows_with(results: Results, *columns: str) -> list[Row]:
