@@ -298,15 +298,17 @@ def tracked_records() -> Records:
 
 
 @contextmanager
-def project_of(scenario: Scenario, releases: Sequence[str]) -> Iterator[Project]:
-    """A project that has a scenario's results of some releases."""
+def project_of(
+    scenario: Scenario, releases: Sequence[str], without: Place | None = None
+) -> Iterator[Project]:
+    """A project that has a scenario's results of some releases, but for one record."""
     own, records = Project(own_release()), tracked_records()
     with TemporaryDirectory() as folder:
         project = Project(own.release, root=Path(folder))
         for name in ("experiments", "report", "templates", "assets"):
             (project.root / name).symlink_to(ROOT / name)
         for (release, section), record in records.items():
-            if release in releases:
+            if release in releases and (release, section) != without:
                 path, rows = (
                     project.of(release).record_path(section),
                     scenario.rows(records, (release, section)),

@@ -3,8 +3,9 @@
 A test sets cells by case, ``{"pad-mu-0.2": {"slip_mm": 6.5}}``; later ones override
 earlier ones. In a case ``*`` stands for any text, and the cells are then set only in
 rows that have the column. A case may be followed by its device and number of worlds,
-``"without-all cuda 1"``. A case set to None has no rows. ``("noise", "slip_floor"): 0.1``
-sets a value of another section, ``("cure", "plain-c"): {...}`` cells of it.
+``"without-all cuda 1"``. A case set to None has no rows. ``("poses", "arc"): 0.1`` sets
+a value of another section, ``("cure", "plain-c"): {...}`` cells of it, and
+``(NOISE, "slip_mm"): 0.1`` the noise of each number of a column.
 """
 
 from collections.abc import Iterable, Mapping
@@ -25,12 +26,23 @@ from measured_report.findings.sections import derive_section, outline_of
 from measured_report.parts.section import Section
 from measured_report.records.record import Record, load_record
 from measured_report.values.evidence import Evidence, Repeats
+from measured_report.values.noise import Z
 from measured_report.values.quantities import Quantity
 from measured_report.values.results import Results, Series
 from tests.perturbed import load_trace_once
 
-FLOORS = {"slip_floor": 0.01, "drift_floor": 0.001}
-"""The noise of slip [mm] and drift [mm/s] unless a test sets it."""
+NOISE = "noise of"
+NOISES = dict.fromkeys(
+    (
+        *("along_mm", "creep_mm_s", "displacement_mm", "friction_residual_mm"),
+        *("increment_final_mm", "normal_residual_mm", "slide_mm", "numerical_error_mm"),
+        *("grasp_error_mm_per_cycle", "left_out_mm_s", "step_mm_s"),
+    ),
+    1e-9,
+)
+NOISES |= {"slip_mm": 0.001, "drift_mm_s": 0.0001}
+"""The noise of columns unless a test sets it; of others nobody knows it."""
+RUN_COUNT = 10**9  # so many runs that their scatter is known
 FLAGS = {
     ("drift_law", "law/follows"): ["follows"],
     ("envelope", "maps/keeps"): ["stiff_pads_never_drop"],
@@ -75,9 +87,6 @@ def read(section: str, release: str) -> Results:
     found = results_with(section, release=release)
     if not outline_of(section).compares:
         derive_section(found, {})
-    if section == "noise":
-        for name, floor in FLOORS.items():
-            found.derived[name] = replace(found.derived[name], value=floor)
     return found
 
 
@@ -91,12 +100,18 @@ def results_with(
     outline = outline_of(section)
     record = tracked(section, release)
     others = {other: read(other, release) for other in outline.reads}
+    noises = dict(NOISES)
     for place, new in (item for change in changes for item in change.items()):
         if isinstance(place, str):
             record = with_cells(record, place, new)
+        elif place[0] == NOISE:
+            noises[place[1]] = new
         else:
             others[place[0]] = changed(others[place[0]], {place[1]: new})
-    repeats = dict.fromkeys(("slip_mm", "drift_mm_s"), Repeats(1.0, 0.0, 8))
+    repeats = {
+        name: Repeats(1e9, (noise / Z) ** 2, RUN_COUNT)
+        for name, noise in noises.items()
+    }
     return TracedResults(
         record,
         Project(release).record_path(section),
@@ -108,13 +123,19 @@ def results_with(
     )
 
 
-def chapters_with(*changes: Mapping[str, Mapping[str, Any]]) -> dict[str, Any]:
-    """Return chapters as they are tracked, by section with cells and values set."""
+def chapters_with(
+    *changes: Mapping[str, Mapping[str, Any]], release: str = "1.4.0"
+) -> dict[str, Any]:
+    """Return chapters as they are tracked, by section with cells and values set, as if
+    another release had been measured so."""
     chapters = {}
     for section in dict.fromkeys(name for change in changes for name in change):
         results = read(section, "1.4.0")
         for change in changes:
             results = changed(results, change.get(section, {}))
+        identity = results.record.identity
+        identity = replace(identity, packages=identity.packages | {"newton": release})
+        results = replace(results, record=replace(results.record, identity=identity))
         chapters[section] = SimpleNamespace(results=results, section=Section())
     return chapters
 

@@ -11,8 +11,9 @@ from measured_report.files.errors import ReportError
 from measured_report.findings.editions import Edition, derive_edition
 from measured_report.measuring.machine import measuring_device
 from measured_report.measuring.measure import measure_headline
-from measured_report.parts.claim import within
+from measured_report.parts.claim import at_most
 from measured_report.values.quantities import Quantity
+from measured_report.values.results import Row
 
 OPTIONS = shared("edition", "device")
 PROGRAM = "experiments.simulation.headline"  # what measures it
@@ -21,16 +22,16 @@ SUFFIXES = (
     "",
     "-warp-cpu",
 )  # of tracked cases: on the device of the record, and on its CPU
-LINE = "{:12}{:>12}{:>14}{:>14}   {:22}{}"  # of the table
+LINE = "{:12}{:>12}{:>14}{:>14}   {:10}{}"  # of the table
 WORDS = {
     "holds": "agrees",
-    "cannot tell": "near the bound: measure again",
-    "the opposite": "differs",
+    "cannot tell": "cannot tell: measure again",
+    "fails": "differs",
 }
 
 
 def run(project: Project, arguments: argparse.Namespace) -> int:
-    """Print both and whether they agree within the noise; 1 when they differ."""
+    """Print both and whether they agree; 1 when they differ."""
     refuse_unmeasured(project, arguments.release.asked)
     accelerators = project.report.accelerator.accelerators
     device = measuring_device(
@@ -55,8 +56,7 @@ def verify(edition: Edition, measured: Mapping[str, Any]) -> tuple[str, bool]:
         " kernels\n",
         LINE.format("slip", "here", "tracked", "difference", "bound", "").rstrip(),
         *(line for line, _ in comparisons),
-        "\nnoise: of runs on the same processor; devices: chosen for others, whose"
-        " noise is not known",
+        "\nbound: a larger difference is more than noise and rounding",
     ]
     state = edition.chapters[SECTION].state
     if state.notes:
@@ -70,29 +70,28 @@ def repeats_of(
     """Compare each measured run with the tracked ones of its case and engine."""
     release = edition.project.release
     chapters = edition.chapters
-    if SECTION not in chapters or "noise" not in chapters:
+    if SECTION not in chapters:
         raise ReportError(
-            f"newton {release} has no results of {SECTION} and noise to compare with"
+            f"newton {release} has no results of {SECTION} to compare with:"
+            f" make rerun SECTION={SECTION} measures them"
         )
     results = chapters[SECTION].results
-    noise = chapters["noise"].results
-    machine = measured["machine"]
-    here = machine["gpu" if machine["device"] == "cuda" else "cpu"]
+    bound = results.derived["engine_bound"]
     for row, suffix in product(measured["rows"], SUFFIXES):
         tracked = results.row[row["case"] + suffix]
         if not tracked:
             continue
         record = results.record
         processor = record.machine["cpu"] if suffix else record.processor
-        # The noise is known of runs on one processor.
-        kind = "devices"
-        bound = results.derived["engine_bound"]
-        if here == processor == noise.record.processor:
-            kind = "noise"
-            bound = noise.derived["slip_floor"]
-        slip = Quantity(row["slip_mm"], "mm", "", row.get("slip_mm_reason", ""))
+        slip = Quantity(
+            row["slip_mm"],
+            "mm",
+            "",
+            row.get("slip_mm_reason", ""),
+            noise=_noise_of_one(tracked),
+        )
         difference = abs(slip - tracked.slip_mm)
-        outcome = within(difference, bound)
+        outcome = at_most(difference, bound)
         words = WORDS[outcome.answer]
         if difference.reason:  # a run that fails where the tracked one did not differs
             words = f"differs ({difference.reason})"
@@ -102,5 +101,11 @@ def repeats_of(
             for number in (slip, tracked.slip_mm, difference)
         ]
         words = f"{words}; on {processor}"
-        line = LINE.format(row["case"], *cells, f"{bound} ({kind})", words)
+        line = LINE.format(row["case"], *cells, f"{bound}", words)
         yield line, outcome.name != "fails" and not difference.reason
+
+
+def _noise_of_one(tracked: Row) -> float:
+    """Return the noise of the slip in one more run of a tracked case [mm]."""
+    estimate = tracked.estimate("slip_mm")
+    return estimate._replace(count=1).noise if estimate else 0.0

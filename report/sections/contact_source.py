@@ -5,7 +5,7 @@ from dataclasses import replace
 from report.shared import Results, Section, by_case, variant_section, variants_of
 
 order = 30
-reads = ("noise", "reproduction")
+reads = ("reproduction",)
 label = "contact points"
 labels = {
     "contacts-#hz": "contacts at {} Hz",

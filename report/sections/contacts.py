@@ -12,19 +12,17 @@ from report.shared import (
     decided,
     departure,
     greater,
-    noise_floor,
     other_value,
     table_of,
 )
 
 order = 70
 page = "cause"
-reads = ("noise", "reproduction")
+reads = ("reproduction",)
 label = "contact rows"
 
 
 def derive(results: Results) -> Section:
-    floor = noise_floor(results, "slip_floor")
     frames = [row for row in results.rows if row.kind == "frame"]
     shipped = [row for row in frames if row.case == "as-shipped"]
     runs = [row for row in results.rows if row.kind == "run"]
@@ -62,7 +60,7 @@ def derive(results: Results) -> Section:
         combined(max, *(row.normal_residual_mm for row in shipped)),
     )
     none = results.chosen("friction_residual_bound", "none at all", 0.0, "mm")
-    no_residual = all_of(at_most(largest, none), greater(normal, largest, noise=floor))
+    no_residual = all_of(at_most(largest, none), greater(normal, largest))
     first = shipped[0] if shipped else results.row["as-shipped"]
     timeconst = first.friction_timeconst_s
 
@@ -80,7 +78,7 @@ def derive(results: Results) -> Section:
         "size of that difference, of the motion measured",
         PERCENT * abs(gap / along),
     )
-    is_more = greater(slide, along, noise=floor).answer
+    is_more = greater(slide, along).answer
 
     departures = [
         results.value(
@@ -113,7 +111,7 @@ def derive(results: Results) -> Section:
         less = results.value(f"restored_{case}_small_size", "its size", size)
         size = abs(plain.slide_mm)
         more = results.value(f"restored_{case}_large_size", "its size", size)
-        falls.append(greater(more, less, noise=floor))
+        falls.append(greater(more, less))
     rest = results.value(
         "restored_share", "larger of both shares", combined(max, *shares)
     )

@@ -2,18 +2,16 @@
 
 from report.shared import (
     PERCENT,
+    SLOWER,
     TIMED_WORLDS,
     Claim,
     Results,
     RowsBy,
     Section,
-    all_of,
     combined,
-    constant,
-    fine_enough,
+    negligible,
     resolution,
     table_of,
-    within,
     worlds_name,
 )
 
@@ -42,42 +40,16 @@ def derive(results: Results) -> Section:
         for count in TIMED_WORLDS
     }
     worst = resolution(results, "resolution", results.rows)
+    bound = results.chosen("slower", *SLOWER, "%")
     claims = []
-    for case in ("best", "firm"):  # which should be no slower
-        noises = []
-        slower = []
-        tests = []
-        for count in TIMED_WORLDS:
-            more = extra[case, count]
-            apart = more.noise or 0.0
-            noise = results.value(
-                f"{case}_seen_{count}",
-                "how well the ratio is known by one measurement, or how far measurements"
-                " are apart, the larger",
-                lambda known, _, apart=apart: max(100 * known, apart),
-                rows[case, count].ratio_resolution,
-                more,
-                unit="%",
-                is_noise=True,
-            )
-            noises.append(noise)
-            tests.append(within(more, noise, "the resolution of the ratio"))
-            if None in (more.value, noise.value) or more.value > noise.value:
-                slower.append(more)
-        longest = results.value(
+    for case in ("best", "firm"):
+        worst_case = results.value(
             f"{case}_worst",
-            "by how much a frame takes longer where it is seen, most of all numbers of"
-            " worlds",
-            combined(max, constant(0.0, "%"), *slower),
+            "by how much a frame takes longer, most of all numbers of worlds",
+            combined(max, *(extra[case, count] for count in TIMED_WORLDS)),
         )
-        unseen = results.value(
-            f"{case}_unseen",
-            "largest resolution of these: a frame that takes so much longer would be seen",
-            combined(max, *noises),
-            is_noise=True,
-        )
-        outcome = all_of(fine_enough(unseen), *tests).having_read(worst)
-        numbers = {"worst": longest, "unseen": unseen}
+        outcome = negligible(worst_case, bound)
+        numbers = {"worst": worst_case, "bound": bound}
         claims.append(Claim(f"{case}_costs_nothing", outcome, numbers))
     columns = {
         worlds_name(count): [extra[case, count] for case in CASES]

@@ -28,7 +28,7 @@ def derive(results: Results) -> Section:
         claims=[
             Claim(
                 "as_the_scene",
-                decided(not changed, row.slip_mm),
+                decided(not changed, cell_or_absent(row, "slip_mm")),
                 {"release": release, "changed": ", ".join(changed)},
             ),
             Claim("leaves_it_to_mujoco", all_of(*by_mujoco)),

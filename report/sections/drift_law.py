@@ -8,7 +8,6 @@ from report.shared import (
     HOLDS,
     MM_PER_M,
     MS_PER_S,
-    PERCENT,
     Claim,
     Figure,
     Outcome,
@@ -27,16 +26,13 @@ from report.shared import (
     departure,
     drawing,
     is_held,
-    largest_size,
-    noise_floor,
     quantile,
-    resolved,
 )
 from report.shared.drawing import INK, SERIES, Drawing, new_figure, tick_125
 
 order = 126  # after the runs that are shown moving
 page = "cause"
-reads = ("noise", "poses", "stiffness")
+reads = ("poses", "stiffness")
 label = "law of the drift"
 labels = {
     "pad-ke-2.5e3": "shipped pads",
@@ -164,21 +160,6 @@ def _follows(results: Results, runs: list[Row], laws: dict[str, Value]) -> Claim
         lambda *found: len({f"{each:.3g}" for each in found}),
         *responses,
     )
-    floor = PERCENT * noise_floor(results, "drift_floor")
-    fastest = results.value(
-        "drift_most",
-        "fastest of these drifts",
-        largest_size(row.drift_mm_s for row in runs),
-    )
-    noise = results.value(
-        "drift_noise", "noise of the drift, of the fastest", floor / fastest
-    )
-    slow = results.value(
-        "law_least",
-        "drift that the law gives to nine in ten runs, at least",
-        combined(partial(quantile, 1 - MOST), *map(abs, laws.values())),
-    )
-    scatter = results.value("law_noise", "noise of the drift, of that", floor / slow)
     tried = results.value(
         "tried_count",
         "runs that were tried",
@@ -188,10 +169,7 @@ def _follows(results: Results, runs: list[Row], laws: dict[str, Value]) -> Claim
         "count_kept", "runs that keep the cube, positions compensated", cell_count(offs)
     )
     bound = results.chosen("law_bound", "one law", 1.5, "%")
-    outcome = all_of(at_most(most, bound), resolved(noise, bound))
-    if outcome == FAILS and (unclear := resolved(scatter, most)) != HOLDS:
-        outcome = unclear
-    outcome = outcome.having_read(width, distinct)
+    outcome = at_most(most, bound).having_read(width, distinct)
     numbers: dict[str, Quantity] = {
         "half": half,
         "most": most,

@@ -71,7 +71,7 @@ def derive(results: Results) -> Section:
     slips = {"before": shipped.slip_mm, "after": fixed.slip_mm}
     return Section(
         claims=[
-            Claim("recommended", holds, {**slips, "gain": gain}),
+            Claim("recommended", holds, slips),
             Claim("patch_rounds_up", all_of(*tests), numbers),
             Claim("test_tells", tells, {"before": before, "after": after}),
         ],

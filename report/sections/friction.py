@@ -3,7 +3,7 @@
 from report.shared import Results, Section, variant_section, variants_of
 
 order = 40
-reads = ("noise", "reproduction")
+reads = ("reproduction",)
 label = "friction coefficient"
 labels = {"pad-mu-#": "pads' friction {}", "cube-mu-#": "cube's friction {}"}
 

@@ -16,14 +16,12 @@ from report.shared import (
     constant,
     departure,
     greater,
-    noise_floor,
-    resolved,
 )
 from report.shared.drawing import SHIPPED, STIFF, Drawing, new_figure
 
 order = 80
 page = "cause"
-reads = ("noise", "reproduction")
+reads = ("reproduction",)
 label = "arm held still"
 
 LINES = {
@@ -41,7 +39,6 @@ def derive(results: Results) -> Section:
     stiff = results.row["hold-60s-stiff"]
     slip = long.slip_mm
     duration = long.shake_duration_s
-    floor = noise_floor(results, "slip_floor")
 
     # A drift the other way is no part of the drift as shipped, but takes no shake.
     held = results.row["hold"].drift_mm_s
@@ -52,9 +49,7 @@ def derive(results: Results) -> Section:
         PERCENT * abs(held / drift),
     )
     bound = results.chosen("hold_share_bound", "no comparable drift", 10.0, "%")
-    is_seen = None not in (held.value, drift.value)
-    is_seen = is_seen and abs(held.value) > (held.noise or 0.0)
-    is_opposed = is_seen and held.value * drift.value < 0
+    is_opposed = held.is_distinct and drift.value and held.value * drift.value < 0
 
     last = long.increment_final_mm
     final = results.value(
@@ -64,8 +59,8 @@ def derive(results: Results) -> Section:
     )
     goes_on = all_of(
         at_least(final, 50.0, "not dying out"),
-        greater(last, 0.0, noise=floor, why="no motion at all"),
-        greater(slip, 0.0, noise=floor, why="no motion at all"),
+        greater(last, 0.0, "no motion at all"),
+        greater(slip, 0.0, "no motion at all"),
     )
     remaining = results.value(
         "stiff_creep_share",
@@ -91,17 +86,10 @@ def derive(results: Results) -> Section:
         " of the latter",
         departure(single, warp),
     )
-    drift_floor = noise_floor(results, "drift_floor")
-    noise = results.value(
-        "creep_noise",
-        "noise of the drift, of MuJoCo Warp's creep",
-        PERCENT * abs(drift_floor / warp),
-    )
     is_rounding = all_of(
-        greater(warp, 0.0, noise=drift_floor, why="a creep to explain"),
+        greater(warp, 0.0, "a creep to explain"),
         at_most(left, 50.0, "most of it is gone"),
         at_most(rounded, 10.0, "the same creep"),
-        resolved(noise, 10.0, why="the same creep"),
     )
 
     others = results.others
@@ -126,7 +114,7 @@ def derive(results: Results) -> Section:
                     "held": held,
                     "shaken": drift,
                     "share": share,
-                    "is_opposed": is_opposed,
+                    "is_opposed": bool(is_opposed),
                 },
             ),
             Claim(

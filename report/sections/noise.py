@@ -1,77 +1,88 @@
-"""An A/A test: how far apart runs of one case come out."""
+"""An A/A test: how much runs of one case scatter."""
 
-from statistics import fmean
+from statistics import fmean, stdev
 
-from measured_report.values.noise import CONFIDENCE, PAIRS, tolerance
+from measured_report.values.noise import SURE
 from report.shared import (
-    NEAR_NOISE,
     PERCENT,
     Claim,
+    Quantity,
     Results,
-    Row,
     Section,
+    Value,
     all_of,
-    at_most,
-    combined,
+    cell_count,
     gathered,
+    negligible,
+    relevance,
+    table_of,
 )
 
 order = 20
 page = "releases"
 label = "the same again"
-labels = {"as-shipped": "shipped pads"}
+labels = {"as-shipped": "shipped pads", "stiff-pads": "stiff pads"}
+
+SHIPPED = "as-shipped"
+METRICS = {"slip": "slip_mm", "drift": "drift_mm_s"}
 
 
 def derive(results: Results) -> Section:
-    repeats: dict[str, list[Row]] = {}
+    repeats: dict[str, list] = {SHIPPED: []}
     for row in results.rows:
         if row.plain.get("of"):
             repeats.setdefault(row.of, []).append(row)
-    first = next(iter(repeats.values()))
-    results.chosen(
-        "pairs", "hundreds of differences are compared with it", 100 * PAIRS, "%"
-    )
-    results.chosen("confidence", "as is usual", 100 * CONFIDENCE, "%")
-    results.chosen(
-        "near_noise",
-        "measured again, some other pair of runs may differ by that",
-        NEAR_NOISE,
-    )
-    floors = {}
+    columns: dict[str, list] = {}
     shares = {}
-    for metric, name in (("slip", "slip_mm"), ("drift", "drift_mm_s")):
-        tolerances = [
-            results.value(
-                f"{case.replace('-', '_')}_{metric}_tolerance",
-                f"{100 * PAIRS:g} % of all pairs of runs of one case differ by no more,"
-                " by the spread of those measured",
-                gathered(tolerance, [row[name] for row in rows]),
-                is_noise=True,
-            )
+    deviations = {}
+    for metric, column in METRICS.items():
+        cells = {
+            case: [row[column] for row in rows if row[column].value is not None]
             for case, rows in repeats.items()
-        ]
-        # Where all runs are alike to the last bit, rounding moves them.
-        column = results.columns[name]
-        least = results.chosen(
-            f"{metric}_resolution",
-            "what rounding may do",
-            column.resolution,
-            column.unit,
-        )
-        floors[metric] = results.value(
-            f"{metric}_floor",
-            "largest of the cases, and at least the resolution",
-            combined(max, *tolerances, least),
-            is_noise=True,
-        )
-        mean = gathered(fmean, (row[name] for row in first))
+        }
+        found = [_scatter(results, metric, *item) for item in cells.items()]
+        columns[f"{metric}: runs"] = [count for count, _, _ in found]
+        columns[f"mean {metric}"] = [mean for _, mean, _ in found]
+        columns[f"standard deviation of the {metric}"] = [each for *_, each in found]
+        _, mean, deviation = found[0]
+        deviations[metric] = deviation
         shares[metric] = results.value(
-            f"{metric}_floor_share",
-            f"noise floor of the {metric}, of the mean {metric} of the first case",
-            PERCENT * floors[metric] / abs(mean),
+            f"{metric}_scatter_share",
+            f"standard deviation of the {metric} with shipped pads, of its mean",
+            PERCENT * deviation / abs(mean),
             is_noise=True,
         )
-    why = "far less than what is looked for"
-    outcome = all_of(*(at_most(share, 1.0, why) for share in shares.values()))
-    numbers = {**floors, "share": shares["slip"], "drift_share": shares["drift"]}
-    return Section(claims=[Claim("noise_is_small", outcome, numbers)])
+    results.chosen("confidence", "as is usual", 100 * SURE, "%")
+    bound = relevance(results)
+    small = all_of(*(negligible(share, bound) for share in shares.values()))
+    numbers = {
+        **deviations,
+        "share": shares["slip"],
+        "drift_share": shares["drift"],
+        "runs": columns["slip: runs"][0],
+        "bound": bound,
+    }
+    names = [labels.get(case, case) for case in repeats]
+    return Section(
+        tables={"scatter": table_of("case", names, columns)},
+        claims=[Claim("noise_is_small", small, numbers)],
+    )
+
+
+def _scatter(
+    results: Results, metric: str, case: str, cells: list[Quantity]
+) -> tuple[Value, Value, Value]:
+    """Return the number of runs of a case, and their mean and standard deviation."""
+    name = f"{case.replace('-', '_')}_{metric}"
+    unit = results.columns[METRICS[metric]].unit
+    count = results.value(f"{name}_count", "runs of the case", cell_count(cells))
+    mean = results.value(
+        f"{name}_mean", "mean of these runs", gathered(fmean, cells, unit)
+    )
+    deviation = results.value(
+        f"{name}_deviation",
+        "standard deviation between these runs",
+        gathered(stdev, cells, unit),
+        is_noise=True,
+    )
+    return count, mean, deviation

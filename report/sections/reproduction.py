@@ -18,8 +18,10 @@ from report.shared import (
     all_of,
     at_least,
     at_most,
+    cell_count,
     combined,
     constant,
+    decided,
     departure,
     spread,
 )
@@ -126,6 +128,17 @@ def derive(results: Results) -> Section:
     rounding = results.chosen(
         "engine_bound", "what is left is noise and rounding", 0.02, "mm"
     )
+    runs = [row for row in results.rows if "dropped" in row]
+    lost = [row.shake_amplitude_m for row in runs if row.plain["dropped"]]
+    lost_count = results.value(
+        "lost_count", "runs that lose the cube", cell_count(lost)
+    )
+    run_count = results.value(
+        "run_count",
+        "runs of this section",
+        cell_count(row.shake_amplitude_m for row in runs),
+    )
+    is_lost = decided(bool(runs) and len(lost) == len(runs), lost_count, run_count)
     *first, last = map(escape, places.values())
     listed = Markup(" and ").join([Markup(", ").join(first), last] if first else [last])
     return Section(
@@ -139,6 +152,7 @@ def derive(results: Results) -> Section:
                     "bound": seen,
                 },
             ),
+            Claim("cube_is_lost", is_lost, {"lost": lost_count, "count": run_count}),
             Claim(
                 "drift_is_steady",
                 at_most(change, steady),

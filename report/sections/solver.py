@@ -5,18 +5,17 @@ from report.shared import (
     Claim,
     Results,
     Section,
-    all_of,
     at_most,
     change_of,
     largest_size,
-    noise_floor,
+    negligible,
+    relevance,
     variant_section,
     variants_of,
-    within,
 )
 
 order = 50
-reads = ("noise", "reproduction")
+reads = ("reproduction",)
 label = "solver and time step"
 labels = {
     "iterations-15": "shipped settings",
@@ -39,7 +38,8 @@ def derive(results: Results) -> Section:
     ]
     apart = [*pads, *(f"{case}-noslip" for case in pads)]
     variants = variants_of(results, "iterations-15", apart=apart)
-    floor = noise_floor(results, "slip_floor")
+    slip = variants.baseline.slip_mm
+    bound = relevance(results, slip)
 
     converged = ("iterations-200", "tolerance-1e-10")
     largest = results.value(
@@ -48,15 +48,21 @@ def derive(results: Results) -> Section:
         " tighter tolerance",
         largest_size(change_of(results, case) for case in converged),
     )
+    share = results.value(
+        "convergence_share",
+        "that difference, of the baseline's slip, in size",
+        PERCENT * largest / abs(slip),
+    )
     more, tighter = (results.row[case] for case in converged)
     claims = [
         Claim(
             "solver_has_converged",
-            all_of(within(largest, floor), variants.seen),
+            negligible(share, bound),
             {
                 "iterations": more.iterations,
                 "tolerance": tighter.tolerance,
-                "change": largest,
+                "change": share,
+                "bound": bound,
             },
             effect=variants.slips,
         )
@@ -71,8 +77,13 @@ def derive(results: Results) -> Section:
             f"slip of the baseline less that of {case}",
             -change_of(results, case),
         )
-        outcome = all_of(within(reduction, floor), variants.seen)
-        numbers = {column: row[column], "slip": row.slip_mm, "reduction": reduction}
+        share = results.value(
+            f"{case}_reduction_share",
+            "that reduction, of the baseline's slip",
+            PERCENT * reduction / abs(slip),
+        )
+        outcome = negligible(share, bound)
+        numbers = {column: row[column], "slip": row.slip_mm, "reduction": share}
         claims.append(Claim(name, outcome, numbers, effect=variants.slips))
     return variant_section(results, variants, *claims, *noslip)
 

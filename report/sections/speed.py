@@ -2,13 +2,14 @@
 
 from report.shared import (
     PERCENT,
+    SLOWER,
     TIMED_WORLDS,
     Claim,
     Results,
     Section,
-    at_most,
     by_case,
     greater,
+    negligible,
     resolution,
 )
 
@@ -30,13 +31,12 @@ def derive(results: Results) -> Section:
     one = results.row["stiff-pads-only"]
     change = results.value(
         "stiff_pads_only_change",
-        "time of a frame of stiff-pads-only over that of as-shipped, less one,"
-        " either way, with its resolution",
-        PERCENT * (abs(one.frame_ratio - 1) + one.ratio_resolution),
-        is_noise=True,
+        "time of a frame of stiff-pads-only over that of as-shipped, less one",
+        PERCENT * (one.frame_ratio - 1),
     )
-    same = at_most(change, 3.0, "a slowdown that would matter").having_read(worst)
-    numbers = {"change": change, "ratio": one.frame_ratio}
+    bound = results.chosen("slower", *SLOWER, "%")
+    same = negligible(abs(change), bound)
+    numbers = {"change": change, "bound": bound}
     claims = [Claim("stiff_pads_only_same_time", same, numbers)]
     columns = {
         "a frame": "frame_ms",
@@ -47,12 +47,7 @@ def derive(results: Results) -> Section:
     if len(rows) == len(results.rows):  # on a CPU
         return Section(tables=tables, claims=claims, unmeasured=("many_worlds",))
     many = results.row[f"stiff-pads-{TIMED_WORLDS[-1]}"]
-    longer = greater(
-        many.frame_ratio,
-        1.0,
-        noise=many.ratio_resolution,
-        why="the time with shipped pads",
-    )
+    longer = greater(many.frame_ratio, 1.0, "the time with shipped pads")
     numbers = {"worlds": many.worlds, "ratio": many.frame_ratio}
     claims.append(Claim("many_worlds", longer, numbers))
     return Section(tables=tables, claims=claims)

@@ -7,19 +7,16 @@ Figures are apart, in ``drawing`` and ``maps``: Matplotlib takes long to import.
 from measured_report.parts.claim import (
     FAILS,
     HOLDS,
-    NEAR_NOISE,
     OPPOSITE,
     Claim,
     Outcome,
     all_of,
     at_least,
     at_most,
-    beyond,
     decided,
     decreases,
-    equal_within,
     greater,
-    within,
+    negligible,
 )
 from measured_report.parts.section import Figure, Section, Table
 from measured_report.values.quantities import (
@@ -48,10 +45,9 @@ from report.shared.arithmetic import (
     is_held,
     joined,
     largest_size,
-    noise_floor,
     other_value,
     quantile,
-    resolved,
+    relevance,
     rows_with,
     sections_of,
     settings_of,
@@ -66,17 +62,15 @@ from report.shared.tables import (
     table_of,
 )
 from report.shared.timing import (
+    SLOWER,
     TIMED_WORLDS,
     RowsBy,
-    fine_enough,
     resolution,
     worlds_name,
 )
 from report.shared.variants import (
     Variants,
     change_of,
-    is_small,
-    unseen_in,
     variant_section,
     variants_of,
 )

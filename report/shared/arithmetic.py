@@ -2,19 +2,20 @@
 
 import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from itertools import groupby
 from typing import Any
 
 from measured_report.files.columns import PLAIN
 from measured_report.files.settings import Config
 from measured_report.findings.chapters import Releases
-from measured_report.parts.claim import FAILS, Outcome, at_most, decided
+from measured_report.parts.claim import Outcome, decided
 from measured_report.parts.section import Section
 from measured_report.values.quantities import (
     PERCENT,
     Quantity,
     Term,
+    Value,
     absent,
     combined,
     constant,
@@ -28,6 +29,10 @@ DEVICES = {"cuda": "GPU", "cpu": "CPU"}
 
 MS_PER_S = constant(1e3, "ms/s")
 MM_PER_M = constant(1e3, "mm/m")
+# From which share of the slip or drift of shipped pads on a change matters, and why [%].
+RELEVANT = ("a smaller change makes no difference to a grasp", 1.0)
+# No smaller change of a slip matters, and why [mm].
+VISIBLE = ("less than any gripper is positioned to", 0.01)
 # A bound that sections choose: why, and how many times less.
 SETTLES = ("a change that settles the matter", 10.0)
 
@@ -72,15 +77,6 @@ def quantile(share: float, *numbers: float) -> float:
     return sorted(numbers)[math.ceil(share * len(numbers)) - 1]
 
 
-def resolved(noise: Quantity, bound: Quantity | float, *, why: str = "") -> Outcome:
-    """Hold if the noise is below a bound; otherwise nothing can be told."""
-    outcome = at_most(noise, bound, why)
-    if outcome != FAILS:
-        return outcome
-    reason = "the noise is larger than what is looked for"
-    return replace(outcome, name="unknown", reason=reason)
-
-
 @dataclass(frozen=True)
 class Sections:
     """What sections of one release found; a number that is missing has a reason."""
@@ -102,8 +98,9 @@ class Sections:
         return self.results[section].rows if section in self.results else []
 
     def _reason(self, section: str) -> str:
-        lack = "does not say" if section in self.results else "has no results here"
-        return f"section {section} {lack}"
+        if section in self.results:
+            return f"section {section} has no such number"
+        return f"section {section} was not measured: make rerun SECTION={section}"
 
 
 def sections_of(chapters: Mapping[str, Any]) -> Sections:
@@ -116,12 +113,24 @@ def other_value(results: Results, section: str, name: str) -> Quantity:
     return Sections(results.others).value(section, name)
 
 
-def noise_floor(results: Results, name: str) -> Quantity:
-    """Return how far identical runs may differ.
+def relevance(results: Results, slip: Quantity | None = None) -> Value:
+    """Return from which change of slip or drift on it matters [%].
 
-    It is ``slip_floor`` [mm] or ``drift_floor`` [mm/s].
+    It is a share of the slip, and never less than ``VISIBLE`` millimetres of it.
     """
-    return other_value(results, "noise", name)
+    name = "relevance"
+    if name in results.derived:
+        return results.derived[name]
+    if slip is None:
+        return results.chosen(name, *RELEVANT, "%")
+    share = results.chosen(f"{name}_share", *RELEVANT, "%")
+    visible = results.chosen(f"{name}_least", *VISIBLE, "mm")
+    return results.value(
+        name,
+        f"{share.written} % of the slip, and at least {visible}",
+        combined(max, share, PERCENT * visible / abs(slip)),
+        is_noise=True,
+    )
 
 
 def rows_with(results: Results, *columns: str) -> list[Row]:

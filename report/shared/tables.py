@@ -66,6 +66,6 @@ def cell_or_lost(row: Row, column: str) -> Any:
 def creep_or_unseen(row: Row) -> Any:
     """Return the creep of a row for a table, in words where its slip is not seen."""
     slip = row.slip_mm
-    if slip.value is not None and slip.value <= (slip.noise or 0.0):
+    if slip.value is not None and not slip.is_distinct:
         return "not seen"
     return cell_or_lost(row, "creep_mm_per_cycle")

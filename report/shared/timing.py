@@ -2,13 +2,13 @@
 
 from collections.abc import Iterable
 
-from measured_report.parts.claim import Outcome
 from measured_report.values.format import format_number
-from measured_report.values.quantities import PERCENT, Quantity, Value, combined
+from measured_report.values.quantities import PERCENT, Value, combined
 from measured_report.values.results import Results, Row
-from report.shared.arithmetic import resolved
 
 TIMED_WORLDS = (1, 4096, 16384)  # numbers of worlds that are timed wherever not all are
+# From which share of a frame's time on a slowdown matters, and why [%].
+SLOWER = ("a smaller slowdown makes no difference", 3.0)
 
 
 def worlds_name(count: int) -> str:
@@ -42,8 +42,3 @@ def resolution(results: Results, name: str, rows: Iterable[Row]) -> Value:
         PERCENT * combined(max, *(cell for cell in cells if cell.value)),
         is_noise=True,
     )
-
-
-def fine_enough(unseen: Quantity) -> Outcome:
-    """Tell whether a slowdown that would matter would be seen, from this share on [%]."""
-    return resolved(unseen, 3.0, why="a slowdown that would matter")

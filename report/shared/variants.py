@@ -3,11 +3,11 @@
 from collections.abc import Collection
 from typing import NamedTuple
 
-from measured_report.parts.claim import Claim, Outcome, at_least, greater
+from measured_report.parts.claim import Claim, Outcome, at_least, negligible
 from measured_report.parts.section import Section
-from measured_report.values.quantities import PERCENT, Quantity, Value, absent
+from measured_report.values.quantities import PERCENT, Quantity, absent
 from measured_report.values.results import Results, Row
-from report.shared.arithmetic import largest_size, noise_floor, other_value, resolved
+from report.shared.arithmetic import largest_size, other_value
 from report.shared.tables import case_html
 
 
@@ -16,7 +16,6 @@ class Variants(NamedTuple):
 
     baseline: Row
     slips: Outcome  # whether the baseline slips at all, so that there is something to explain
-    seen: Outcome  # whether a change that matters would be seen beside the noise
     numbers: dict[str, Quantity | str]  # what the wording of a claim can name
 
 
@@ -30,10 +29,7 @@ def variant_section(results: Results, variants: Variants, *claims: Claim) -> Sec
     """Make the section of variants: whether one of them is the cause, and more claims."""
     why = "a cause would change the slip by more"
     bound = results.chosen("cause_bound", why, 10.0, "%")
-    largest = results.derived["largest_difference"]
-    floor = noise_floor(results, "slip_floor")
-    slip = variants.baseline.slip_mm
-    cause = is_small(results, "cause", largest, bound, slip, floor)
+    cause = negligible(results.derived["largest_share"], bound)
     return Section(claims=[Claim("not_the_cause", cause, variants.numbers), *claims])
 
 
@@ -58,53 +54,15 @@ def variants_of(
     )
     share = results.value(
         "largest_share",
-        "largest difference in slip from the baseline, of the baseline's slip",
-        PERCENT * largest / base.slip_mm,
+        "largest difference in slip from the baseline, of the baseline's slip, in size",
+        PERCENT * largest / abs(base.slip_mm),
     )
     farthest = max(rows, key=lambda row: abs(changes[row].value or 0.0), default=base)
-    floor = noise_floor(results, "slip_floor")
-    unseen = results.value(
-        "floor_share",
-        "noise of the slip, of the baseline's slip",
-        PERCENT * floor / base.slip_mm,
-    )
     bound = other_value(results, "reproduction", "slip_bound")
     numbers: dict[str, Quantity | str] = {
         "largest": largest,
         "share": share,
         "most": case_html(farthest),
         "baseline": base.slip_mm,
-        "unseen": unseen_in(largest, floor),
     }
-    return Variants(
-        base,
-        slips=at_least(base.slip_mm, bound),
-        seen=resolved(unseen, 5.0, why="no change to speak of"),
-        numbers=numbers,
-    )
-
-
-def unseen_in(change: Quantity, floor: Quantity) -> str:
-    """Say so of a change that is within the noise."""
-    is_known = None not in (change.value, floor.value)
-    return ", within the noise" if is_known and change.number <= floor.number else ""
-
-
-def is_small(
-    results: Results,
-    name: str,
-    change: Quantity,
-    bound: Value,
-    slip: Quantity,
-    noise: Quantity,
-) -> Outcome:
-    """Tell whether a change [mm] is less than ``bound`` percent of a slip, beyond noise.
-
-    More is the opposite.
-    """
-    limit = results.value(
-        f"{name}_limit",
-        f"{bound.written} % of the slip, signs left out",
-        bound / PERCENT * abs(slip),
-    )
-    return greater(limit, change, noise=noise)
+    return Variants(base, at_least(base.slip_mm, bound), numbers)

@@ -8,8 +8,10 @@ from markupsafe import Markup
 
 from report.sections.reproduction import FRAME_RATE
 from report.shared import (
+    FAILS,
     HOLDS,
     MS_PER_S,
+    SLOWER,
     TIMED_WORLDS,
     Claim,
     Figure,
@@ -21,6 +23,7 @@ from report.shared import (
     at_least,
     at_most,
     decided,
+    greater,
     worlds_name,
 )
 from report.shared.drawing import (
@@ -39,11 +42,6 @@ from report.shared.drawing import (
 ALONE = TIMED_WORLDS[0]
 MANY = TIMED_WORLDS[-1]
 SHAKE = ("shake_duration_s", "shake_frequency_hz")
-UNSEEN = {  # value of how much longer the frames of a way may take and are not seen to
-    "stiff pads": ("speed", "stiff_pads_only_change"),
-    "the root cure": ("cure_cost", "best_unseen"),
-    "the root cure, stiff pads": ("cure_cost", "firm_unseen"),
-}
 NOTHING, ARGUMENT, SOLVER, PATCH = range(4)  # effort of a way, in the order of advice
 
 
@@ -62,14 +60,29 @@ class Way:
         section, _, case = self.run.partition("/")
         return sections.cell(section, case, column)
 
+    def is_offered(self, sections: Sections) -> bool:
+        """Tell whether a release has it: one without a solver has no row of that."""
+        section, _, variant = self.timed.partition("/")
+        cases = [row.case for row in sections.rows(section)]
+        is_there = any(case.startswith(f"{variant}-") for case in cases)
+        return is_there or not (self.is_other and cases)
+
     def keeps(self, sections: Sections, bound: Quantity) -> Outcome:
         """Tell whether the slip stays below a bound.
 
         In another solver it has to without weight too, and in the same shake.
         """
-        tests = [at_most(self.slip(sections), bound)]
+        section, _, case = self.run.partition("/")
+        variant = self.timed.partition("/")[2]
+        cases = [case, f"{variant}-3cm"] if self.is_other else [case]
+        runs = [row.plain for row in sections.rows(section) if row.case in cases]
+        # A run that fails in another solver says so of that solver.
+        ends = ("dropped", "failure") if self.is_other else ("dropped",)
+        slip = self.slip(sections)
+        if any(run.get(end) for run in runs for end in ends):
+            return FAILS.having_read(slip)
+        tests = [at_most(slip, bound)]
         if self.is_other:
-            section, _, variant = self.timed.partition("/")
             slip = sections.cell(section, f"{variant}-3cm", "slip_mm")
             hand = sections.value(section, f"{variant}_hand")
             as_far = sections.value(section, "as_far")
@@ -251,7 +264,7 @@ def figure(sections: Sections) -> Figure:
             if count in paces
         ]
         if times:
-            marks.append(Mark(way, creep, times, slip.number > (slip.noise or 0.0)))
+            marks.append(Mark(way, creep, times, slip.is_distinct))
     bounds = [sections.value(*place) for place in BOUNDS.values()]
     shake = [sections.cell("reproduction", "as-shipped", name).value for name in SHAKE]
     lines = [
@@ -365,7 +378,7 @@ def _draw(marks: list[Mark], lines: list[tuple[Quantity, float]]) -> Drawing:
 NUMBERS = (
     *("way", "slip", "ratio", "bound", "many", "off", "elsewhere"),
     *("patch", "patch_slip", "patch_ratio", "patch_many", "has_patch"),
-    *("is_argument", "is_other", "has_many", "is_longer"),
+    *("is_argument", "is_other", "faster"),
 )
 """What the words of advice can name; all of it is empty where nothing is advised."""
 
@@ -376,6 +389,66 @@ def advice(sections: Sections, every: dict[str, Sections]) -> list[Claim]:
         _advised(sections, name, sections.value(*bound), every)
         for name, bound in BOUNDS.items()
     ]
+
+
+NOTHING_HOLDS = "none of the ways that were tried does"
+
+
+def _without(numbers: dict[str, Any], reason: str, bound: Quantity) -> dict[str, Any]:
+    none = absent("1", bound.reason or reason)
+    return numbers | {"slip": none, "ratio": none}
+
+
+def _unmeasured(
+    sections: Sections,
+    tests: dict[Way, Outcome],
+    times: dict[Way, Quantity],
+    effort: int,
+) -> Outcome | None:
+    """Return unknown if a way lacks a measurement that could make it the advice.
+
+    Without this, advice would become costlier because data are missing.
+    """
+    fastest = min(
+        (time.number for way, time in times.items() if way.effort == effort),
+        default=math.inf,
+    )
+    for way, test in tests.items():
+        is_untimed = test == HOLDS and way not in times
+        is_unknown = test.name == "unknown" and not test.is_inconclusive
+        if not (is_untimed or is_unknown) or way.effort > effort:
+            continue
+        time = way.ratios(sections).get(ALONE)
+        is_slower = time is not None and time.number >= fastest
+        is_slower = is_slower or fastest <= 1 + 0.01 * SLOWER[1]
+        if (way.effort == effort and is_slower) or not way.is_offered(sections):
+            continue
+        what = "timed" if is_untimed else "measured"
+        reason = f"{way.name}, which may be cheaper, was not {what}"
+        if is_unknown:
+            reason += f" ({test.reason})"
+        section = (way.timed if is_untimed else way.run).partition("/")[0]
+        if "make rerun" not in reason:
+            reason += f"; make rerun SECTION={section} measures it"
+        return Outcome("unknown", reason, reads=test.reads)
+    return None
+
+
+def _fastest(ways: list[Way], times: dict[Way, Quantity]) -> Way:
+    """Return the first of the ways that is not surely slower than the fastest of them."""
+    fastest = min((times[way] for way in ways), key=lambda time: time.number)
+    return next(
+        way
+        for way in ways
+        if times[way] is fastest or not (times[way] - fastest).is_distinct
+    )
+
+
+def _faster(sections: Sections, way: Way, time: Quantity) -> Quantity | str:
+    """Return how many times as fast a way is; empty if it is not surely faster."""
+    section, _, variant = way.timed.partition("/")
+    speedup = sections.value(section, f"{variant}_speedup")
+    return speedup if greater(1.0, time, "as fast") == HOLDS and speedup.value else ""
 
 
 def _advised(
@@ -389,26 +462,18 @@ def _advised(
     times = {way: ratio[ALONE] for way, ratio in ratios.items() if ALONE in ratio}
     effort = min((way.effort for way in holding), default=PATCH)
     least = [way for way in holding if way.effort == effort]
+    if lack := _unmeasured(sections, tests, times, effort):
+        return Claim(name, lack, _without(numbers, lack.reason, bound))
     near = [
         test
         for way, test in tests.items()
         if test.is_inconclusive and ARGUMENT <= way.effort < effort
     ]
-    if near or not least or not times.keys() >= {*least}:
-        reason = "nothing that was tried is seen to"
-        if holding:
-            reason = "what holds the cube was not timed"
-        none = absent("1", bound.reason or reason)
-        outcome = near[0] if near else Outcome("unknown", none.reason)
-        return Claim(name, outcome, numbers | {"slip": none, "ratio": none})
+    if near or not least:
+        outcome = near[0] if near else Outcome("unknown", bound.reason or NOTHING_HOLDS)
+        return Claim(name, outcome, _without(numbers, outcome.reason, bound))
 
-    way = min(least, key=lambda way: times[way].number)
-    seen = sections.value(*UNSEEN.get(way.name, ("", "")))
-    known = 0.01 * (seen.value or 0.0)
-    is_longer = any(
-        ratio.number - 1.0 > max(ratio.noise or 0.0, known)
-        for ratio in ratios[way].values()
-    )
+    way = _fastest(least, times)
     variant = way.timed.rpartition("/")[2]
     off = sections.cell("newton_solvers", f"{variant}-3cm", "wander_mm")  # on the way
     more = []
@@ -427,12 +492,11 @@ def _advised(
         ),
         "is_argument": way.effort != NOTHING,
         "is_other": way.is_other,
-        "has_many": MANY in ratios[way],
-        "is_longer": is_longer,
+        "faster": _faster(sections, way, times[way]),
     }
     patches = [way for way in times if way.effort == PATCH]
     if patches:
-        patch = min(patches, key=lambda way: times[way].number)
+        patch = _fastest(patches, times)
         numbers |= {
             "patch": patch.name,
             "patch_slip": patch.slip(sections),
@@ -442,7 +506,6 @@ def _advised(
         }
     # Each is looked at by itself: times are ratios of what one machine measured.
     read = [
-        seen,
         off,
         *(slip for slip, _ in more),
         *(way.slip(sections) for way in WAYS),

@@ -57,7 +57,6 @@ def derive(chapters: Chapters) -> Section:
             read = sections.cell if len(parts) > 2 else sections.value
             cells.append(read(*parts))
         outcome = all_of(*(claim.outcome for claim in found)).having_read(*cells)
-        numbers = {"unseen": found[0].numbers.get("unseen", "")}
-        numbers |= dict(zip(("first", "second"), cells, strict=False))
+        numbers = dict(zip(("first", "second"), cells, strict=False))
         claims.append(Claim(name, outcome, numbers))
     return Section(claims=claims)

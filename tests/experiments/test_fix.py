@@ -115,8 +115,8 @@ def test_the_lines_of_the_front_page_hold_the_cube_as_it_says(site, tmp_path):
     )
     assert status == 0, said
     noise = json.loads((site / "data/values.json").read_text(encoding="utf-8"))[
-        "noise"
-    ]["slip_floor"]["value"]
+        "reproduction"
+    ]["engine_bound"]["value"]
     assert_slip_is_tracked(tmp_path, "stiff-pads", noise)
 
 

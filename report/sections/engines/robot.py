@@ -2,6 +2,7 @@
 
 from report.shared import (
     Claim,
+    Outcome,
     Results,
     RowsBy,
     Section,
@@ -73,6 +74,9 @@ def derive(results: Results, labels: dict[str, str]) -> Section:
     is_lost, *are_lost = (row.plain.get("dropped") for row in wide)
     amplitudes = [row.shake_amplitude_m for row in wide]
     loses = decided(is_lost is True and not any(are_lost), *amplitudes)
+    if None in (is_lost, *are_lost):
+        loses = Outcome("unknown", "one of these runs failed, or was not measured")
+        loses = loses.having_read(*amplitudes)
     numbers = {
         "mine": mine,
         "held": held,

@@ -24,12 +24,12 @@ from report.shared import (
     combined,
     constant,
     contiguous,
+    decreases,
     gathered,
     greater,
     largest_size,
+    negligible,
     quantile,
-    resolved,
-    within,
 )
 
 order = 155
@@ -75,7 +75,7 @@ def derive(results: Results) -> Section:
     pads_decide = all_of(
         at_least(stays, 80.0, "nearly all of it"),
         at_least(gain, 5.0, "an order of magnitude, nearly"),
-        greater(soft, stiff, noise=seen),
+        decreases([soft, stiff], by=seen),
     )
 
     rk4 = points["as-shipped/newton-rk4/substeps-2"]
@@ -99,13 +99,13 @@ def derive(results: Results) -> Section:
     is_as_long = None not in (cost.value, cost_seen.value)
     is_as_long = is_as_long and abs(cost.value - 1) <= 0.01 * cost_seen.value
     rk4_pays = all_of(
-        greater(shipped[ERROR], doubled, noise=floor, why="worth a change"),
+        decreases([shipped[ERROR], doubled], by=floor),
         at_most(cost, 1.5, "hardly dearer"),
     )
 
     coarse = points["stiff/c-rk4/substeps-4"]
     fine = points[runs.with_shipped_steps("stiff", "c")]
-    better = greater(coarse[ERROR], fine[ERROR], noise=points.floors["stiff"])
+    better = decreases([coarse[ERROR], fine[ERROR]], by=points.floors["stiff"])
 
     worst = results.value(
         "reference_error",
@@ -149,6 +149,11 @@ def derive(results: Results) -> Section:
         " contacts in each substep",
         largest_size(shipped[ERROR] - row[ERROR] for row in converged),
     )
+    share = results.value(
+        "effort_share",
+        "that change, of the numerical error as shipped",
+        PERCENT * change / shipped[ERROR],
+    )
     count = results.value(
         "effort_count",
         "runs with other solver effort that hold the cube and converge",
@@ -159,7 +164,7 @@ def derive(results: Results) -> Section:
         "runs with other solver effort",
         cell_count([row.substeps for row in efforts]),
     )
-    effort = all_of(within(change, floor), resolved(floor, shipped[ERROR]))
+    effort = negligible(share, 10.0, "a gain worth an effort")
 
     numbers = {"rk4_warp": rk4_pays == HOLDS}
     errors = [row[ERROR] for row in points.settings]
@@ -203,7 +208,7 @@ def derive(results: Results) -> Section:
             Claim(
                 "solver_effort",
                 effort,
-                {"change": change, "floor": floor, "count": count, "tried": tried},
+                {"change": share, "count": count, "tried": tried},
             ),
             _crossover(results, points),
         ],

@@ -183,7 +183,7 @@ def gain_goes(results: Results) -> Claim:
     outcome = all_of(
         at_least(first, 4.0, "a gain to take back"),
         at_most(longest, 2.0, "a gain"),
-        decreases([first, twice, longest], noise=0.1, why="the same gain"),
+        decreases([first, twice, longest], by=0.1, why="the same gain"),
     )
     step = rows["stiff", counts[-1]].step_ms
     numbers = {"shipped": first, "twice": twice, "longest": longest, "step": step}

@@ -2,16 +2,16 @@
 
 from dataclasses import replace
 from itertools import pairwise
+from typing import Any
 
 from measured_report.changes.compare import FlipList, flips
 from measured_report.findings.chapters import Releases
 from report.sections import speed
 from report.sections.upgrade import tables
-from report.sections.upgrade.ends import Ends, machines_differ, released, unchanged
+from report.sections.upgrade.ends import Ends, machines_differ, released
 from report.shared import (
     DEVICES,
     HOLDS,
-    OPPOSITE,
     PERCENT,
     Claim,
     Outcome,
@@ -20,15 +20,14 @@ from report.shared import (
     Section,
     Value,
     all_of,
-    at_least,
     at_most,
     cell_count,
     combined,
     constant,
     decided,
     departure,
-    greater,
-    resolved,
+    negligible,
+    relevance,
 )
 
 order = 200
@@ -47,35 +46,30 @@ def derive(results: Results, releases: Releases) -> Section:
     shown = results.edition
     releases = released(releases, shown)
     names = list(releases)
-    floors = [
-        chapters["noise"].results.derived["slip_floor"]
-        for chapters in releases.values()
-        if "noise" in chapters
-    ]
-    noise = results.value(
-        "slip_floor",
-        "largest of the releases' noise floors",
-        combined(max, *floors),
-        across=True,
-        is_noise=True,
-    )
     # A release is held against those before it; the oldest against all.
     count = names.index(shown) + 1 if shown in names[1:] else len(names)
     seen = {release: releases[release] for release in names[:count]}
     ends = Ends(seen, names[0], list(seen)[-1])
 
     before, after = ends.cells(tables.SLIP)
-    same_slip = unchanged(results, "slip_change", before, after, noise)
-    change = results.derived["slip_change"].value
-    least = results.value("slip_change_least", "a tenth of the older slip", before / 10)
-    same_slip = ends.one or all_of(same_slip, resolved(noise, least))
+    share = _change(results, "slip_change", before, after, before)
+    bound = relevance(results)
+    same_slip = ends.one or negligible(abs(share), bound).having_read(before, after)
     slip_is_the_same = Claim(
         "slip_is_the_same",
         same_slip,
-        ends.names | {"before": before, "after": after, "grows": (change or 0) > 0},
+        ends.names
+        | {
+            "before": before,
+            "after": after,
+            "change": share,
+            "bound": bound,
+            "within": _within(results, "slip_within", share),
+            "grows": (share.value or 0) > 0,
+        },
     )
 
-    in_one_step = _in_one_step(results, seen, noise, same_slip)
+    in_one_step = _in_one_step(results, seen, bound, same_slip)
     steps = in_one_step.numbers["steps"] if in_one_step.outcome == HOLDS else []
 
     flipped = list(flips(seen, shown))
@@ -113,19 +107,41 @@ def derive(results: Results, releases: Releases) -> Section:
     )
 
 
+def _within(results: Results, name: str, change: Quantity) -> Value | str:
+    """Derive how large a change may be, by its interval; empty if nobody knows its noise."""
+    why = change.reason or "nobody measured its noise"
+    noise = Quantity(change.noise, change.unit, "", why, noise=0.0)
+    formula = "the change, in size, and its noise together"
+    within = results.value(name, formula, abs(change) + noise, is_noise=True)
+    return "" if within.value is None else within
+
+
+def _change(
+    results: Results, name: str, before: Quantity, after: Quantity, whole: Quantity
+) -> Value:
+    return results.value(
+        name,
+        "later release less earlier one, of the slip in the oldest",
+        PERCENT * (after - before) / whole,
+        across=True,
+    )
+
+
 def _in_one_step(
-    results: Results, releases: Releases, noise: Value, same: Outcome
+    results: Results, releases: Releases, bound: Value, same: Outcome
 ) -> Claim:
+    """Tell whether the slip changes by what matters in one step between releases alone."""
     cells = {name: tables.SLIP.cell(releases[name], name) for name in releases}
     cells = {name: cell for name, cell in cells.items() if cell.value is not None}
+    oldest = next(iter(cells.values()), None)
     tests = {
-        step: unchanged(
-            results, f"slip_step_{step[1]}", cells[step[0]], cells[step[1]], noise
+        (a, b): negligible(
+            abs(_change(results, f"slip_step_{b}", cells[a], cells[b], oldest)), bound
         )
-        for step in pairwise(cells)
+        for a, b in pairwise(cells)
     }
     steps = [step for step, test in tests.items() if test.name == "fails"]
-    outcome = decided(len(steps) == 1).having_read(*cells.values(), noise)
+    outcome = decided(len(steps) == 1).having_read(*cells.values(), bound)
     for test in tests.values():
         if test.name == "unknown":
             outcome = test
@@ -145,39 +161,36 @@ def _same_speed(results: Results, ends: Ends) -> Claim:
     frames = [replace(frame, text=f"speed.{case}.frame_ms") for case in speed.labels]
     pairs = [ends.cells(each) for each in frames]
     ratios = [after / before for before, after in pairs]
-    least, most = (
-        results.value(
+    numbers: dict[str, Any] = {
+        name: results.value(
             f"frame_ratio_{name}",
             f"{name} time of a frame over the older one",
             combined(choose, *ratios),
             across=True,
         )
         for name, choose in (("least", min), ("most", max))
+    }
+    change = results.value(
+        "frame_change",
+        "largest change of the time of a frame, of the older time, in size",
+        combined(max, *(departure(after, before) for before, after in pairs)),
+        across=True,
     )
-    count = results.value(
+    numbers["change"] = change
+    numbers["within"] = _within(results, "frame_within", change)
+    numbers["bound"] = results.chosen("frame_bound", "the same time", 5.0, "%")
+    numbers["count"] = results.value(
         "speed_case_count",
         "cases of one world whose frames were timed",
         cell_count(after for _, after in pairs),
     )
-    one = Quantity(1.0, "1", "", noise=0.0)
-    slower = greater(least, one)
-    faster = greater(one, most)
-    mixed = slower.answer == faster.answer == "the opposite"
-    if HOLDS in (slower, faster):  # all take longer, or all less
-        outcome = OPPOSITE
-    elif mixed:
-        outcome = HOLDS
-    else:
-        outcome = all_of(
-            at_least(least, 0.95, "the same time"), at_most(most, 1.05, "the same time")
-        )
+    outcome = negligible(change, numbers["bound"])
+    outcome = outcome.having_read(numbers["least"], numbers["most"])
     outcome = machines_differ(ends.releases, "speed") or outcome
-    numbers = {"mixed": mixed, "least": least, "most": most, "count": count}
     chapters = [each["speed"] for each in ends.releases.values() if "speed" in each]
     devices = [DEVICES[each.results.record.machine["device"]] for each in chapters]
     numbers["device"] = devices[-1] if devices else ""
-    outcome = ends.one or outcome.having_read(least, most)
-    return Claim("same_speed", outcome, ends.names | numbers)
+    return Claim("same_speed", ends.one or outcome, ends.names | numbers)
 
 
 def _nothing_to_explain(same: Outcome) -> Outcome | None:

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from measured_report.changes.query import Query
 from measured_report.editions.release import read_label
 from measured_report.findings.chapters import Releases
-from report.shared import HOLDS, Outcome, Quantity, Results, beyond, settings_of
+from report.shared import Outcome, Quantity, settings_of
 
 
 def released(releases: Releases, shown: str) -> Releases:
@@ -44,18 +44,6 @@ class Ends:
 
     def live(self, case: str, column: str) -> tuple[Quantity, Quantity]:
         return self.cells(Query(f"upgrade.{case}.{column}"))
-
-
-def unchanged(
-    results: Results, name: str, before: Quantity, after: Quantity, noise: Quantity
-) -> Outcome:
-    """Tell whether a change is no more than noise; clearly more is the opposite."""
-    change = after - before
-    moved = results.value(name, "later release less earlier one", change, across=True)
-    is_known = None not in (moved.value, noise.value)
-    is_same = is_known and abs(moved.number) <= noise.number
-    outcome = HOLDS if is_same else beyond(moved, noise)
-    return outcome.having_read(before, after, moved, noise)
 
 
 def machines_differ(releases: Releases, section: str) -> Outcome | None:

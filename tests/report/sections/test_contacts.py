@@ -1,7 +1,7 @@
 """What the contact rows do."""
 
 import pytest
-from deriving import assert_found
+from deriving import NOISE, assert_found
 
 pytestmark = pytest.mark.usefixtures("unchanged")
 
@@ -54,7 +54,7 @@ GIVEN = {
         ),
         (
             {
-                "stiff-pads": {"friction_residual_mm": 0.0001},
+                "stiff-pads": {"friction_residual_mm": 0.01},
                 "as-shipped": {"cone_use_max": 0.11, "friction_timeconst_s": 0},
             },
             {
@@ -69,7 +69,8 @@ GIVEN = {
                     "normal_residual_mm": 0.005,
                     "friction_timeconst_s": 0.01,
                     "slide_mm": 4.7,
-                }
+                },
+                (NOISE, "normal_residual_mm"): 0.006,
             },
             {
                 "no_friction_residual": "cannot tell",
@@ -93,7 +94,7 @@ GIVEN = {
             {"stiff-pads-term-restored": {"slide_mm": 0.051}},
             {"term_restored": "fails", "missing_term/effect": "fails"},
         ),
-        ({("noise", "slip_floor"): 1.5}, {"term_restored": "cannot tell"}),
+        ({(NOISE, "slide_mm"): 1.5}, {"term_restored": "cannot tell"}),
     ],
 )
 def test_contacts_follows_from_its_cells(cells, expected):

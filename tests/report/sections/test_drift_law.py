@@ -1,7 +1,7 @@
 """The law of the drift."""
 
 import pytest
-from deriving import assert_found
+from deriving import NOISE, assert_found
 
 pytestmark = pytest.mark.usefixtures("unchanged")
 
@@ -87,14 +87,10 @@ RUNS = {
                 "most_kept": 1.4,
                 "response_range": 3.1,
                 "response_count": 5,
-                "drift_noise": 0.0666667,
-                "law_noise": 0.1,
                 "follows": "holds",
                 "count_kept": 10,
                 "tried_count": 11,
                 "law/follows": True,
-                "drift_most": 1.5,
-                "law_least": 1,
             },
         ),
         (
@@ -102,11 +98,11 @@ RUNS = {
             {"most_kept": 1.6, "follows": "fails", "law/follows": False},
         ),
         (
-            {"pad-ke-2.5e4": {"drift_mm_s": 1.016}, ("noise", "drift_floor"): 0.0165},
-            {"law_noise": 1.65, "follows": "cannot tell"},
+            {"pad-ke-2.5e4": {"drift_mm_s": 1.016}, (NOISE, "drift_mm_s"): 0.002},
+            {"follows": "cannot tell"},
         ),
-        ({("noise", "drift_floor"): 0.0224}, {"follows": "holds"}),
-        ({("noise", "drift_floor"): 0.0226}, {"follows": "cannot tell"}),
+        ({(NOISE, "drift_mm_s"): 0.0005}, {"follows": "holds"}),
+        ({(NOISE, "drift_mm_s"): 0.002}, {"follows": "cannot tell"}),
         (
             {"sweep-a": {"response_s": 0.029}},
             {"follows": "cannot tell", "follows/is_wide": False},

@@ -29,6 +29,6 @@ def test_times_compare_where_both_were_measured_on_machines_of_one_kind():
     assert (
         "measured on"
         in machines_differ(
-            {"1.4.0": timed(), "1.8.0": timed(driver="1")}, "speed"
+            {"1.4.0": timed(), "1.8.0": timed(gpu="another")}, "speed"
         ).reason
     )

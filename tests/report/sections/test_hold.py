@@ -1,7 +1,7 @@
 """The drift and the creep with the arm held still."""
 
 import pytest
-from deriving import assert_found
+from deriving import NOISE, assert_found
 
 pytestmark = pytest.mark.usefixtures("unchanged")
 
@@ -31,7 +31,6 @@ GIVEN = {
                 "stiff_pads_keep_creep": "holds",
                 "double_share": 40,
                 "rounded_departure": 4.761905,
-                "creep_noise": 0.952381,
                 "creep_is_rounding": "holds",
                 "motion/is_so": True,
             },
@@ -48,7 +47,7 @@ GIVEN = {
         ),
         (
             {
-                ("noise", "slip_floor"): 0.07,
+                (NOISE, "increment_final_mm"): 0.07,
                 "precision-c-double": {"creep_mm_s": 0.051},
             },
             {
@@ -68,9 +67,9 @@ GIVEN = {
                 "creep_is_rounding": "fails",
             },
         ),
-        ({("noise", "drift_floor"): 0.0104}, {"creep_is_rounding": "holds"}),
-        ({("noise", "drift_floor"): 0.0106}, {"creep_is_rounding": "cannot tell"}),
-        ({"precision-*": {"creep_mm_s": -0.1}}, {"creep_noise": 1}),
+        ({(NOISE, "creep_mm_s"): 0.002}, {"creep_is_rounding": "holds"}),
+        ({(NOISE, "creep_mm_s"): 0.006}, {"creep_is_rounding": "cannot tell"}),
+        ({"precision-*": {"creep_mm_s": -0.1}}, {"creep_is_rounding": "fails"}),
     ],
 )
 def test_hold_follows_from_its_cells(cells, expected):

@@ -7,7 +7,7 @@ import pytest
 from deriving import assert_found, with_cells
 
 from measured_report.records.record import Record
-from measured_report.values.cells import evidence_of
+from measured_report.values.body import body_of
 from measured_report.values.results import Results
 from report.sections.newton_solvers import derive
 
@@ -29,7 +29,8 @@ def test_whose_slip_does_not_repeat_is_named_with_each_that_keeps_the_cube(editi
         )
         again = replace(again, machine=first.machine | {"gpu_uuid": "another"})
         records = [first, again] if slips else [first]
-        evidence = evidence_of({"again": records}, {}, tracked.columns)["again"]
+        place = ("1.8.0", "newton_solvers")
+        evidence = body_of({place: records}, tracked.columns).sections[place]
         section = derive(
             Results(first, tracked.path, tracked.others, evidence=evidence)
         )
@@ -78,7 +79,9 @@ GIVEN = {
                 "others_hold/solvers": "Kamino and Steel",
                 "others_hold/fastest": "Steel",
                 "others_hold/are_many": True,
-                "others_hold/is_longer": True,
+                "others_hold/faster": "",
+                "steel_speedup": 0.833333,
+                "kamino_speedup": 0.05,
                 "hands_go_as_far": "holds",
                 "steel_2ms": -0.001,
                 "steel_stays": "holds",
@@ -120,7 +123,7 @@ GIVEN = {
             },
             {
                 "others_hold": "fails",
-                "others_hold/is_longer": False,
+                "others_hold/faster": "",
                 "steel_stays": "fails",
             },
         ),
@@ -131,7 +134,7 @@ GIVEN = {
             },
             {
                 "costs_more": "the opposite",
-                "others_hold/is_longer": False,
+                "others_hold/faster": 1.25,
                 "hands_go_as_far": "fails",
                 "hands_go_as_far/is_farther": False,
             },

@@ -1,4 +1,4 @@
-"""The noise floor of slip and drift."""
+"""How much runs of one case scatter."""
 
 import pytest
 from deriving import assert_found
@@ -20,30 +20,36 @@ GIVEN = {
         (
             {},
             {
-                "slip_floor": 0.03,
-                "drift_floor": 0.004,
-                "as_shipped_slip_tolerance": 0.02,
-                "stiff_pads_drift_tolerance": 0.001,
-                "slip_floor_share": 0.499168,
-                "drift_floor_share": 0.796813,
+                "as_shipped_slip_count": 2,
+                "as_shipped_slip_mean": 6.01,
+                "as_shipped_slip_deviation": 0.01414214,
+                "stiff_pads_drift_deviation": 0.000707107,
+                "slip_scatter_share": 0.2353101,
+                "drift_scatter_share": 0.5634317,
                 "noise_is_small": "holds",
-                "pairs": 99.9,
+                "relevance": 1,
                 "confidence": 95,
-                "near_noise": 2,
+                "scatter/slip: runs/1": 2,
             },
         ),
+        ({"d": {"slip_mm": 0.37}}, {"noise_is_small": "holds"}),
         (
-            {"d": {"slip_mm": 0.37}},
-            {"slip_floor_share": 1.164725, "noise_is_small": "fails"},
+            {"b": {"drift_mm_s": 0.51}},
+            {"drift_scatter_share": 1.400211, "noise_is_small": "the opposite"},
         ),
-        ({"b": {"drift_mm_s": 0.507}}, {"noise_is_small": "fails"}),
         (
-            {
-                "b": {"slip_mm": 6, "drift_mm_s": 0.5},
-                "d": {"slip_mm": 0.3, "drift_mm_s": 0.02},
-            },
-            {"slip_floor": 0.001, "drift_floor": 0.0001},
+            {"b": {"slip_mm": 6, "drift_mm_s": 0.5}},
+            {"as_shipped_slip_deviation": 0, "noise_is_small": "holds"},
         ),
+        (
+            {"e": {"of": "as-shipped", "slip_mm": None, "drift_mm_s": None}},
+            {"as_shipped_slip_count": 2, "noise_is_small": "holds"},
+        ),
+        (
+            {"e": {"of": "nobody", "slip_mm": 9, "drift_mm_s": 9}},
+            {"nobody_slip_deviation": None, "noise_is_small": "holds"},
+        ),
+        ({"b": None}, {"noise_is_small": "cannot tell"}),
     ],
 )
 def test_noise_follows_from_its_cells(cells, expected):

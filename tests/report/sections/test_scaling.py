@@ -51,7 +51,7 @@ GIVEN = {
             },
         ),
         (
-            {"our-engine-steps-1": {"ratio_resolution": 0.031}},
+            {"each-step-waited-for-4096": {"ratio_resolution": 0.3}},
             {"faster": "cannot tell"},
         ),
     ],

@@ -20,7 +20,7 @@ GIVEN = {
         (
             {},
             {
-                "stiff_pads_only_change": 2,
+                "stiff_pads_only_change": -1,
                 "stiff_pads_only_same_time": "holds",
                 "resolution": 2,
                 "many_worlds": "holds",
@@ -28,12 +28,12 @@ GIVEN = {
         ),
         (
             {
-                "stiff-pads-only": {"frame_ratio": 1.021},
+                "stiff-pads-only": {"frame_ratio": 1.05},
                 "stiff-pads-16384": {"frame_ratio": 0.98},
             },
             {
-                "stiff_pads_only_change": 3.1,
-                "stiff_pads_only_same_time": "fails",
+                "stiff_pads_only_change": 5,
+                "stiff_pads_only_same_time": "the opposite",
                 "many_worlds": "the opposite",
             },
         ),
@@ -43,7 +43,7 @@ GIVEN = {
                 "stiff-pads-16384": {"frame_ratio": 0.991},
             },
             {
-                "stiff_pads_only_change": 2.9,
+                "stiff_pads_only_change": -1.9,
                 "stiff_pads_only_same_time": "holds",
                 "many_worlds": "cannot tell",
             },

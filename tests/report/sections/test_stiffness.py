@@ -54,7 +54,7 @@ CAUSE = {
             },
         ),
         (
-            {("contacts", "restored_stiff-pads_small_size"): 1.995},
+            {("contacts", "restored_stiff-pads_small_size"): 2},
             {"cause": "cannot tell"},
         ),
         (

@@ -26,8 +26,8 @@ def test_a_cell_that_is_not_there_says_why(results):
     assert found.cell("noise", "soft", "slip_mm").unit == "mm"
     assert found.cell("toy", "soft", "slip_mm") == soft.slip_mm
     for section, case, reason in (
-        ("toy", "firm", "does not say"),
-        ("noise", "soft", "has no results here"),
+        ("toy", "firm", "has no such number"),
+        ("noise", "soft", "was not measured: make rerun SECTION=noise"),
     ):
         assert (
             found.cell(section, case, "slip_mm").reason == f"section {section} {reason}"

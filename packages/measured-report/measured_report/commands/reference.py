@@ -23,7 +23,7 @@ NAMES = {
     "findings/sections": "Outline",
     "parts/section": "Section Table Figure",
     "parts/figures": "new_figure",
-    "parts/claim": "Claim decided at_least at_most greater decreases equal_within within beyond all_of",
+    "parts/claim": "Claim decided at_least at_most negligible greater decreases all_of",
     **dict.fromkeys(("parts/words", "pages/passages", "parts/citations"), ""),
 }  # what is listed of each module below its docstring
 HANDED = "values/"  # begins the modules whose classes a report is handed, so that their properties and methods count

@@ -18,12 +18,8 @@ from measured_report.values.quantities import (
     VALUES_FILE,
     Quantity,
     Value,
-    combined,
     mixed,
 )
-
-NEAR_NOISE = 2.0  # chosen: up to so many times the noise a difference can't tell: some other pair may differ more
-
 
 Number = (
     Quantity | float
@@ -60,10 +56,10 @@ class Outcome:
         )
 
 
-WITHIN = Outcome("unknown", "the difference is within the noise")
 HOLDS = Outcome("holds")
 FAILS = Outcome("fails")
 OPPOSITE = Outcome("fails", is_opposite=True)
+WITHIN = Outcome("unknown", "the difference is within its noise", is_inconclusive=True)
 
 
 @dataclass(frozen=True)
@@ -142,116 +138,86 @@ def decided(is_so: bool, *quantities: Quantity) -> Outcome:
 
 
 def at_least(a: Quantity, bound: Number, why: str = "") -> Outcome:
-    """Test whether a bound is reached; one that is missed shows nothing, and one within the noise can't tell."""
+    """Test whether a bound is reached; cannot tell if the interval of ``a`` has the bound in it."""
     return _bounded(a, bound, why, operator.ge)
 
 
 def at_most(a: Quantity, bound: Number, why: str = "") -> Outcome:
-    """Test whether a bound is kept; one that is not shows nothing, and one within the noise can't tell."""
+    """Test whether a bound is kept; cannot tell if the interval of ``a`` has the bound in it."""
     return _bounded(a, bound, why, operator.le)
+
+
+def negligible(change: Quantity, bound: Number, why: str = "") -> Outcome:
+    """Test whether a change is too small to matter; one above the bound is the opposite.
+
+    For a change in either direction it takes the size, ``negligible(abs(a - b), bound)``.
+    """
+    outcome = at_most(change, bound, why)
+    return replace(outcome, is_opposite=outcome == FAILS)
 
 
 def _bounded(
     a: Quantity, bound: Number, why: str, keeps: Callable[[float, float], bool]
 ) -> Outcome:
     def judge(a: Quantity, bound: Quantity) -> Outcome:
-        # Where they are less apart than their noise, measured again it may be on the other side.
-        if abs(a.number - bound.number) < math.hypot(
-            a.noise or 0.0, bound.noise or 0.0
-        ):
-            reason = Markup(
-                "what was measured is nearer to the bound of {} than its noise"
-            ).format(_said(bound))
-            return Outcome("unknown", reason, is_inconclusive=True)
+        noise = math.hypot(a.noise or 0.0, bound.noise or 0.0)
+        if abs(a.number - bound.number) < noise:
+            reason = Markup("the bound of {} lies within the interval {}")
+            said = reason.format(
+                _said(bound), a.interval if a.source else f"±{noise:.2g}"
+            )
+            return Outcome("unknown", said, is_inconclusive=True)
         return HOLDS if keeps(a.number, bound.number) else FAILS
 
     return _judged(judge, a, bound, why=why)
 
 
-def greater(
-    a: Number, b: Number, *, noise: Number | None = None, why: str = ""
-) -> Outcome:
-    """Test whether ``a`` is greater than ``b``; less is the opposite, and within the noise it can't tell."""
+def greater(a: Number, b: Number, why: str = "") -> Outcome:
+    """Test whether ``a`` is greater than ``b``; less is the opposite, and cannot tell if their
+    difference is within its own noise."""
     if a is b:
         raise ReportError(f"a test compares {a} with itself")
-    if noise is None:
-        quantities = [number for number in (a, b) if isinstance(number, Quantity)]
-        measured = [number for number in quantities if number.value is not None]
-        spread = (
-            combined(lambda a, *b: a - sum(b), *measured, unit=quantities[0].unit).noise
-            if measured
-            else None
-        )
-        noise = Quantity(
-            spread, quantities[0].unit, "", "nobody measured its noise", noise=0.0
-        )
-    return decreases([a, b], noise=noise, why=why)
+
+    def judge(a: Quantity, b: Quantity) -> Outcome:
+        difference = a - b
+        if difference.noise is None:
+            return Outcome("unknown", "nobody measured its noise")
+        if abs(difference.number) <= difference.noise:
+            return WITHIN
+        return HOLDS if difference.number > 0 else OPPOSITE
+
+    return _judged(judge, a, b, why=why)
 
 
-def decreases(sequence: Sequence[Number], *, noise: Number, why: str = "") -> Outcome:
-    """Test whether a sequence falls by more than the noise, and nowhere rises by more; rising so is the opposite."""
+def decreases(sequence: Sequence[Number], *, by: Number, why: str = "") -> Outcome:
+    """Test whether a sequence falls by more than ``by``, and nowhere rises by more.
+
+    A sequence that rises so is the opposite. It cannot tell if the whole change is not surely
+    larger than ``by``.
+    """
 
     def judge(*quantities: Quantity) -> Outcome:
-        *values, most = (quantity.number for quantity in quantities)
-        assert most >= 0, f"{quantities[-1]} is no noise, which is never below 0"
-        if len(values) < 2:
+        *cells, bound = quantities
+        assert bound.number >= 0, f"{bound} is no bound of a change: it is below 0"
+        if len(cells) < 2:
             return Outcome("unknown", "it takes two values to see a trend")
-        if abs(values[-1] - values[0]) <= most:
-            return WITHIN
-        if _rises(values[::-1], most):
+        change = cells[-1] - cells[0]
+        if abs(change.number) - (change.noise or 0.0) <= bound.number:
+            reason = Markup("the change is not surely larger than {}")
+            return Outcome("unknown", reason.format(_said(bound)), is_inconclusive=True)
+        values = [cell.number for cell in cells]
+        if _rises(values[::-1], bound.number):
             return HOLDS
-        return OPPOSITE if _rises(values, most) else FAILS
+        return OPPOSITE if _rises(values, bound.number) else FAILS
 
-    return _judged(judge, *sequence, noise, why=why)
+    return _judged(judge, *sequence, by, why=why)
 
 
-def _rises(values: Sequence[float], noise: float) -> bool:
+def _rises(values: Sequence[float], bound: float) -> bool:
     falls = [
         top - value for top, value in zip(accumulate(values, max), values, strict=True)
     ]
-    return values[-1] - values[0] > noise >= max(falls)
-
-
-def equal_within(
-    sequence: Sequence[Quantity], *, noise: Number, why: str = ""
-) -> Outcome:
-    """Test whether the largest and the smallest are no farther apart than noise; little more can't tell."""
-
-    def judge(*quantities: Quantity) -> Outcome:
-        *values, _ = (quantity.number for quantity in quantities)
-        return within(
-            replace(quantities[0], value=max(values) - min(values)), quantities[-1]
-        )
-
-    return _judged(judge, *sequence, noise, why=why)
-
-
-def within(difference: Quantity, noise: Number, why: str = "") -> Outcome:
-    """Test whether a difference is no more than noise; one that is little more can't tell."""
-    return _judged(
-        lambda a, noise: HOLDS if a.number <= noise.number else beyond(a, noise),
-        difference,
-        noise,
-        why=why,
-    )
-
-
-def beyond(difference: Quantity, noise: Quantity) -> Outcome:
-    """Return the opposite for a difference beyond the noise; what is only little more, either way, can't tell."""
-    _refuse_units(difference, noise)
-    if not (outcome := _absent(difference, noise)):
-        assert noise.number >= 0, f"{noise} is no noise, which is never below 0"
-        # The difference itself is not written: its digits end where the noise begins, and it could read as the smaller.
-        reason = Markup(
-            "the difference is more than the noise of {}, but less than {:g} times that"
-        )
-        near = Outcome(
-            "unknown", reason.format(_said(noise), NEAR_NOISE), is_inconclusive=True
-        )
-        outcome = (
-            OPPOSITE if abs(difference.number) > NEAR_NOISE * noise.number else near
-        )
-    return outcome.having_read(difference, noise)
+    return values[-1] - values[0] > bound >= max(falls)
 
 
 def _judged(

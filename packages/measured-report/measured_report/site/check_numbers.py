@@ -2,12 +2,13 @@
 
 import json
 from collections.abc import Iterator, Mapping, Sequence
+from decimal import Decimal
 from functools import cache
 from pathlib import Path
 from typing import Any
 
 from measured_report.files.config import Report
-from measured_report.values.format import WRITES, format_code
+from measured_report.values.format import WRITES, format_code, read_number
 from measured_report.values.quantities import VALUES_FILE
 
 UNRESOLVED = (OSError, ValueError, LookupError, TypeError)
@@ -15,7 +16,10 @@ Number = tuple[Mapping[str, str], str, bool]
 """Attributes and text of an element, and whether it is a part of code."""
 
 
-EXPONENTS = range(-15, 15)  # of the noises by which a number may be written
+DECADES = 15  # of noises by which a number may be written, below 1 and above
+NOISES = [2 * 10.0**exponent for exponent in range(-DECADES, DECADES)]
+"""One of these gives nearly every way to write a number, and the next ones the others."""
+FINE_NOISES = [10 ** (step / 20) for step in range(-20 * DECADES, 20 * DECADES)]
 
 
 class Data:
@@ -45,7 +49,7 @@ class Data:
         row_pointer, _, column = pointer.rpartition("/")
         row = _resolve(self.file(name), row_pointer)
         cell = self.report.columns.number_of(column, row)
-        return cell, [None, 0.0, *(2 * 10.0**exponent for exponent in EXPONENTS)]
+        return cell, [None, 0.0, *NOISES, *FINE_NOISES]
 
 
 def check_number(number: Number, data: Data) -> Iterator[str]:
@@ -55,15 +59,25 @@ def check_number(number: Number, data: Data) -> Iterator[str]:
     try:
         value, noises = data.number(source)
         write = WRITES[attributes.get("data-as", "")]
-        texts = [write(value, noise=noise) for noise in noises]
         if is_code:
-            texts = [format_code(value)]
+            is_right = printed == format_code(value)
+        else:
+            is_right = any(write(value, noise=noise) == printed for noise in noises)
+            is_right = is_right or _is_bound(printed, value)
     except UNRESOLVED:
         yield f"{source} resolves to nothing"
         return
     stated = json.loads(attributes.get("value") or "null")
-    if stated != value or printed not in texts:
+    if stated != value or not is_right:
         yield f"{source} is {value}, but {printed} ({stated}) is shown"
+
+
+def _is_bound(printed: str, value: float | int | None) -> bool:
+    """Return whether a number below its noise is written as less than that noise."""
+    bound = read_number(printed.removeprefix("<").strip())
+    if not printed.startswith("<") or bound is None or value is None:
+        return False
+    return abs(Decimal(repr(value))) <= bound
 
 
 def _resolve(data: Any, pointer: str) -> Any:

@@ -72,14 +72,27 @@ def format_least(value: float | int | None, *, noise: float | None = None) -> st
     return "0" if text.startswith(BELOW) else text
 
 
+def format_interval(value: float | int | None, *, noise: float | None = None) -> str:
+    """Write ``value`` and its noise, to two digits of the noise, as 0.042 ± 0.010."""
+    if value is None or not noise:
+        return format_number(value, noise=noise)
+    exact = Decimal(repr(float(noise)))
+    digit = Decimal(1).scaleb(exact.adjusted() - 1)
+    middle = Decimal(repr(float(value))).quantize(digit, ROUND_HALF_UP)
+    half = exact.quantize(digit, ROUND_HALF_UP)
+    return f"{_format_decimal(middle)} ± {_format_decimal(half)}"
+
+
 MOST, LEAST = (
     "most",
     "least",
 )  # said on the page of a number that is a bound from above or below
+INTERVAL = "interval"
 WRITES = {
     "": format_number,
     MOST: format_most,
     LEAST: format_least,
+    INTERVAL: format_interval,
 }  # by what the page says of a number
 
 

@@ -108,29 +108,6 @@ def variance_of(numbers: Sequence[float]) -> float:
     return math.fsum((number - mean) ** 2 for number in numbers) / (len(numbers) - 1)
 
 
-PAIRS = 0.999  # TEMPORARY
-CONFIDENCE = 0.95
-LEAST_RUNS = 4
-
-
-def tolerance(numbers: Sequence[float]) -> float:
-    """Bound how far apart two runs of one case come out: ``PAIRS`` of all pairs do by no more, with ``CONFIDENCE``.
-
-    A difference of two runs scatters normally by √2 σ, and σ is at most s √(ν / χ²), by the confidence interval of a
-    standard deviation (NIST/SEMATECH e-Handbook of Statistical Methods, 7.2.3.1), with χ² at ν degrees of freedom by
-    Wilson and Hilferty (1931). Of fewer than ``LEAST_RUNS`` it is their largest difference.
-    """
-    if len(numbers) < LEAST_RUNS:
-        return max(numbers) - min(numbers)
-    freedom = len(numbers) - 1
-    term = 2 / (9 * freedom)
-    chi_squared = (
-        freedom * (1 - term + NORMAL.inv_cdf(1 - CONFIDENCE) * math.sqrt(term)) ** 3
-    )
-    deviation = math.sqrt(variance_of(fenced(numbers)) * freedom / chi_squared)
-    return math.sqrt(2) * NORMAL.inv_cdf((1 + PAIRS) / 2) * deviation
-
-
 def binomial_noise(share: float, trials: float) -> float:
     """Return how far the observed share of successes may be from the truth.
 

@@ -19,6 +19,7 @@ from measured_report.files.columns import PLAIN
 from measured_report.files.errors import ReportError
 from measured_report.records.record import Origin
 from measured_report.values.format import (
+    INTERVAL,
     LEAST,
     MOST,
     WRITES,
@@ -151,14 +152,12 @@ class Quantity:
     @property
     def interval(self) -> Markup:
         """Write the number with its confidence interval and unit, as 0.042 ± 0.010 %."""
-        number = self._written(self.written)
-        if self.value is None or not self.noise:
-            return self._in_words()
-        spread = Markup('<span class="noise"> ± {}</span>').format(
-            format_number(self.noise, noise=self.noise / 10)
-        )
-        unit = Markup("&nbsp;") + self._label if self._label else Markup("")
-        return number + spread + unit
+        return self._in_words(INTERVAL)
+
+    @property
+    def is_distinct(self) -> bool:
+        """Return whether it is farther from 0 than its noise."""
+        return self.value is not None and abs(self.value) > (self.noise or 0.0)
 
     @property
     def most(self) -> Markup:
@@ -492,7 +491,7 @@ def combined(
 
 
 def _across(source: Any) -> Any:
-    """Return a source; one that is computed, as among numbers of several editions."""
+    """Return a source; if it is a Term, one of numbers of several editions."""
     if not isinstance(source, Term):
         return source
     operands = tuple(map(_across, source.operands))

@@ -420,9 +420,9 @@ def test_rows_of_different_releases_or_machines_are_not_compared_by_accident(
         across=True,
     )
     assert asked.value == pytest.approx(0.4 - 6.3617)
-    noise = results.value("noise", "chosen", lambda: 0.1, unit="mm")
-    assert greater(*slips, noise=noise).reason == refused.reason
-    assert at_most(asked, noise).name == "holds"
+    bound = results.value("bound", "chosen", lambda: 0.1, unit="mm")
+    assert greater(*slips).reason == refused.reason
+    assert at_most(asked, bound).name == "holds"
     assert Quantity(1.0, "mm", "").bare.striptags() == "n/a", (
         "a number without a place is not shown"
     )

@@ -65,7 +65,7 @@ def test_what_the_docs_and_a_new_report_use_is_told():
         for names in re.findall(r"`(\w+)\(\w+[^`]*\)`|^(order|[A-Z_]+) = ", text)
         for name in names
     }
-    used |= {"trace", "order", "NEEDS_GPU", "within", "beyond", "value", "claim"}
+    used |= {"trace", "order", "NEEDS_GPU", "negligible", "value", "claim"}
     assert [
         name
         for name in sorted(used - {"", "measure", "derive"})

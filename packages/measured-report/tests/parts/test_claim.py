@@ -17,7 +17,6 @@ from measured_report.parts.claim import (
     at_least,
     at_most,
     greater,
-    within,
 )
 from measured_report.parts.section import Section, Table
 from measured_report.parts.words import Wording
@@ -44,6 +43,25 @@ def test_a_quantity_says_its_source_or_why_it_is_missing():
         assert quantity(value).code.striptags() == text, "as one types it"
 
 
+INTERVALS = {
+    (0.0421, 0.0097): "0.0421 ± 0.0097 mm",
+    (0.003, 0.010): "0.003 ± 0.010 mm",
+    (-23.082, 0.47): "−23.08 ± 0.47 mm",
+    (1234.0, 250.0): "1 230 ± 250 mm",
+    (5.0, 0.0): "5 mm",
+}
+
+
+@pytest.mark.parametrize(("given", "text"), INTERVALS.items())
+def test_an_interval_is_written_to_two_digits_of_the_noise(given, text):
+    value, noise = given
+    html = quantity(value, noise=noise).interval
+    assert html.striptags().replace("\xa0", " ") == text
+    assert 'data-as="interval"' in html
+    assert quantity(value, noise=noise).is_distinct == (abs(value) > noise)
+    assert quantity(None, "it fell").interval.striptags() == "n/a"
+
+
 NOISE = quantity(0.1)
 
 
@@ -54,16 +72,15 @@ IN_MS, IN_S, COUNT = (
 
 
 @pytest.mark.parametrize("other", [IN_S, COUNT])
-@pytest.mark.parametrize("test", [greater, at_least, at_most, within, claims.beyond])
+@pytest.mark.parametrize("test", [greater, at_least, at_most])
 def test_numbers_of_several_units_are_refused_and_never_compared(test, other):
     for pair in ((IN_MS, other), (other, IN_MS)):
         with pytest.raises(
             ReportError, match=r"a test compares .*: derive them in one unit"
         ):
             test(*pair)
-    for test in (claims.decreases, claims.equal_within):
-        with pytest.raises(ReportError, match=r"1.*500 ms with"):
-            test([IN_MS, IN_MS], noise=other)
+    with pytest.raises(ReportError, match=r"1.*500 ms with"):
+        claims.decreases([IN_MS, IN_MS], by=other)
     assert claims.decided(True, IN_MS, other) == HOLDS
     table = Table(pd.DataFrame({"time": [IN_MS, other]}))
     if other == IN_S:
@@ -82,13 +99,13 @@ def test_a_bound_that_is_a_plain_number_is_kept_with_its_unit_and_why():
     assert 'data-outcome="holds" title="Chosen: 0.5 mm (hardly any)">' in make_claim(
         found
     ).html("toy")
-    assert all_of(
-        found, greater(quantity(2.0), 1.0, noise=NOISE, why="much")
-    ).bounds == (*found.bounds, "1 mm (much)")
-    assert (
-        "the noise of 0.1 mm, but" in within(quantity(0.15), 0.1, why="the same").reason
+    bounds = all_of(found, greater(quantity(2.0), 1.0, why="much")).bounds
+    assert bounds == (*found.bounds, "1 mm (much)")
+    near = at_most(quantity(0.105), 0.1, why="the same").reason.striptags()
+    assert near.replace("\xa0", " ") == (
+        "the bound of 0.1 mm lies within the interval 0.105 ± 0.010 mm"
     )
-    assert greater(quantity(3.0), quantity(1.0), noise=NOISE).bounds == ()
+    assert greater(quantity(3.0), quantity(1.0)).bounds == ()
     for bound, why in ((0.5, " "), ("0.5 mm", "hardly any")):
         with pytest.raises(
             ReportError, match=r"0\.5.* was not measured: a chosen number takes why"
@@ -103,7 +120,7 @@ def test_an_outcome_without_numbers_is_unknown_and_says_why():
     for outcome in (
         at_least(gone, NOISE),
         at_most(NOISE, gone),
-        greater(NOISE, quantity(1.0), noise=gone),
+        greater(NOISE, gone),
     ):
         assert outcome == Outcome("unknown", "non-finite in frame 12")
     with pytest.raises(ReportError, match="with itself"):
@@ -219,6 +236,5 @@ def test_claims_have_names_of_their_own_and_a_test_takes_yes_or_no():
     for is_so in (quantity(1.0), "no"):
         with pytest.raises(AssertionError, match="is no yes or no"):
             claims.decided(is_so, quantity(1.0))
-    for test in (within, lambda a, **chosen: greater(quantity(2.0), a, **chosen)):
-        with pytest.raises(AssertionError, match="1 mm is no noise"):
-            test(quantity(1.0), noise=-1.0, why="a slip")
+    with pytest.raises(AssertionError, match="1 mm is no bound of a change"):
+        claims.decreases([quantity(1.0)], by=-1.0, why="a slip")

@@ -1,0 +1,152 @@
+"""What a missing record, row or run changes: the sentences that read it, and no others."""
+
+from collections.abc import Callable, Sequence
+from unittest import mock
+
+import pytest
+from altered import (
+    NEWEST,
+    TEMPLATES,
+    Place,
+    Records,
+    Row,
+    Scenario,
+    as_measured,
+    failed,
+    project_of,
+    said_of,
+)
+from conftest import contents, undrawn
+
+from measured_report.editions.project import own_release
+from measured_report.pages.wording import worded_editions
+from measured_report.parts.macros import Picture
+
+pytestmark = [pytest.mark.words, pytest.mark.usefixtures("unchanged")]
+OWN = own_release()
+REPRODUCTION = "reproduction"
+Pages = dict[str, tuple[dict[str, str], str]]
+
+
+def told(
+    scenario: Scenario, releases: Sequence[str] = (OWN,), without: Place | None = None
+) -> Pages:
+    """Return by release the outcomes of claims, and the text of all pages."""
+    picture = [Picture("broad", "0 0 1 1", "")]
+    undraw = mock.patch(
+        "measured_report.parts.figures.draw_svgs", lambda *_, **__: picture
+    )
+    with project_of(scenario, releases, without) as project, undraw:
+        editions = worded_editions(project, TEMPLATES)
+        found = {}
+        for release in releases:
+            pages = contents(editions, TEMPLATES, release)
+            parts = [part for content in pages for part in content.parts]
+            found[release] = said_of(editions, release), undrawn(parts)
+        return found
+
+
+def altered(section: str, change: Callable[[list[Row]], list[Row]]) -> Scenario:
+    """Return what is measured if the rows of a section are changed so."""
+
+    def rows(records: Records, place: Place) -> list[Row]:
+        found = as_measured(records, place)
+        return change(found) if place[1] == section else found
+
+    return Scenario(f"altered {section}", rows)
+
+
+def changed(before: Pages, after: Pages, release: str = OWN) -> dict[str, str | None]:
+    outcomes = after[release][0]
+    return {
+        claim: outcomes.get(claim)
+        for claim, outcome in before[release][0].items()
+        if outcomes.get(claim) != outcome
+    }
+
+
+AS_MEASURED = Scenario("as measured")
+
+
+@pytest.fixture(scope="module")
+def whole() -> Pages:
+    return told(AS_MEASURED)
+
+
+@pytest.mark.parametrize("missing", [OWN, NEWEST])
+def test_a_release_without_its_shake_test_costs_the_sentences_that_read_it(missing):
+    releases = (OWN, NEWEST)
+    before = told(AS_MEASURED, releases)
+    after = told(AS_MEASURED, releases, (missing, REPRODUCTION))
+    [other] = {*releases} - {missing}
+    assert changed(before, after, other) == {
+        "story.fine_since": "unknown",
+        "upgrade.mujoco_contacts_as_before": "unknown",
+    }
+    found = changed(before, after, missing)
+    gone = {claim for claim, outcome in found.items() if outcome is None}
+    assert {claim.partition(".")[0] for claim in gone} == {REPRODUCTION}
+    assert {found[claim] for claim in found.keys() - gone} == {"unknown"}
+    assert found["story.advice"] == found["story.ends_creep"] == "unknown"
+    assert "make rerun SECTION=reproduction" in after[missing][1]
+
+
+@pytest.mark.parametrize(
+    ("section", "case", "named"),
+    [
+        (
+            REPRODUCTION,
+            "stiff-pads",
+            "stiff pads, which may be cheaper, was not measured",
+        ),
+        (
+            REPRODUCTION,
+            "as-shipped",
+            "as shipped, which may be cheaper, was not measured",
+        ),
+        ("speed", "stiff-pads-only", "stiff pads, which may be cheaper, was not timed"),
+    ],
+)
+def test_advice_gets_no_costlier_without_a_row(whole, section, case, named):
+    scenario = altered(
+        section, lambda rows: [row for row in rows if row["case"] != case]
+    )
+    found = told(scenario)
+    outcomes, text = found[OWN]
+    assert outcomes["story.advice"] == "unknown" and named in text
+    assert "holds" not in {
+        outcome
+        for claim, outcome in changed(whole, found).items()
+        if claim.startswith("story.")
+    }
+
+
+def test_one_run_of_the_noise_that_fails_costs_nothing(whole):
+    scenario = altered("noise", lambda rows: [failed(rows[0]), *rows[1:]])
+    assert changed(whole, told(scenario)) == {}
+
+
+def test_a_run_that_failed_is_not_one_that_keeps_the_cube(whole):
+    """Whether MuJoCo alone loses the cube cannot be told without its run."""
+
+    def fail(rows: list[Row]) -> list[Row]:
+        runs = (row["case"].startswith("mujoco-c") for row in rows)
+        pairs = zip(rows, runs, strict=True)
+        return [failed(row) if is_run else row for row, is_run in pairs]
+
+    assert changed(whole, told(altered("engines", fail)))["engines.only_it_loses"] == (
+        "unknown"
+    )
+
+
+def test_a_cube_that_every_run_loses_is_said_to_be_lost(whole):
+    lost = {"dropped": True, "slip_mm": None, "slip_mm_reason": "the cube was lost"}
+    scenario = altered(
+        REPRODUCTION,
+        lambda rows: [{**row, **lost} if "dropped" in row else row for row in rows],
+    )
+    outcomes, text = told(scenario)[OWN]
+    assert outcomes["reproduction.cube_is_lost"] == "holds"
+    assert "a shaken cube is lost from a Franka" in text
+    assert whole[OWN][0]["reproduction.cube_is_lost"] == "fails"
+    assert "is lost from a Franka" not in whole[OWN][1]
