@@ -15,6 +15,7 @@ from measured_report.records.code import Code, digest_of
 
 PACKAGES = (
     "numpy",
+    "scipy",
     "pandas",
     "matplotlib",
     "jinja2",
