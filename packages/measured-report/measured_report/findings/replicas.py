@@ -15,7 +15,6 @@ from measured_report.findings.sections import outline_of
 from measured_report.records.identity import files_digest
 from measured_report.records.record import Record
 from measured_report.records.replicas import FOLDER, Records, mismatch, read_replica
-from measured_report.values.body import body_of
 from measured_report.values.evidence import Evidence
 
 
@@ -70,6 +69,9 @@ def _compared(project: Project) -> list[Project]:
 
 def _measurements(project: Project) -> dict[str, Measurements]:
     """Return what all measurements of each edition say."""
+    # A slow import, which nothing needs while this is kept.
+    from measured_report.values.body import body_of
+
     measured: dict[tuple[str, str], list[Record | None]] = {}
     found = {}
     for each in _compared(project):

@@ -117,7 +117,6 @@ class _Gathered:
         self.count = sum(record is not None for record in records)
         self.edges: set[Key] = set()  # rows of which chance decides how they end
         self.dissenting = 0  # rows of a measurement that end unlike all others
-        self.row_count = 0
         self.is_alike = [
             record is not None and record.machine_for_speed == shown.machine_for_speed
             for record in records
@@ -134,7 +133,6 @@ class _Gathered:
         for key, row in rows[0].items():
             of_row = self._agreeing(key, [each.get(key) for each in rows])
             is_mean = key[0] == MEAN
-            self.row_count += not is_mean
             if is_lost(row, self.columns):
                 continue
             for name, cell in row.items():

@@ -17,12 +17,12 @@ from measured_report.files.errors import ReportError
 from measured_report.files.groups import grouped
 from measured_report.values.noise import (
     Estimate,
+    Scatter,
     Z,
     binomial_noise,
     fenced,
     variance_of,
 )
-from measured_report.values.scatter import Scatter
 
 REPEATED_SHARE = 1e-3
 """Chosen: by how much a number that repeats to the last bit on one machine may differ on

@@ -5,7 +5,8 @@ difference of two such means. ``scatter.py`` estimates the variance that both us
 """
 
 import math
-from collections.abc import Sequence
+from collections.abc import Hashable, Mapping, Sequence
+from dataclasses import dataclass, field
 from functools import cache
 from statistics import NormalDist, fmean, median
 from typing import Any, NamedTuple
@@ -117,6 +118,23 @@ def binomial_noise(share: float, trials: float) -> float:
     middle = (share + squared / 2) / (1 + squared)
     spread = math.sqrt(share * (1 - share) / trials + squared / (4 * trials))
     return abs(share - middle) + Z * spread / (1 + squared)
+
+
+@dataclass(frozen=True)
+class Scatter:
+    """Gives the variance of one measurement of any number of a column in a section."""
+
+    level: float  # the variance of a number of size 1
+    slope: float  # the power of a number's size that its variance goes with
+    freedom: float  # degrees of freedom of the variance of a row measured once
+    rows: Mapping[Hashable, tuple[float, float]] = field(default_factory=dict)
+    """Of each row that was measured twice: its level and its degrees of freedom."""
+
+    def of(self, row: Hashable, size: float) -> tuple[float, float]:
+        """Return the variance of a number of this size, and its degrees of freedom."""
+        level, freedom = self.rows.get(row, (self.level, self.freedom))
+        floor = (ROUNDED_SHARE * size) ** 2 / 12
+        return max(level * size**self.slope, floor), freedom
 
 
 class Estimate(NamedTuple):

@@ -8,15 +8,21 @@ twice has the variance of its column. Outliers do not count for other rows and k
 own variance: Phipson et al. (2016), Annals of Applied Statistics 10, 946-963.
 """
 
-from collections.abc import Hashable, Mapping, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Hashable, Sequence
+from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, NamedTuple
 
 import numpy as np
+from scipy.optimize import brentq
 from scipy.special import digamma, fdtrc, ndtri, polygamma
 
-from measured_report.values.noise import OUTLIER, ROUNDED_SHARE, TO_DEVIATION
+from measured_report.values.noise import (
+    OUTLIER,
+    ROUNDED_SHARE,
+    TO_DEVIATION,
+    Scatter,
+)
 
 Array = Any  # an array of NumPy's
 MOST_FREEDOM = 100.0  # strength of a column whose variances differ by chance alone
@@ -33,40 +39,6 @@ SLOPES = (2.0, 1.0, 0.0)
 to its root, or the same for all."""
 CLEARLY = 1.25  # chosen: by how much less the variances scatter with another slope
 QUIET_SHARE = 0.1  # chosen: below this share of rows that scatter, the others do not
-
-
-def _trigamma(x: Array) -> Array:
-    return polygamma(1, x)
-
-
-def _trigamma_inverse(y: float) -> float:
-    """Return the x whose trigamma is ``y``, by bisection on a logarithmic scale."""
-    low = np.log(1e-3)
-    high = np.log(1e6)
-    for _ in range(60):
-        middle = (low + high) / 2
-        if _trigamma(np.exp(middle)) > y:
-            low = middle
-        else:
-            high = middle
-    return float(np.exp(low))
-
-
-@dataclass(frozen=True)
-class Scatter:
-    """Gives the variance of one measurement of any number of a column in a section."""
-
-    level: float  # the variance of a number of size 1
-    slope: float  # the power of a number's size that its variance goes with
-    freedom: float  # degrees of freedom of the variance of a row measured once
-    rows: Mapping[Hashable, tuple[float, float]] = field(default_factory=dict)
-    """Of each row that was measured twice: its level and its degrees of freedom."""
-
-    def of(self, row: Hashable, size: float) -> tuple[float, float]:
-        """Return the variance of a number of this size, and its degrees of freedom."""
-        level, freedom = self.rows.get(row, (self.level, self.freedom))
-        floor = (ROUNDED_SHARE * size) ** 2 / 12
-        return max(level * size**self.slope, floor), freedom
 
 
 @dataclass(frozen=True)
@@ -103,13 +75,13 @@ def prior_of(
     residuals = logs - slope * np.log(sizes)
     low, high = np.quantile(residuals, [0.25, 0.75])
     residuals = np.minimum(residuals, high + 1.5 * (high - low))  # Tukey's fence
-    by_chance = _trigamma(freedoms / 2).mean()
-    usual = USUAL_ROWS * (by_chance + _trigamma(USUAL_FREEDOM / 2))
+    by_chance = polygamma(1, freedoms / 2).mean()
+    usual = USUAL_ROWS * (by_chance + polygamma(1, USUAL_FREEDOM / 2))
     squares = ((residuals - residuals.mean()) ** 2).sum() + usual
     excess = squares / (len(residuals) - 1 + USUAL_ROWS) - by_chance
     freedom = MOST_FREEDOM
-    if excess > _trigamma(MOST_FREEDOM / 2):
-        freedom = 2 * _trigamma_inverse(excess)
+    if excess > polygamma(1, MOST_FREEDOM / 2):
+        freedom = 2 * brentq(lambda half: polygamma(1, half) - excess, 1e-3, 1e6)
     level = np.exp(residuals.mean() + digamma(freedom / 2) - np.log(freedom / 2))
     return Scatter(float(level), slope, freedom)
 

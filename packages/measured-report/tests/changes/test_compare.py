@@ -23,9 +23,9 @@ from measured_report.parts.section import Section
 from measured_report.records.record import load_record
 from measured_report.site.check import check_site
 from measured_report.values.evidence import Evidence, Several, key_of, place_of
+from measured_report.values.noise import Scatter
 from measured_report.values.quantities import Quantity
 from measured_report.values.results import Results
-from measured_report.values.scatter import Scatter
 
 SOFT, STIFF = ROWS
 BETTER = ({**SOFT, "slip_mm": 0.4}, STIFF)

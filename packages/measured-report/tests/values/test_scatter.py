@@ -4,7 +4,8 @@ import numpy as np
 import pytest
 from scipy import special, stats
 
-from measured_report.values.scatter import Fit, Scatter, fit_of, left_out, prior_of
+from measured_report.values.noise import Scatter
+from measured_report.values.scatter import Fit, fit_of, left_out, prior_of
 
 ROUNDING = (1e-6) ** 2 / 12
 
