@@ -169,13 +169,14 @@ def _worded(
 def _names_of(anchor: str, section: Section, sections: Sections) -> Names:
     """Return what finds the parts of a section, and says what rests on claims of others."""
     # Words that only another record has are said as nothing.
-    claims = dict.fromkeys(section.unmeasured, Markup(""))
-    claims |= {claim.name: claim.html(anchor) for claim in section.claims}
+    nothing = dict.fromkeys(section.unmeasured, Markup(""))
+    claims = {claim.name: claim.html(anchor) for claim in section.claims}
+    downloads = {name: macros().download(name) for name in section.downloads}
     parts: Mapping[str, Mapping[str, Any]] = {
-        "claim": claims,
-        "table": section.tables,
-        "figure": section.figures,
-        "download": {name: macros().download(name) for name in section.downloads},
+        "claim": {**nothing, **claims},
+        "table": {**nothing, **section.tables},
+        "figure": {**nothing, **section.figures},
+        "download": downloads,
     }
 
     def find(name: str, claim: str) -> Claim | None:
