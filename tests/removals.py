@@ -22,7 +22,7 @@ from current_columns import REASON, column_of, is_number
 from measured_report.editions.project import Project, own_release
 from measured_report.files.config import report
 from measured_report.files.errors import ReportError
-from measured_report.findings.chapters import Chapter, Chapters, Releases
+from measured_report.findings.chapters import Chapter, Releases
 from measured_report.findings.editions import Edition, editions_of
 from measured_report.findings.sections import derive_section
 from measured_report.pages.prose import Templates
@@ -30,10 +30,9 @@ from measured_report.pages.wording import template_of
 from measured_report.parts.claim import Claim
 from measured_report.parts.section import Section
 from measured_report.records.record import Record
-from measured_report.values.evidence import Evidence, repeats_of
-from measured_report.values.quantities import Pointer, Quantity
+from measured_report.values.evidence import repeats_of
+from measured_report.values.quantities import Quantity
 from measured_report.values.results import Results
-from tests.perturbed import PerturbedResults
 
 NON_FINITE = "the state was not finite in frame 300"
 TEXTS = "templates"

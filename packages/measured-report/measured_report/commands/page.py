@@ -27,7 +27,7 @@ def build_site(project: Project, address: str = "") -> tuple[bool, bool]:
         (state.kind, state.section) for state in releases[project.release]
     )
     measurable = sections(project.root)
-    kinds = (Kind.MISSING, Kind.DAMAGED, Kind.STALE)
+    kinds = (Kind.MISSING, Kind.DAMAGED, Kind.NOT_SHOWN, Kind.STALE)
     lacking = [
         name for kind in kinds for name in by_kind.get(kind, ()) if name in measurable
     ]

@@ -42,8 +42,8 @@ def folder_fault(folder: Path) -> str:
     """Say why a folder cannot be read; empty if it can, or is not there."""
     try:
         if os.path.lexists(folder):
-            os.listdir(folder)
-            os.stat(f"{folder}/.")  # raises if what is in it cannot be opened
+            for path in folder.iterdir():
+                path.lstat()
     except OSError as error:
         return f"{short_path(folder)} can't be read: {error.strerror}"
     return ""

@@ -46,9 +46,7 @@ def test_a_record_comes_back_as_it_was_written_and_its_file_keeps_the_contract(t
     ]
     + [("\n}\n", ',\n "carried": []\n}\n')],
 )
-def test_a_record_that_was_changed_by_hand_or_has_no_seal_is_damaged(
-    toy, old, new
-):
+def test_a_record_that_was_changed_by_hand_or_has_no_seal_is_damaged(toy, old, new):
     text = toy.record_path.read_text()
     toy.record_path.write_text(text.replace(old, new))
     with pytest.raises(

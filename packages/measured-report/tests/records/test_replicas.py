@@ -19,7 +19,6 @@ from measured_report.findings.replicas import (
     damage_of,
     read_replicas,
     refused,
-    replicas_text,
 )
 from measured_report.records.record import load_record, write_record
 from measured_report.records.replicas import FOLDER, archive_of, read_replica
