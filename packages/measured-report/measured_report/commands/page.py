@@ -27,9 +27,20 @@ def build_site(project: Project, address: str = "") -> tuple[bool, bool]:
         (state.kind, state.section) for state in releases[project.release]
     )
     measurable = sections(project.root)
-    kinds = (Kind.MISSING, Kind.DAMAGED, Kind.NOT_SHOWN, Kind.STALE)
     lacking = [
-        name for kind in kinds for name in by_kind.get(kind, ()) if name in measurable
+        name
+        for kind in (Kind.MISSING, Kind.DAMAGED, Kind.STALE)
+        for name in by_kind.get(kind, ())
+        if name in measurable
+    ]
+    # If other editions can be shown, the code is right and the record lacks something.
+    lacking += [
+        name
+        for name in by_kind.get(Kind.NOT_SHOWN, ())
+        if name in measurable
+        and any(
+            name not in {state.section for state in each} for each in releases.values()
+        )
     ]
     for label, kind in (("not measured", Kind.MISSING), ("stale", Kind.STALE)):
         if kind in by_kind:
