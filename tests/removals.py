@@ -35,7 +35,8 @@ from measured_report.values.quantities import Quantity
 from measured_report.values.results import Results
 
 NON_FINITE = "the state was not finite in frame 300"
-TEXTS = "templates"
+OF_ALL = {("upgrade", "claims_stand")}
+"""Sentences that read what all other claims of an edition say."""
 Sentence = tuple[str, str, str]  # release, section or text, claim
 
 
@@ -204,6 +205,14 @@ class World:
                 changed[release][name] = chapters[name]
         return releases, changed
 
+    def with_rows_of(self, chapter: Chapter, other: Chapter) -> Chapter:
+        """Return a chapter as it would be if it had measured what another one has."""
+        record = replace(chapter.results.record, rows=other.results.record.rows)
+        results = replace(
+            chapter.results, record=record, evidence=other.results.evidence
+        )
+        return replace(chapter, results=results)
+
     def _changed(self, results: Results, record: Record) -> Results:
         evidence = results.evidence
         if record.section == report().settings.noise_section:
@@ -219,21 +228,19 @@ class World:
         after = self._said_of(releases, changed)
         found = {}
         for sentence, said in self.said.items():
-            release, name, _ = sentence
-            if release not in releases or (
-                (release, name) == (removal.release, removal.section)
-                and removal.row is None
-            ):
+            release, name, claim = sentence
+            is_gone = removal.row is None and (removal.release, removal.section) in (
+                (release, name),
+                (release, ""),
+            )
+            is_read = any(removal.takes(read, folder) for read in said.reads)
+            if is_gone or is_read or (name, claim) in OF_ALL:
                 continue
-            if sentence not in after:
-                if name in changed[release] or name in self.texts:
-                    found[sentence] = (said.text, "gone")
-                continue
-            now = after[sentence]
-            if now.text == said.text:
-                continue
-            if not any(removal.takes(read, folder) for read in said.reads):
+            now = after.get(sentence)
+            if now and now.text != said.text:
                 found[sentence] = (said.text, now.text)
+            elif not now and (name in changed[release] or name in self.texts):
+                found[sentence] = (said.text, "gone")
         return found
 
 

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from measured_report.files.config import Report
-from measured_report.values.format import WRITES, format_code
+from measured_report.values.format import BELOW, WRITES, format_code, read_number
 from measured_report.values.quantities import VALUES_FILE
 
 UNRESOLVED = (OSError, ValueError, LookupError, TypeError)
@@ -55,6 +55,9 @@ def check_number(number: Number, data: Data) -> Iterator[str]:
     try:
         value, noises = data.number(source)
         write = WRITES[attributes.get("data-as", "")]
+        if len(noises) > 1 and printed.startswith(BELOW):
+            # What is said of a number below its noise is the noise.
+            noises = [float(read_number(printed.removeprefix(BELOW)) or 0)]
         texts = [write(value, noise=noise) for noise in noises]
         if is_code:
             texts = [format_code(value)]
