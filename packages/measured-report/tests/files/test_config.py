@@ -139,4 +139,4 @@ def test_no_module_reads_it_while_it_is_imported(tmp_path):
         capture_output=True,
         text=True,
     )
-    assert (done.stdout, done.stderr) == ("measured_report.values.shrinkage\n", "")
+    assert (done.stdout, done.stderr) == ("measured_report.values.scatter\n", "")
