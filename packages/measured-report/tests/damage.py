@@ -10,6 +10,8 @@ from operator import getitem
 from pathlib import Path
 from typing import Any
 
+from measured_report.records.record import sealed
+
 Change = Callable[[dict], Any]
 
 
@@ -201,22 +203,28 @@ PLACES: Mapping[str, Callable[[Path], object]] = {
 
 
 def unsealed(text: str) -> str:
-    """The text of a record as of before there were seals."""
+    """Return the text of a record without its seal."""
     return re.sub(',\n "seal": "[0-9a-f]{64}"', "", text)
 
 
+def resealed(text: str) -> str:
+    """Return the text of a record, sealed anew if it ends as one does."""
+    whole = text.rstrip()
+    return sealed(whole.removesuffix("}")) if whole.endswith("}") else text
+
+
 def damage(path: Path, name: str) -> None:
-    """Damage the record, whose seal would tell of any way, or the trace at ``path`` in the way ``name``."""
+    """Damage the record or trace at ``path`` in the way ``name``; a record is sealed anew."""
     kind, _, way = name.partition(": ")
-    if kind in ("field", "text"):
-        path.write_text(unsealed(path.read_text(encoding="utf-8")), encoding="utf-8")
     if kind == "field":
-        data = json.loads(path.read_text(encoding="utf-8"))
+        data = json.loads(unsealed(path.read_text(encoding="utf-8")))
         FIELDS[way](data)
-        path.write_text(json.dumps(data), encoding="utf-8")
+        path.write_text(resealed(json.dumps(data)), encoding="utf-8")
     elif kind == "text":
-        changed = TEXTS[way](path.read_text(encoding="utf-8"))
-        path.write_bytes(changed if isinstance(changed, bytes) else changed.encode())
+        changed = TEXTS[way](unsealed(path.read_text(encoding="utf-8")))
+        if isinstance(changed, str):
+            changed = resealed(changed).encode()
+        path.write_bytes(changed)
     elif kind == "trace":
         path.write_bytes(TRACES[way](path.read_bytes()))
     else:

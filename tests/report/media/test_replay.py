@@ -38,7 +38,7 @@ def project(poses_path) -> Project:
 def page(project) -> str:
     templates = Templates(project.templates)
     edition = derive_edition(project)
-    give_words(edition, templates)
+    give_words({edition.project.release: edition}, templates)
     return replay_page(
         project, edition.chapters["poses"], Plugins(edition).replay, None, templates, ""
     )

@@ -4,7 +4,8 @@ import sys
 from functools import cache
 from pathlib import Path
 
-from measured_report.editions.project import Project
+from measured_report.commands.status import damage, say_damage, states_by_release
+from measured_report.editions.project import Project, own_release
 from measured_report.editions.status import records_of
 from measured_report.files.config import report
 from measured_report.files.errors import ReportError
@@ -15,7 +16,7 @@ from measured_report.values.evidence import Evidence
 
 
 def main() -> int:
-    """Run the package number-audit, if it is installed."""
+    """Run the package number-audit, if it is installed; 1 if anything cannot be read."""
     try:
         from number_audit.command import main as number_audit
     except ImportError:
@@ -26,16 +27,20 @@ def main() -> int:
         )
         return 2
     sys.path.insert(0, str(report().root))  # a report names modules of its own
-    return number_audit(
+    status = number_audit(
         sys.argv[2:], prog="measured-report audit", noise_of_record=noise_of_record
     )
+    own = own_release()
+    project = Project(own, root=report().root, own_release=own)
+    is_damaged = say_damage(damage(project, states_by_release(project)))
+    return status or int(is_damaged)
 
 
 def noise_of_record(path: Path, row: int, column: str) -> float | None:
     """Return the noise of a number in a record, from all that was measured of it."""
     try:
         cells = load_record(path).rows[row]
-        evidence = _evidence_of(path.parent.name).get(path.stem, Evidence())
+        evidence = evidence_of(path.parent.name).get(path.stem, Evidence())
         estimate = evidence.estimate(column, cells, report().columns)
     except (ReportError, LookupError) as error:
         raise ValueError(f"the noise of {column} is not known: {error}") from None
@@ -43,7 +48,7 @@ def noise_of_record(path: Path, row: int, column: str) -> float | None:
 
 
 @cache
-def _evidence_of(folder: str) -> dict[str, Evidence]:
+def evidence_of(folder: str) -> dict[str, Evidence]:
     """Return the evidence of each section of the edition in a folder of results."""
     settings = report().settings
     project = Project(settings.edition_in(folder), root=report().root)

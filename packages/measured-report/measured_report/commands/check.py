@@ -3,7 +3,7 @@
 from measured_report.changes.alarm import check_text
 from measured_report.changes.compare import faults_of
 from measured_report.commands.options import Arguments, refuse_unmeasured, shared
-from measured_report.commands.page import say_damage
+from measured_report.commands.status import say_damage
 from measured_report.editions.project import Project
 from measured_report.findings.editions import editions_of
 from measured_report.pages.wording import sentences_of
@@ -16,10 +16,14 @@ OPTIONS = {**shared("edition", "profile", "format"), "strict": STRICT}
 
 
 def run(project: Project, arguments: Arguments) -> int:
-    """Print the claims; 1 where a record is damaged."""
+    """Print the claims; 1 if anything cannot be read or shown."""
     refuse_unmeasured(project, arguments.release.asked)
-    edition = editions_of(project)[project.release]
+    editions = editions_of(project)
+    edition = editions[project.release]
     print(check_text(edition, arguments.format, sentences_of(project)))
-    return int(
-        say_damage(edition.left_out) or (arguments.strict and bool(faults_of(edition)))
+    is_damaged = say_damage(
+        state
+        for each in editions.values()
+        for state in (*each.left_out, *each.plugins.left_out)
     )
+    return int(is_damaged or (arguments.strict and bool(faults_of(edition))))

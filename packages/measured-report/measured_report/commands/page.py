@@ -1,12 +1,11 @@
 """Build site/ from what is measured; measure nothing."""
 
 import gc
-import sys
-from collections.abc import Iterable
 
 from measured_report.commands.options import Arguments, refuse_unmeasured, shared
+from measured_report.commands.status import say_damage
 from measured_report.editions.project import Project
-from measured_report.editions.status import Kind, State
+from measured_report.editions.status import Kind
 from measured_report.files.groups import grouped
 from measured_report.records.identity import sections
 from measured_report.site.build import build
@@ -15,22 +14,33 @@ OPTIONS = shared("edition", "profile", "address")
 
 
 def run(project: Project, arguments: Arguments) -> int:
-    """Build the site; 1 where a record is damaged."""
+    """Build the site; 1 if anything cannot be read or shown."""
     refuse_unmeasured(project, arguments.release.asked)
     return int(build_site(project, arguments.address)[0])
 
 
 def build_site(project: Project, address: str = "") -> tuple[bool, bool]:
-    """Build the site and say what it lacks; return whether a record is damaged, and whether any is to be renewed."""
+    """Build the site and say what it lacks; return whether anything cannot be read or shown, and whether a record is to be renewed."""
     gc.disable()  # a build keeps what it makes, and is a tenth faster so
     releases, notes = build(project, address)
     by_kind = grouped(
         (state.kind, state.section) for state in releases[project.release]
     )
     measurable = sections(project.root)
-    kinds = (Kind.MISSING, Kind.DAMAGED, Kind.STALE)
     lacking = [
-        name for kind in kinds for name in by_kind.get(kind, ()) if name in measurable
+        name
+        for kind in (Kind.MISSING, Kind.DAMAGED, Kind.STALE)
+        for name in by_kind.get(kind, ())
+        if name in measurable
+    ]
+    # If other editions can be shown, the code is right and the record lacks something.
+    lacking += [
+        name
+        for name in by_kind.get(Kind.NOT_SHOWN, ())
+        if name in measurable
+        and any(
+            name not in {state.section for state in each} for each in releases.values()
+        )
     ]
     for label, kind in (("not measured", Kind.MISSING), ("stale", Kind.STALE)):
         if kind in by_kind:
@@ -42,11 +52,3 @@ def build_site(project: Project, address: str = "") -> tuple[bool, bool]:
     print(f"built {project.site.name}/index.html")
     is_damaged = say_damage(state for states in releases.values() for state in states)
     return is_damaged, bool(lacking)
-
-
-def say_damage(states: Iterable[State]) -> bool:
-    """Name each record that can't be trusted, or not be shown; return whether there is one."""
-    faulty = [state for state in states if state.kind in (Kind.DAMAGED, Kind.NOT_SHOWN)]
-    for state in faulty:
-        print(f"{state.kind}: {state.words}", file=sys.stderr)
-    return bool(faulty)

@@ -11,7 +11,13 @@ from typing import Any
 from msgspec import Struct, convert
 
 from measured_report.editions.release import Release, read_label
-from measured_report.files.atomic import RecordError, read_file, short_path, write_file
+from measured_report.files.atomic import (
+    RecordError,
+    folder_fault,
+    read_file,
+    short_path,
+    write_file,
+)
 from measured_report.files.columns import name_problem
 from measured_report.files.config import FILE, Config, Report, report_in, tomllib
 from measured_report.files.config import report as current
@@ -135,9 +141,16 @@ class Project:
 
     @property
     def releases(self) -> list[str]:
-        """Return the editions that have results, and this one, by version and date."""
-        records = self.results.parent.glob(self.settings.edition_folder("*/*.json"))
-        labels = {self.settings.edition_in(path.parent.name) for path in records}
+        """Return this edition and those that have results, by version and date.
+
+        One whose folder cannot be read is among them, so that it is named.
+        """
+        folders = [
+            folder
+            for folder in self.results.parent.glob(self.settings.edition_folder("*"))
+            if folder_fault(folder) or any(folder.glob("*.json"))
+        ]
+        labels = {self.settings.edition_in(folder.name) for folder in folders}
         releases = {label for label in labels if read_label(label, self.settings)}
         return sorted(
             {self.release, *releases}, key=lambda release: self.of(release).order

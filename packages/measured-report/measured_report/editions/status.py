@@ -6,8 +6,8 @@ from contextlib import suppress
 from dataclasses import dataclass, replace
 from enum import Enum
 
-from measured_report.editions.project import Project
-from measured_report.files.atomic import RecordError
+from measured_report.editions.project import MANIFEST, Project, read_manifest
+from measured_report.files.atomic import RecordError, folder_fault
 from measured_report.files.groups import grouped
 from measured_report.records.code import Code
 from measured_report.records.identity import (
@@ -18,6 +18,7 @@ from measured_report.records.identity import (
     sections,
 )
 from measured_report.records.record import Record, load_record
+from measured_report.records.replicas import FOLDER
 
 
 class Kind(str, Enum):
@@ -81,6 +82,17 @@ def states_of(project: Project, code: Code | None = None) -> list[State]:
             if changed := changes(state.record.identity, now):
                 states[index] = replace(state, kind=Kind.STALE, notes=tuple(changed))
     return states
+
+
+def damage_beside(project: Project) -> Iterator[State]:
+    """Yield what cannot be read of an edition besides its records and replicas."""
+    for folder in (project.results, project.results / FOLDER):
+        if fault := folder_fault(folder):
+            yield State(folder.name, Kind.DAMAGED, notes=(fault,))
+    try:
+        read_manifest(project.results)
+    except RecordError as error:
+        yield State(MANIFEST, Kind.DAMAGED, notes=(str(error),))
 
 
 def expected_packages(

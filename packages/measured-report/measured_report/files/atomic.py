@@ -38,6 +38,17 @@ def read_file(path: Path, byte_limit: int) -> bytes:
         raise RecordError(f"{name} can't be read: {error.strerror}") from None
 
 
+def folder_fault(folder: Path) -> str:
+    """Say why a folder cannot be read; empty if it can, or is not there."""
+    try:
+        if os.path.lexists(folder):
+            for path in folder.iterdir():
+                path.lstat()
+    except OSError as error:
+        return f"{short_path(folder)} can't be read: {error.strerror}"
+    return ""
+
+
 @contextmanager
 def locked(folder: Path, *, alone: bool = True) -> Iterator[None]:
     """Hold ``folder``, if it is there, alone or with others that only read; whoever has to wait for it says so."""

@@ -1,11 +1,11 @@
 """Measurements of an edition: what its replicas are, and what they say together with what is tracked."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from measured_report.editions.project import Project
-from measured_report.editions.status import records_of
+from measured_report.editions.status import Kind, State, damage_beside, records_of
 from measured_report.files.atomic import RecordError
 from measured_report.files.config import Report
 from measured_report.files.errors import ReportError
@@ -35,7 +35,7 @@ def measurements_of(
 ) -> Measurements:
     """Return what all measurements of an edition say, kept from before."""
     if not tracked:
-        return Measurements()
+        return Measurements(damaged=read_replicas(project)[1])
     every = cache.value(
         f"{project.aside}{project.profile}.evidence",
         outline_of(next(iter(tracked))).file,
@@ -126,12 +126,22 @@ def read_replicas(project: Project) -> tuple[dict[str, Records], list[str]]:
     return replicas, damaged
 
 
+def damage_of(project: Project, states: Iterable[State]) -> Iterator[State]:
+    """Yield each record, replica, folder and manifest of an edition that cannot be read.
+
+    ``states`` are those of its records.
+    """
+    yield from (state for state in states if state.kind == Kind.DAMAGED)
+    yield from damage_beside(project)
+    for fault in read_replicas(project)[1]:
+        yield State(FOLDER, Kind.DAMAGED, notes=(fault,))
+
+
 def replicas_text(project: Project) -> list[str]:
     """Write a line for each replica: how many of its sections are as they are tracked."""
     tracked = {record.section: record for record in records_of(project)}
-    replicas, damaged = read_replicas(project)
-    lines = [f"damaged: {fault}" for fault in damaged]
-    for name, records in replicas.items():
+    lines = []
+    for name, records in read_replicas(project)[0].items():
         fresh = alike(tracked, records)
         lines.append(f"replica {name}: {len(fresh)} of {len(records)} sections fresh")
     return lines

@@ -30,24 +30,34 @@ Names = Mapping[str, Any]
 def worded_editions(project: Project, templates: Templates) -> dict[str, Edition]:
     """Derive what the results of every release make, drawn, and put it into words."""
     editions = editions_of(project, draws=True)
-    for edition in editions.values():
-        give_words(edition, templates)
+    give_words(editions, templates)
     releases = {release: dict(each.chapters) for release, each in editions.items()}
     for edition in editions.values():
         edition.update(partial(_say, edition, releases, templates))
     return editions
 
 
-def give_words(edition: Edition, templates: Templates) -> None:
-    """Give the claims, figures and tables of an edition their words, which are not yet said."""
+def give_words(editions: Mapping[str, Edition], templates: Templates) -> None:
+    """Give claims, figures and tables their words, which are not yet said.
 
-    def worded(chapter: Chapter) -> Chapter:
+    What only other editions derive of a section is lost in this one.
+    """
+    derived: dict[str, set[tuple[str, str]]] = {}
+    for edition in editions.values():
+        for name, chapter in edition.chapters.items():
+            derived.setdefault(name, set()).update(chapter.section.names)
+
+    def worded(edition: Edition, chapter: Chapter) -> Chapter:
         template = template_of(chapter.name)
         words = templates.words(template)
-        section = chapter.section.worded(chapter.name, template, words, edition.root)
+        section = chapter.section
+        lost = derived[chapter.name].intersection(words).difference(section.names)
+        section = replace(section, lost=lost)
+        section = section.worded(chapter.name, template, words, edition.root)
         return replace(chapter, section=section)
 
-    edition.update(worded)
+    for edition in editions.values():
+        edition.update(partial(worded, edition))
 
 
 def template_of(section: str) -> str:
@@ -87,7 +97,7 @@ def _say(
         "row": results.row,
         "rows": results.rows,
         "value": results.derived,
-        **_names_of(name, section, {name: section, **others}),
+        **_names_of(edition, name, section, {name: section, **others}),
     }
     prose = templates.prose(template_of(name), name, names)
     return replace(chapter, section=section, names=names, prose=prose)
@@ -117,9 +127,7 @@ def texts_of(
         try:
             prose = say(edition, anchor, level)
         except ReportError as error:
-            lacking = (Kind.DAMAGED, Kind.NOT_SHOWN)
-            is_lacking = any(state.kind in lacking for state in edition.left_out)
-            if not (is_lacking or isinstance(error, ResultsError)):
+            if not (edition.left_out or isinstance(error, ResultsError)):
                 raise
             if all(state.section != anchor for state in edition.left_out):
                 state = State(anchor, Kind.NOT_SHOWN, notes=(str(error),))
@@ -151,7 +159,7 @@ def _text_names(edition: Edition, anchor: str, stories: Sections) -> Names:
         "release": edition.project.release,
         "measured": list(chapters),
         "sections": unmeasured | measured,
-        **_names_of(anchor, story, sections),
+        **_names_of(edition, anchor, story, sections),
         **edition.plugins.names(story),
     }
 
@@ -166,16 +174,19 @@ def _worded(
     return section.worded(anchor, template, words, edition.root)
 
 
-def _names_of(anchor: str, section: Section, sections: Sections) -> Names:
+def _names_of(
+    edition: Edition, anchor: str, section: Section, sections: Sections
+) -> Names:
     """Return what finds the parts of a section, and says what rests on claims of others."""
     # Words that only another record has are said as nothing.
-    claims = dict.fromkeys(section.unmeasured, Markup(""))
-    claims |= {claim.name: claim.html(anchor) for claim in section.claims}
+    nothing = dict.fromkeys(section.unmeasured, Markup(""))
+    claims = {claim.name: claim.html(anchor) for claim in section.claims}
+    downloads = {name: macros().download(name) for name in section.downloads}
     parts: Mapping[str, Mapping[str, Any]] = {
-        "claim": claims,
-        "table": section.tables,
-        "figure": section.figures,
-        "download": {name: macros().download(name) for name in section.downloads},
+        "claim": {**nothing, **claims},
+        "table": {**nothing, **section.tables},
+        "figure": {**nothing, **section.figures},
+        "download": downloads,
     }
 
     def find(name: str, claim: str) -> Claim | None:
@@ -183,7 +194,9 @@ def _names_of(anchor: str, section: Section, sections: Sections) -> Names:
             outline_of(name)  # refuses a name that no section has
             return None
         claims = {item.name: item for item in sections[name].claims}
-        if claim not in claims and claim not in sections[name].unmeasured:
+        is_lost = ("claim", claim) in sections[name].lost
+        is_unsaid = is_lost or claim in sections[name].unmeasured
+        if claim not in claims and not is_unsaid:
             present = ", ".join(claims) or "none"
             raise ReportError(f"{name} has no claim {claim!r}; it has: {present}")
         return claims.get(claim)
@@ -194,6 +207,11 @@ def _names_of(anchor: str, section: Section, sections: Sections) -> Names:
         return needed is not None and needed.outcome == HOLDS
 
     def find_part(kind: str, name: str) -> Any:
+        if (kind, name) in section.lost:
+            reason = "it cannot be derived from what was measured"
+            again = edition.project.rerun(anchor)
+            what = f"The {kind} {name} is left out here"
+            return macros().left_out(what, f"{reason}; {again} measures it")
         if name not in parts[kind]:
             present = ", ".join(parts[kind]) or "none"
             raise ReportError(f"{anchor} has no {kind} {name!r}; it has: {present}")

@@ -191,12 +191,22 @@ class Section:
     unmeasured: Collection[
         str
     ] = ()  # names that only other records have, so that the words for them stay unsaid
+    lost: Collection[
+        tuple[str, str]
+    ] = ()  # kinds and names that other editions derive, and this one does not
 
     def __post_init__(self) -> None:
         names = [claim.name for claim in self.claims]
         assert len(set(names)) == len(names), (
             f"two claims have one name: {', '.join(names)}"
         )
+
+    @property
+    def names(self) -> set[tuple[str, str]]:
+        """Return the kind and the name of each of its claims, figures and tables."""
+        claims = {("claim", claim.name) for claim in self.claims}
+        figures = {("figure", name) for name in self.figures}
+        return claims | figures | {("table", name) for name in self.tables}
 
     def drawn(self, anchor: str) -> "Section":
         """Return the same with its tables as HTML and its figures drawn."""
@@ -227,7 +237,8 @@ class Section:
             "table": self.tables,
         }
         for kind, name in wordings:
-            if name not in items[kind] and name not in self.unmeasured:
+            is_known = name in self.unmeasured or (kind, name) in self.lost
+            if name not in items[kind] and not is_known:
                 names = ", ".join(items[kind])
                 raise ReportError(
                     f"templates/{template}: there is no {kind} {name}; "

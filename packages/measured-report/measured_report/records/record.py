@@ -276,15 +276,18 @@ def record_text(record: Record) -> str:
         cells = row.items()
         lines.append(write({name: _rounded(cell) for name, cell in cells}))
     rows = ",\n  ".join(lines)
-    return _sealed(head.removesuffix("\n}") + f',\n "rows": [\n  {rows}\n ]')
+    return sealed(head.removesuffix("\n}") + f',\n "rows": [\n  {rows}\n ]')
 
 
 def _rounded(cell: Any) -> Any:
     return float(f"{cell:{DIGITS}}") if isinstance(cell, float) else cell
 
 
-def _sealed(text: str) -> str:
-    """End a record's text with its seal, which shows a change by hand unless somebody seals it anew."""
+def sealed(text: str) -> str:
+    """Return the text of a record, so far without its last brace, with its seal.
+
+    The seal shows a change by hand, unless somebody seals the text anew.
+    """
     return f'{text},\n "seal": "{sha256(text.encode()).hexdigest()}"\n}}\n'
 
 
@@ -311,10 +314,9 @@ def read_record(content: bytes, path: Path, report: Report | None = None) -> Rec
         schema = data.pop("schema", None)
         if type(schema) is not int or schema != SCHEMA:
             raise ValueError(f"it has schema {schema!r:.40}, not {SCHEMA}")
-        # A record from before there were seals has none.
-        seal = data.pop("seal", None)
-        unsealed = text[: text.rfind(',\n "seal": ')]
-        if seal is not None and text != _sealed(unsealed):
+        if data.pop("seal", None) is None:
+            raise ValueError("it has no seal")
+        if text != sealed(text[: text.rfind(',\n "seal": ')]):
             raise ValueError("it is not as it was sealed")
         record = convert(data, Record)
         for table, types in REQUIRED.items():

@@ -2,13 +2,12 @@
 
 import json
 from collections.abc import Iterator, Mapping, Sequence
-from decimal import Decimal
 from functools import cache
 from pathlib import Path
 from typing import Any
 
 from measured_report.files.config import Report
-from measured_report.values.format import WRITES, format_code, read_number
+from measured_report.values.format import BELOW, WRITES, format_code, read_number
 from measured_report.values.quantities import VALUES_FILE
 
 UNRESOLVED = (OSError, ValueError, LookupError, TypeError)
@@ -59,25 +58,19 @@ def check_number(number: Number, data: Data) -> Iterator[str]:
     try:
         value, noises = data.number(source)
         write = WRITES[attributes.get("data-as", "")]
+        if len(noises) > 1 and printed.startswith(BELOW):
+            # What is printed of a number below its noise is the noise.
+            noises = [float(read_number(printed.removeprefix(BELOW)) or 0)]
         if is_code:
             is_right = printed == format_code(value)
         else:
             is_right = any(write(value, noise=noise) == printed for noise in noises)
-            is_right = is_right or _is_bound(printed, value)
     except UNRESOLVED:
         yield f"{source} resolves to nothing"
         return
     stated = json.loads(attributes.get("value") or "null")
     if stated != value or not is_right:
         yield f"{source} is {value}, but {printed} ({stated}) is shown"
-
-
-def _is_bound(printed: str, value: float | int | None) -> bool:
-    """Return whether a number below its noise is written as less than that noise."""
-    bound = read_number(printed.removeprefix("<").strip())
-    if not printed.startswith("<") or bound is None or value is None:
-        return False
-    return abs(Decimal(repr(value))) <= bound
 
 
 def _resolve(data: Any, pointer: str) -> Any:

@@ -131,6 +131,7 @@ def site_files(
         "origins": json.dumps(_origins(editions), ensure_ascii=False),
         "site_address": address,
         "measurable": sections(root),
+        "derived": {name for each in editions.values() for name in each.chapters},
         "icon": ICON if (root / "assets" / ICON).is_file() else "",
         "logo": LOGO if (root / LOGO).is_file() else "",
     }

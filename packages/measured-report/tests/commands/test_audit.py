@@ -4,7 +4,7 @@ import sys
 
 import pytest
 
-from measured_report.commands.audit import _evidence_of, noise_of_record
+from measured_report.commands.audit import evidence_of, noise_of_record
 from measured_report.commands.new import main
 
 
@@ -30,7 +30,7 @@ def test_a_record_whose_noise_can_not_be_read_is_an_error_of_its_mark(toy):
     toy.record_path.write_text(
         text.replace("6.3617", "6.3618"), encoding="utf-8"
     )  # it is sealed
-    _evidence_of.cache_clear()
+    evidence_of.cache_clear()
     with pytest.raises(ValueError, match="the noise of slip_mm is not known"):
         noise_of_record(toy.record_path, 0, "slip_mm")
 

@@ -209,6 +209,35 @@ def test_a_wrong_template_or_section_stops_the_build_in_one_line_and_keeps_the_s
     assert built.page == before
 
 
+CLAIM = 'claims=[Claim("helps", at_least(gain, bound), {"gain": gain})]'
+
+
+@pytest.mark.parametrize(
+    ("change", "said"),
+    [
+        (
+            (CLAIM, f"{CLAIM}[: len(rows) - 1]"),
+            "The claim helps is left out here: it cannot be derived from what was "
+            "measured; make rerun SECTION=toy NEWTON=1.8.0 measures it.",
+        ),
+        (
+            ("trace = ", "rows = results.rows[1].case\n    trace = "),
+            "IndexError: list index out of range). "
+            "<code>make rerun SECTION=toy NEWTON=1.8.0</code> measures it.",
+        ),
+    ],
+)
+def test_what_one_edition_cannot_derive_costs_itself_and_names_its_command(
+    toy, change, said
+):
+    toy.write("report/sections/toy.py", MODULE.replace(*change))
+    toy.of("1.8.0").measure(ROWS[1:])
+    toy.build()
+    pages = (toy.project.site / "newton-1.8.0").glob("*.html")
+    assert said in "".join(page.read_text() for page in pages)
+    assert 'data-claim="toy.helps" data-outcome="holds"' in toy.page
+
+
 @pytest.mark.parametrize(
     ("line", "said"),
     [

@@ -1,0 +1,297 @@
+"""Removals: which sentences change though they do not read what is missing.
+
+One row, one record or one release of the tracked results is taken away, or a row's
+numbers are made non-finite, and what the report says is derived again. A sentence is a
+claim; it reads the cells of its test and of its numbers. How numbers scatter is known
+from all measurements together, so the evidence of all other numbers stays as it is here.
+
+    .venv/bin/python -m tests.removals [EVERY]    each EVERYth removal; 1: all
+"""
+
+import sys
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from importlib import import_module
+from inspect import signature
+from time import monotonic
+from typing import Any
+
+from current_columns import REASON, column_of, is_number
+
+from measured_report.editions.project import Project, own_release
+from measured_report.files.config import report
+from measured_report.files.errors import ReportError
+from measured_report.findings.chapters import Chapter, Releases
+from measured_report.findings.editions import Edition, editions_of
+from measured_report.findings.sections import derive_section
+from measured_report.pages.prose import Templates
+from measured_report.pages.wording import template_of
+from measured_report.parts.claim import Claim
+from measured_report.parts.section import Section
+from measured_report.records.record import Record
+from measured_report.values.evidence import repeats_of
+from measured_report.values.quantities import Quantity
+from measured_report.values.results import Results
+
+NON_FINITE = "the state was not finite in frame 300"
+OF_ALL = {("upgrade", "claims_stand")}
+"""Sentences that read what all other claims of an edition say."""
+Sentence = tuple[str, str, str]  # release, section or text, claim
+
+
+@dataclass(frozen=True)
+class Said:
+    """Holds what a claim says, and the cells and traces that it reads."""
+
+    text: str
+    reads: frozenset[str]
+
+
+@dataclass(frozen=True)
+class Removal:
+    """Names what is taken away: a release, a record, or a row of it."""
+
+    release: str
+    section: str = ""
+    row: int | None = None
+    is_broken: bool = False  # the row stays, and its numbers are not finite
+
+    def __str__(self) -> str:
+        parts = [self.release, self.section, "" if self.row is None else str(self.row)]
+        return (
+            f"{'break' if self.is_broken else 'drop'} {' '.join(filter(None, parts))}"
+        )
+
+    def record(self, record: Record) -> Record:
+        """Return the record without the row, or with a broken one."""
+        assert self.row is not None
+        row = record.rows[self.row]
+        rows = [*record.rows[: self.row], *record.rows[self.row + 1 :]]
+        if self.is_broken:
+            rows.insert(self.row, broken(row))
+        return replace(record, rows=rows)
+
+    def takes(self, pointer: str, folder: str) -> bool:
+        """Return whether a pointer leads to what is taken away."""
+        if not self.section:
+            return pointer.startswith(f"{folder}/")
+        if self.row is None:
+            return pointer.startswith(f"{folder}/{self.section}.")
+        return pointer.startswith(f"{folder}/{self.section}.json#/rows/{self.row}/")
+
+
+def broken(row: Mapping[str, Any]) -> dict[str, Any]:
+    """Return a row whose measured numbers are not finite."""
+    lost = [
+        name
+        for name, cell in row.items()
+        if is_number(cell) and not column_of(name).is_setting
+    ]
+    gone = dict.fromkeys(lost) | {name + REASON: NON_FINITE for name in lost}
+    failed = {"failure": NON_FINITE} if "failure" in row else {}
+    return {**row, **gone, **failed}
+
+
+@dataclass
+class World:
+    """Holds what the tracked results say, and derives again what a removal changes."""
+
+    editions: Mapping[str, Edition]
+    templates: Templates
+    faults: list[str] = field(default_factory=list)
+
+    @cached_property
+    def releases(self) -> Releases:
+        return {name: each.chapters for name, each in self.editions.items()}
+
+    @cached_property
+    def texts(self) -> dict[str, str]:
+        """Return the template of each text that derives something, by its name."""
+        files = [file for page in report().settings.pages for file in page.texts]
+        names = {file.rpartition("/")[2].partition(".")[0]: file for file in files}
+        return {name: file for name, file in names.items() if self._module(name)}
+
+    def _module(self, name: str) -> Any:
+        package = report().settings.text_modules
+        try:
+            return import_module(f"{package}.{name}")
+        except ModuleNotFoundError:
+            return None
+
+    @cached_property
+    def said(self) -> dict[Sentence, Said]:
+        """Return what the tracked results say."""
+        return self._said_of(self.releases, self.releases)
+
+    def _said_of(self, releases: Releases, changed: Releases) -> dict[Sentence, Said]:
+        """Return what the changed chapters say, and all texts."""
+        said = {}
+        for release, chapters in changed.items():
+            for name, chapter in chapters.items():
+                template = template_of(name)
+                said |= self._sentences(release, name, template, chapter.section)
+        uncompared = {
+            release: {
+                name: replace(each, section=Section()) if each.compares else each
+                for name, each in chapters.items()
+            }
+            for release, chapters in releases.items()
+        }
+        for release in releases:
+            for name, file in self.texts.items():
+                try:
+                    derive = self._module(name).derive
+                    has_all = len(signature(derive).parameters) > 1
+                    asked = (uncompared, release) if has_all else (releases[release],)
+                    section = derive(*asked)
+                except Exception as error:
+                    self.faults.append(f"{release} {name}: {error!r}")
+                    continue
+                if not section.claims:
+                    names = [name for _, name in self.templates.words(file)]
+                    section = replace(section, unmeasured=names)
+                said |= self._sentences(release, name, file, section)
+        return said
+
+    def _sentences(
+        self, release: str, name: str, template: str, section: Section
+    ) -> dict[Sentence, Said]:
+        try:
+            worded = section.worded(name, template, self.templates.words(template))
+        except ReportError as error:
+            self.faults.append(f"{release} {name}: {error}")
+            return {}
+        return {
+            (release, name, claim.name): Said(
+                f"{claim.outcome.answer}: {claim.text}", reads_of(claim)
+            )
+            for claim in worded.claims
+        }
+
+    def without(self, removal: Removal) -> tuple[Releases, Releases]:
+        """Return all chapters in a world without something, and those that differ."""
+        releases = {name: dict(each) for name, each in self.releases.items()}
+        changed: dict[str, dict[str, Chapter]] = {name: {} for name in releases}
+        gone: set[str] = set()
+        if not removal.section:
+            del releases[removal.release]
+        elif removal.row is None:
+            del releases[removal.release][removal.section]
+            gone.add(removal.section)
+        for release, chapters in releases.items():
+            for name, chapter in list(chapters.items()):
+                is_row = (release, name) == (removal.release, removal.section)
+                reads = {*chapter.outline.reads} & {*changed[release], *gone}
+                is_near = release == removal.release and bool(reads)
+                if not (is_row or is_near or chapter.compares):
+                    continue
+                results = chapter.results
+                if is_row:
+                    results = self._changed(results, removal.record(results.record))
+                others = {
+                    other: chapters[other].results
+                    for other in results.others
+                    if other in chapters
+                }
+                results = replace(results, others=others, derived={})
+                try:
+                    section = derive_section(results, releases)
+                except Exception as error:
+                    self.faults.append(f"{release} {name}: {error}")
+                    del chapters[name]
+                    continue
+                chapters[name] = replace(chapter, results=results, section=section)
+                changed[release][name] = chapters[name]
+        return releases, changed
+
+    def with_rows_of(self, chapter: Chapter, other: Chapter) -> Chapter:
+        """Return a chapter as it would be if it had measured what another one has."""
+        record = replace(chapter.results.record, rows=other.results.record.rows)
+        results = replace(
+            chapter.results, record=record, evidence=other.results.evidence
+        )
+        return replace(chapter, results=results)
+
+    def _changed(self, results: Results, record: Record) -> Results:
+        evidence = results.evidence
+        if record.section == report().settings.noise_section:
+            evidence = replace(
+                evidence, repeats=repeats_of(record.rows, results.columns)
+            )
+        return replace(results, record=record, evidence=evidence)
+
+    def unread(self, removal: Removal) -> dict[Sentence, tuple[str, str]]:
+        """Return sentences that changed and do not read what is missing: before, after."""
+        folder = self.editions[removal.release].project.results.name
+        releases, changed = self.without(removal)
+        after = self._said_of(releases, changed)
+        found = {}
+        for sentence, said in self.said.items():
+            release, name, claim = sentence
+            is_gone = removal.row is None and (removal.release, removal.section) in (
+                (release, name),
+                (release, ""),
+            )
+            is_read = any(removal.takes(read, folder) for read in said.reads)
+            if is_gone or is_read or (name, claim) in OF_ALL:
+                continue
+            now = after.get(sentence)
+            if now and now.text != said.text:
+                found[sentence] = (said.text, now.text)
+            elif not now and (name in changed[release] or name in self.texts):
+                found[sentence] = (said.text, "gone")
+        return found
+
+
+def reads_of(claim: Claim) -> frozenset[str]:
+    """Return pointers to all that a claim's test and its numbers read."""
+    numbers = [each for each in claim.numbers.values() if isinstance(each, Quantity)]
+    tests = (claim.outcome.reads, claim.effect.reads)
+    return frozenset().union(*tests, *(number.reads for number in numbers))
+
+
+def removals_of(world: World, among: tuple[str, ...]) -> Iterator[Removal]:
+    """Yield each release, record and row of some releases, dropped, and each row broken."""
+    for release in world.releases:
+        yield Removal(release)
+    for release in among:
+        for section, chapter in world.releases[release].items():
+            yield Removal(release, section)
+            for row in range(len(chapter.results.record.rows)):
+                yield Removal(release, section, row)
+                yield Removal(release, section, row, is_broken=True)
+
+
+def tracked_world() -> World:
+    project = Project(own_release())
+    editions = editions_of(project, draws=True)
+    return World(editions, Templates(project.templates, project.report))
+
+
+def main() -> None:
+    every = int(sys.argv[1]) if len(sys.argv) > 1 else 1
+    start = int(sys.argv[2]) if len(sys.argv) > 2 else 0
+    world = tracked_world()
+    changes = 0
+    removals = list(removals_of(world, (own_release(), "1.8.0")))[start::every]
+    begun = monotonic()
+    for removal in removals:
+        world.faults.clear()
+        found = world.unread(removal)
+        changes += len(found)
+        for sentence, (before, after) in found.items():
+            print(
+                f"{removal}\t{'.'.join(sentence)}\n  - {before}\n  + {after}",
+                flush=True,
+            )
+        for fault in world.faults:
+            print(f"{removal}\tFAULT {fault}", flush=True)
+    seconds = monotonic() - begun
+    print(
+        f"{len(removals)} removals, {changes} sentences changed unread, {seconds:.0f} s"
+    )
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,51 @@
+"""The tracked results with something missing: a few of the removals that tests.removals counts."""
+
+import pytest
+
+pytest.importorskip("hypothesis", reason="the extra test has it")
+
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from measured_report.changes.moves import moves_between
+from measured_report.editions.project import own_release
+from measured_report.files.root import ROOT
+from measured_report.pages.prose import Templates
+from tests.altered import NEWEST
+from tests.removals import Removal, World, removals_of
+
+pytestmark = [pytest.mark.words, pytest.mark.usefixtures("unchanged")]
+RELEASES = (own_release(), NEWEST)
+FEW = 4
+
+
+@pytest.fixture(scope="module")
+def world(editions) -> World:
+    return World(editions, Templates(ROOT / "templates"))
+
+
+@pytest.fixture(scope="module")
+def removals(world) -> list[Removal]:
+    return list(removals_of(world, RELEASES))
+
+
+@settings(max_examples=FEW)
+@given(data=st.data())
+def test_what_is_missing_changes_no_sentence_that_does_not_read_it(
+    world, removals, data
+):
+    removal = data.draw(st.sampled_from(removals))
+    world.faults.clear()
+    assert world.unread(removal) == {}, removal
+    assert world.faults == [], removal
+
+
+def test_a_release_with_the_rows_of_another_has_no_number_that_moved(world):
+    older, newer = (world.releases[release] for release in RELEASES)
+    cells = [
+        cell
+        for name, chapter in older.items()
+        if name in newer
+        for cell in moves_between(chapter, world.with_rows_of(newer[name], chapter))
+    ]
+    assert [cell for cell in cells if cell.is_real] == [] and len(cells) > 1000
