@@ -248,7 +248,7 @@ def _advice(comparison: Comparison, before: Project, after: Project) -> str:
     if blind := blind_sections(comparison):
         return (
             f"measure again, as a change could be hidden in {few(blind)}: "
-            f"make replicate NEWTON={after.release}"
+            f"make replicate {after.settings.option}={after.release}"
         )
     is_part = comparison.report.settings.changes.upgrade_sections
     return "nothing; make report measures the rest" if is_part else "nothing"
