@@ -28,6 +28,7 @@ lint: $(READY)
 	@"$$PYTHON" -m ruff check .
 	@"$$PYTHON" -m ruff format --check .
 	@"$$PYTHON" -m mypy
+	@"$$PYTHON" tests/prose/check.py
 
 # The documents, with the reference, as a site of their own beside what is published.
 .PHONY: docs

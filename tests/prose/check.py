@@ -75,7 +75,7 @@ def checked(path: Path) -> tuple[int, list[str]]:
         if sentence.endswith("?"):
             continue
         found = [(rule.search(sentence), better) for rule, better in PATTERNS]
-        if sentence[0].isupper() and sentence[-1] == "." and len(words) >= SHORTEST:
+        if sentence[0].isupper() and sentence[-1] in ".;" and len(words) >= SHORTEST:
             found.append(
                 (
                     None if VERB.search(sentence) else re.match(".*", sentence),
