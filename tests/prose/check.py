@@ -38,7 +38,9 @@ NOT_PROSE = re.compile(
     re.VERBOSE | re.MULTILINE | re.DOTALL,
 )
 CODE = re.compile(r"``?[^`\n]+``?|\{\{.*?\}\}|\]\([^)]*\)")
-SENTENCE = re.compile(r"\S.*?(?:[.?!:;](?=\s)|(?=\n\s*\n|\n\s*- |\|)|\Z)", re.DOTALL)
+SENTENCE = re.compile(
+    r"\S.*?(?:[.?!:;][*)]*(?=\s)|(?=\n\s*\n|\n\s*- |\|)|\Z)", re.DOTALL
+)
 WORD = re.compile(r"[^\W\d_]+(?:['’]\w+)?")
 SHORTEST = 4  # words of a sentence that should have a verb
 
@@ -72,10 +74,10 @@ def checked(path: Path) -> tuple[int, list[str]]:
     findings = []
     for line, sentence in sentences_of(path):
         count += len(words := WORD.findall(sentence))
-        if sentence.endswith("?"):
+        if sentence.rstrip("*)").endswith("?"):
             continue
         found = [(rule.search(sentence), better) for rule, better in PATTERNS]
-        if sentence[0].isupper() and sentence[-1] in ".;" and len(words) >= SHORTEST:
+        if sentence[0].isupper() and sentence[-1] == "." and len(words) >= SHORTEST:
             found.append(
                 (
                     None if VERB.search(sentence) else re.match(".*", sentence),
