@@ -33,9 +33,10 @@ def test_code_and_questions_are_not_prose(tmp_path, monkeypatch):
 
 
 def test_docstrings_messages_and_comments_are_prose(tmp_path, monkeypatch):
-    code = '"""Return\nwhat is."""\n\nraise ValueError(f"{x} is no\\n y")  # what is\n'
+    code = 'def f():\n    """Return it.\n\n    It is what is.\n    """\n'
+    code += '    raise ValueError(f"{x} is no y")  # what is\n'
     lines = findings(monkeypatch, tmp_path / "a.py", code)
-    assert [line.split(":")[1] for line in lines] == ["2", "4", "4"]
+    assert [line.split(":")[1] for line in lines] == ["4", "6", "6"]
 
 
 def test_a_room_that_exceeds_its_rate_fails(tmp_path, monkeypatch, capsys):

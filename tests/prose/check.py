@@ -32,8 +32,8 @@ NOT_PROSE = re.compile(
     r"""
     ^\ *```.*?^\ *```        # a block of code between fences
     | (?<=\n\n)(\ {4}.*?\n)+(?=\n|\Z)  # and one that is indented
-    | <.*?>                  # tags and comments of HTML
-    | \{%.*?%\} | \{\#.*?\#\}  # tags and comments of Jinja
+    | <!--.*?--> | <[^<>\n]*>  # comments and tags of HTML
+    | \{\#.*?\#\} | \{%.*?%\}  # and of Jinja
     """,
     re.VERBOSE | re.MULTILINE | re.DOTALL,
 )
@@ -53,7 +53,7 @@ def texts_of(path: Path) -> Iterator[tuple[int, str]]:
         return
     for node in ast.walk(ast.parse(source)):
         if isinstance(node, ast.Constant) and " " in str(node.value):
-            yield node.lineno, str(node.value)
+            yield node.lineno, re.sub(r"\n +", "\n", str(node.value))
     for token in tokenize.generate_tokens(io.StringIO(source).readline):
         if token.type == tokenize.COMMENT:
             yield token.start[0], token.string.lstrip("#! ")
@@ -76,20 +76,16 @@ def checked(path: Path) -> tuple[int, list[str]]:
         count += len(words := WORD.findall(sentence))
         if sentence.rstrip("*)").endswith("?"):
             continue
-        found = [(rule.search(sentence), better) for rule, better in PATTERNS]
-        if sentence[0].isupper() and sentence[-1] == "." and len(words) >= SHORTEST:
-            found.append(
-                (
-                    None if VERB.search(sentence) else re.match(".*", sentence),
-                    RULES["verbs"]["better"],
-                )
-            )
-        for match, better in found:
-            if match:
-                at = line + sentence.count("\n", 0, match.start())
-                findings.append(
-                    f"{path.relative_to(ROOT)}:{at}: {match[0]!r}: {better}"
-                )
+        found = [
+            (match[0], line + sentence.count("\n", 0, match.start()), better)
+            for rule, better in PATTERNS
+            if (match := rule.search(sentence))
+        ]
+        is_whole = sentence[0].isupper() and sentence[-1] == "."
+        if is_whole and len(words) >= SHORTEST and not VERB.search(sentence):
+            found.append((sentence, line, RULES["verbs"]["better"]))
+        for text, place, better in found:
+            findings.append(f"{path.relative_to(ROOT)}:{place}: {text!r}: {better}")
     return count, findings
 
 
