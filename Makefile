@@ -1,9 +1,11 @@
-# make help says what there is beside lint, docs and mutate. Every target sets up .venv by itself, once; PYTHON=… takes another Python as it is.
+# `make help` lists the commands; besides these there are `make lint`, `make docs` and `make mutate`. The first target that
+# you make sets up .venv. PYTHON=… uses another Python, and installs nothing there.
 
 override OWN := lint docs mutate
 include packages/measured-report/measured_report/skeleton/report.mk
 
-# Named for programs that read this file; any other command in measured_report/commands/ or report/commands/ will do.
+# These targets are listed for programs that read this file. Make accepts every other command in measured_report/commands/
+# and report/commands/ as well.
 report:
 test:
 status:
@@ -28,14 +30,16 @@ lint: $(READY)
 	@"$$PYTHON" -m ruff check .
 	@"$$PYTHON" -m ruff format --check .
 	@"$$PYTHON" -m mypy
+	@"$$PYTHON" tests/prose/check.py
 
-# The documents, with the reference, as a site of their own beside what is published.
+# Writes docs/REFERENCE.md from the code, and builds the documents as a site beside the published report.
 .PHONY: docs
 docs: $(READY)
-	@trap 'rm -f docs/REFERENCE.md' EXIT && "$$PYTHON" build.py reference && mv REFERENCE.md docs && \
+	@"$$PYTHON" build.py reference && mv REFERENCE.md docs && \
 		"$$PYTHON" -m mkdocs build --strict --quiet --site-dir published/docs
 
-# Which errors in MODULE=values/format would the tests of its room miss? In a copy, as each is written into the file.
+# Lists the errors in MODULE=values/format that the tests of its folder would miss. It works in a copy of the project, because
+# each error is written into the file.
 .PHONY: mutate
 mutate: override export MODULE := $(or $(value MODULE),values/format)
 mutate: $(READY)
@@ -46,9 +50,9 @@ mutate: $(READY)
 		sed "s|MODULE|$$MODULE|; s|ROOM|$${MODULE%/*}|" tests/mutation.toml > mutation.toml && \
 		cosmic-ray baseline mutation.toml && cosmic-ray init mutation.toml mutants && \
 		cr-filter-operators mutants mutation.toml && cosmic-ray exec mutation.toml mutants && \
-		cr-report --surviving-only --show-diff mutants && cr-rate --fail-over 5 mutants # what is left out counts as killed
+		cr-report --surviving-only --show-diff mutants && cr-rate --fail-over 5 mutants # mutants that were filtered out count as detected
 
-# Where there is no uv, the one of the lock is installed for the time being: of that version and those bytes.
+# If uv is not installed, this installs the version that the lock file names, and checks its digest.
 .venv/.ready: pyproject.toml uv.lock
 	@uv=$$(command -v uv) || { python3 -m venv .venv.tools && awk '/^name = "uv"$$/ { on = 1 } /^$$/ { on = 0 } \
 			on && /^version = / { gsub(/version = |"/, ""); printf "uv==%s", $$0 } \

@@ -269,3 +269,21 @@ def test_the_generator_names_no_subject():
             assert not SUBJECT.search(OF_LANGUAGES.sub("", line)), (
                 f"{path}:{number}: {line.strip()}"
             )
+
+
+def test_the_glossary_explains_each_concept_of_the_table():
+    table, glossary = (
+        (ROOT / f"docs/{name}.md").read_text(encoding="utf-8")
+        for name in ("architecture", "glossary")
+    )
+    rows = re.findall(
+        r"^\| ([a-z, ]+) \| .* \| (`.*`) \|$",
+        table.partition("## Concepts")[2],
+        re.MULTILINE,
+    )
+    headings = re.findall("^## (.+)$", glossary, re.MULTILINE)
+    assert [heading.lower() for heading in headings] == [name for name, _ in rows]
+    assert len(rows) == 15
+    paths = re.findall("`([^`]+)`", " ".join(files for _, files in rows))
+    places = (ROOT, GENERATOR / "measured_report")
+    assert [p for p in paths if not any((at / p).is_file() for at in places)] == []

@@ -11,6 +11,8 @@ import pytest
 from experiments.facts.case import differences
 from measured_report.commands.audit import noise_of_record
 from measured_report.commands.new import main
+from measured_report.commands.reference import reference
+from measured_report.files.config import report
 from measured_report.files.root import ROOT
 from measured_report.findings.sections import outline_of
 from measured_report.records.identity import sections
@@ -117,6 +119,11 @@ def test_the_documents_are_a_site_without_a_dead_link(tmp_path):
     assert (done.returncode, done.stdout + done.stderr) == (0, "")
     names = {path.stem for path in (ROOT / "docs").glob("*.md")} - {"index"}
     assert {path.parent.name for path in tmp_path.glob("*/index.html")} == names
+
+
+def test_the_reference_is_that_of_the_code():
+    text = (ROOT / "docs/REFERENCE.md").read_text(encoding="utf-8")
+    assert text == reference(report()), "make docs writes it"
 
 
 def test_the_section_that_is_added_works(toy, files):

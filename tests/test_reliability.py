@@ -27,7 +27,7 @@ def test_every_promise_names_the_test_that_holds_it():
     promises = (
         (ROOT / "SECURITY.md")
         .read_text()
-        .partition("## What is not\n")[2]
+        .partition("## Not trusted\n")[2]
         .split("\n- ")[1:]
     )
     assert len(rows) > 15 and len(promises) > 6

@@ -12,7 +12,7 @@ from measured_report.files.root import ROOT
 
 DOCUMENT = (ROOT / "docs" / "your-own.md").read_text(encoding="utf-8")
 FILE = re.compile(
-    r"`([\w/.]+)` (?:measures|derives|says)[^`]*?.*?\n\n```\w+\n(.*?)```", re.DOTALL
+    r"`([\w/.]+)` (?:measures|derives|contains)[^`]*?.*?\n\n```\w+\n(.*?)```", re.DOTALL
 )
 SCRIPT = re.compile(r"way is better:\n\n```python\n(.*?)```", re.DOTALL)
 LINES = re.compile(r"^ {4}(make .*)$", re.MULTILINE)

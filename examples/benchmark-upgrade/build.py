@@ -1,4 +1,4 @@
-"""The command line that make calls; ``make help`` says what there is."""
+"""The command line that make calls; ``make help`` lists its commands."""
 
 import signal
 import sys

@@ -1,4 +1,4 @@
-"""The tasks that a release seemed to change, from seeds that had no part in choosing them."""
+"""Run the tasks that a release seemed to change with seeds that were not used to choose them."""
 
 from experiments.episodes import CHANGED, FRESH_SEEDS, row
 from measured_report.measuring.batch import Batch, Plan

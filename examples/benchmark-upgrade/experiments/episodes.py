@@ -1,4 +1,4 @@
-"""Run Meta-World's tasks with its own scripted experts, and note what becomes of each episode."""
+"""Run Meta-World's tasks with its own scripted experts, and summarize each episode."""
 
 import copy
 import hashlib
@@ -16,9 +16,9 @@ from measured_report.measuring.measurement import absent
 
 TASKS = tuple(sorted(ALL_V3_ENVIRONMENTS))
 FIRST_SEEDS = range(50)
-"""For all tasks: enough to see which ones a release may have changed."""
+"""Seeds for all tasks; they are enough to find the tasks that a release may have changed."""
 FRESH_SEEDS = range(100, 150)
-"""For those: a test on runs that had no part in choosing them."""
+"""Seeds for those tasks, which were not used to choose them."""
 CHANGED = (
     "dial-turn-v3",
     "door-lock-v3",
@@ -30,37 +30,37 @@ CHANGED = (
     "stick-push-v3",
 )
 HELD_STEPS = 8
-"""Steps of 12.5 ms, one after the other, for which both fingers must press on one thing to have grasped it."""
+"""The number of consecutive steps of 12.5 ms for which both fingers must press on an object to grasp it."""
 FINGERS = ("leftpad", "rightpad")
 OBJECTS = np.r_[4:7, 11:14]
-"""Where an observation has the positions of the one or two things that a task is about [m]."""
+"""The entries of an observation with the positions of the one or two objects of a task [m]."""
 Change = Callable[[mujoco.MjModel], None]
 
 
 @dataclass(frozen=True)
 class Episode:
-    """What became of one episode, which ends at the first success or after 500 steps."""
+    """Summarizes one episode, which ends at the first success or after 500 steps."""
 
     is_success: bool
     step_count: int
     grasped: str
-    """The body that was held; empty where none was."""
+    """The body that was held; empty if there was none."""
     untouched_mm: float
-    """How far a thing moved before the robot touched anything."""
+    """The distance that an object moved before the robot touched any object."""
     state: str
-    """Four digits of the digest of the last positions and velocities: other digits, other motion."""
+    """Four digits of the digest of the final positions and velocities; they differ if the motion differs."""
 
 
 def episodes(
     task: str, seeds: Sequence[int], change: Change = lambda model: None
 ) -> Iterator[Episode]:
-    """Run a task from each seed, in an environment of its own, on a model that ``change`` has altered."""
+    """Run a task with each seed, each in a new environment, on a model that ``change`` has altered."""
     made: list[mujoco.MjModel] = []
 
     class Environment(ALL_V3_ENVIRONMENTS[task]):
         def _initialize_simulation(
             self,
-        ):  # compiling takes longer than most episodes, and is the same for each
+        ):  # Compiling takes longer than most episodes, and its result is the same for each.
             if not made:
                 made.append(super()._initialize_simulation()[0])
             model = copy.copy(made[0])
@@ -75,7 +75,7 @@ def episodes(
             True,
         )
         env._set_task_called = True
-        del env.sawyer_observation_space  # which was made without the goal
+        del env.sawyer_observation_space  # this was made without the goal
         env.seed(seed)
         yield _run(env, ENV_POLICY_MAP[task]())
 
@@ -97,7 +97,7 @@ def _run(env, policy) -> Episode:
 
 
 class Touch:
-    """What the robot touches, step by step."""
+    """Records the objects that the robot touches, step by step."""
 
     def __init__(self, model: mujoco.MjModel):
         self.model, self.runs, self.longest = model, Counter(), Counter()
@@ -106,7 +106,12 @@ class Touch:
         self.is_untouched, self.untouched_m = True, 0.0
 
     def look(self, data: mujoco.MjData, moved_m: np.ndarray) -> None:
-        """Look at the contacts that carry force now; ``moved_m``: how far the two things have come, six numbers."""
+        """Read the contacts that carry force in this step.
+
+        Args:
+            data: the state of the simulation.
+            moved_m: the displacements of the two objects, six numbers [m].
+        """
         there = data.contact.efc_address >= 0
         loaded = (
             there & (data.efc_force[np.where(there, data.contact.efc_address, 0)] > 0.0)
@@ -131,7 +136,7 @@ class Touch:
 
     @property
     def grasped(self) -> str:
-        """The body that was held longest, if long enough."""
+        """Return the body that was held longest, or an empty string if no body was held long enough."""
         body, count = max(
             self.longest.items(), key=lambda item: item[1], default=(0, 0)
         )
@@ -142,7 +147,10 @@ NUMBERS = ("success_count", "step_median", "grasp_count", "untouched_mm")
 
 
 def row(task: str, seeds: Sequence[int]) -> dict[str, object]:
-    """Run a task from each seed, the first of them twice; a release that can't run it says why."""
+    """Run a task with each seed, the first of them twice, and return its row.
+
+    If the release cannot run the task, the row contains the reason.
+    """
     try:
         found = list(episodes(task, seeds))
         again = next(episodes(task, seeds[:1]))
@@ -153,7 +161,7 @@ def row(task: str, seeds: Sequence[int]) -> dict[str, object]:
 
 
 def columns(found: Sequence[Episode]) -> dict[str, object]:
-    """Sum up episodes; texts have one word or digit for each, by its seed."""
+    """Return the columns that summarize episodes; each text has one word or digit for each seed."""
     counts = [episode.step_count for episode in found if episode.is_success]
     bodies = Counter(episode.grasped for episode in found if episode.grasped)
     steps = (

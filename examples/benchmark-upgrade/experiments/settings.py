@@ -1,4 +1,4 @@
-"""Tasks that a release changed, with one setting otherwise each: which of them brings the old behaviour back."""
+"""Run tasks that a release changed with one setting changed each, to find the one that restores the old behaviour."""
 
 import mujoco
 import numpy as np
@@ -21,8 +21,10 @@ def with_option(name: str, value: float) -> Change:
 
 
 def own_invweight(model: mujoco.MjModel) -> None:
-    """Let each body's inverse weight be 0 along what it cannot do: one that turns about its centre of mass moves by
-    nothing, one that slides does not turn."""
+    """Set the inverse weight of each body to 0 for the motion that it cannot make.
+
+    A body that only rotates about its centre of mass cannot translate, and one that only slides cannot rotate.
+    """
     data, moves, turns = (
         mujoco.MjData(model),
         np.zeros((3, model.nv)),
@@ -38,7 +40,7 @@ def own_invweight(model: mujoco.MjModel) -> None:
 
 
 def like_pads(*names: str) -> Change:
-    """Give what moves, but for the robot, these contact parameters of its pads."""
+    """Return a change that gives these contact parameters of the robot's pads to all moving objects."""
 
     def change(model: mujoco.MjModel) -> None:
         pad, bodies = model.body(FINGERS[0]), model.geom_bodyid

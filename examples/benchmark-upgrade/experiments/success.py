@@ -1,4 +1,4 @@
-"""All tasks, as they are: how often the expert succeeds, how soon, and what it grasps."""
+"""Run all tasks without changes, and count successes, steps and grasped objects."""
 
 from experiments.episodes import FIRST_SEEDS, TASKS, row
 from measured_report.measuring.batch import Batch, Plan

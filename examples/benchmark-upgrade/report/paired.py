@@ -1,4 +1,4 @@
-"""What two releases do with the same seeds: an episode depends on its seed and the release alone."""
+"""Compare two releases seed by seed: an episode depends only on its seed and the release."""
 
 import re
 from collections.abc import Iterator, Sequence
@@ -15,14 +15,14 @@ from measured_report.values.quantities import Value
 from measured_report.values.results import Results, Row
 
 LEVEL = 0.05
-"""Share of releases without a change that may raise an alarm, over all tasks that are tested."""
+"""The share of releases without a change that may be listed, over all tasks that are tested."""
 OPPOSITES = (("lost", "gained"), ("slower", "faster"))
 FAILED = "-"
-STATE = re.compile(".{1,4}")  # how an episode moved, in so many digits
+STATE = re.compile(".{1,4}")  # the digits of an episode's final state
 
 
 def rows_of(releases: Releases, section: str, task: str) -> dict[str, Row]:
-    """The row of a task in each release that ran it, oldest first."""
+    """Return the row of a task in each release that ran it, oldest first."""
     there = {
         release: chapters[section].results
         for release, chapters in releases.items()
@@ -37,7 +37,7 @@ def rows_of(releases: Releases, section: str, task: str) -> dict[str, Row]:
 
 
 def sign_test(less: int, more: int) -> float:
-    """Chance of so uneven a split or a more uneven one, if either side is as likely: the exact McNemar test."""
+    """Return the probability of a split at least as uneven, by the exact McNemar test."""
     count = less + more
     return min(
         1.0,
@@ -49,7 +49,7 @@ def sign_test(less: int, more: int) -> float:
 
 @dataclass(frozen=True)
 class Step:
-    """A task in two releases, one after the other."""
+    """Compares a task in two consecutive releases."""
 
     task: str
     releases: tuple[str, str]
@@ -57,7 +57,10 @@ class Step:
 
     @cached_property
     def counts(self) -> dict[str, int]:
-        """In how many of its episodes they differ, and how, as far as both have the same seeds."""
+        """Return the number of episodes that differ, for each kind of difference.
+
+        Only seeds that both releases ran are compared.
+        """
         pairs = list(zip(*(row.steps.split() for row in self.rows), strict=False))
         both = [(int(old), int(new)) for old, new in pairs if FAILED not in (old, new)]
         states = zip(*(STATE.findall(row.states) for row in self.rows), strict=False)
@@ -70,7 +73,10 @@ class Step:
         }
 
     def beyond_chance(self, tests: int) -> set[str]:
-        """What is more frequent than its opposite beyond what chance does in one of 20 releases, over all ``tests``."""
+        """Return the kinds of difference that are more frequent than chance explains.
+
+        Over all ``tests`` together, chance alone gives such a difference in 5 % of releases.
+        """
         counts = self.counts
         pairs = [
             pair
@@ -81,7 +87,7 @@ class Step:
 
 
 def steps_of(releases: Releases, section: str, tasks: Sequence[str]) -> Iterator[Step]:
-    """Each task in each two neighbouring releases that ran it."""
+    """Yield each task for each two consecutive releases that ran it."""
     for task in tasks:
         for (old, before), (new, after) in pairwise(
             rows_of(releases, section, task).items()
@@ -90,7 +96,7 @@ def steps_of(releases: Releases, section: str, tasks: Sequence[str]) -> Iterator
 
 
 def counted(results: Results, name: str, what: str, steps: Sequence[Step]) -> Value:
-    """The episodes of some steps that differ in this, as a value of ``results``."""
+    """Return the number of episodes with this kind of difference, as a value of ``results``."""
     count, cells = (
         sum(step.counts[what] for step in steps),
         [row.success_count for step in steps for row in step.rows],
@@ -102,7 +108,7 @@ def counted(results: Results, name: str, what: str, steps: Sequence[Step]) -> Va
 
 
 def changes(results: Results, steps: Sequence[Step], tests: int) -> Table:
-    """Every step that differs beyond chance, in whether or in when an episode succeeds."""
+    """Return a table of the steps that differ by more than chance explains."""
     found = [step for step in steps if step.beyond_chance(tests)]
     found.sort(
         key=lambda step: (list(map(int, step.releases[1].split("."))), step.task)

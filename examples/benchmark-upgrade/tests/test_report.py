@@ -1,4 +1,4 @@
-"""The report: its records are fresh, its pages say what was measured, and its test is the one that it names."""
+"""Tests that all records are fresh, that the pages are complete, and that the statistical test is correct."""
 
 from types import SimpleNamespace
 

@@ -1,4 +1,4 @@
-"""What the tasks that seemed to change do from fresh seeds, release by release."""
+"""Test the tasks that seemed to change with new seeds, release by release."""
 
 from collections.abc import Mapping, Sequence
 
@@ -50,7 +50,7 @@ def derive(results: Results, releases: Releases) -> Section:
         ),
         Claim(
             "thermos_rests",
-            at_most(moved, REST_MM, "what nobody touches rests"),
+            at_most(moved, REST_MM, "an object that is not touched rests"),
             {"moved": moved},
         ),
         Claim(
@@ -96,7 +96,7 @@ def derive(results: Results, releases: Releases) -> Section:
 
 
 def _lost(name: str, own: Row, steps: Sequence[Step], tests: int) -> Claim:
-    """That a release lost successes beyond chance, and whether a later one brought them back."""
+    """Return a claim that a release lost successes, and the later release that restored them."""
     lost = next((step for step in steps if "lost" in step.beyond_chance(tests)), None)
     before, after = lost.rows if lost else (own, own)
     later = steps[steps.index(lost) :] if lost else []
@@ -121,7 +121,7 @@ def _lost(name: str, own: Row, steps: Sequence[Step], tests: int) -> Claim:
 def _since(
     name: str, own: Row, column: str, bound: float, rows: Mapping[str, Row]
 ) -> Claim:
-    """From which release on a number is beyond a bound, and what the task was in the first one."""
+    """Return a claim on the first release in which a number exceeds a bound."""
     since = next(
         (
             release

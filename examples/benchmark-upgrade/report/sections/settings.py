@@ -1,4 +1,4 @@
-"""Which setting brings back what a release changed."""
+"""Find the setting that restores the behaviour that a release changed."""
 
 import pandas as pd
 
@@ -14,7 +14,7 @@ page = "settings"
 label = "settings"
 
 SHIPPED = "as shipped"
-SHOWN = {  # the task, the release that began it, the setting, and what it does; the last is planted where all is well
+SHOWN = {  # task, release that changed it, setting and effect; the last one is a planted change
     "own_invweight_turns_the_dial": (DIAL, "3.5.0", "own-invweight", "gained"),
     "margin_mends_the_peg": (PEG, "3.4.0", "margin", "gained"),
     "impratio_speeds_the_lock": (LOCK, "3.4.0", "impratio-10", "faster"),
@@ -22,7 +22,7 @@ SHOWN = {  # the task, the release that began it, the setting, and what it does;
     "planted_is_seen": ("push-back-v3", "3.3.0", "impratio-10", "lost"),
 }
 COLUMNS = {"faster": "step_median", "untouched": "untouched_mm"}
-"""What shows it, where not successes."""
+"""The column that shows an effect, if it is not the number of successes."""
 
 
 def derive(results: Results, releases: Releases) -> Section:
@@ -42,7 +42,7 @@ def derive(results: Results, releases: Releases) -> Section:
             for each, row in rows.items()
         }
         columns[f"{task} {release}"] = cells
-        # Machines do not differ in an episode, so that these of one are compared with those of another.
+        # An episode is the same on every machine, so rows of different machines can be compared.
         step = Step(task, (SHIPPED, setting), (rows[SHIPPED], rows[setting]))
         outcome = (
             HOLDS if effect in step.beyond_chance(len(SHOWN)) else FAILS

@@ -1,4 +1,4 @@
-"""Which releases run the benchmark at all, and how much of all tasks they change."""
+"""Find the releases that run the benchmark, and count the episodes that they change."""
 
 from collections.abc import Sequence
 
@@ -62,7 +62,7 @@ def derive(results: Results, releases: Releases) -> Section:
 
 
 def _stops(releases: Releases) -> Claim:
-    """From which release on nothing runs, and why."""
+    """Return a claim on the first release in which no task runs, with the reason."""
     for release, chapters in releases.items():
         cells = (
             [row.success_count for row in chapters["success"].results.rows]
