@@ -270,13 +270,13 @@ def test_a_change_that_nobody_knows_the_noise_of_has_to_exceed_a_tenth(chapter):
 def test_false_changes_are_bounded_within_a_section(chapter):
     """Of 40 chances the limit is that of Benjamini and Hochberg, or 1 % of one number."""
     chance = np.random.default_rng(1)
-    shifts = np.where(np.arange(40) < 10, 0.8, 0.0) + chance.normal(0, 0.1, 40)
+    shifts = np.where(np.arange(40) < 10, 0.65, 0.0) + chance.normal(0, 0.1, 40)
     after = {f"c{index}": 10.0 + float(shift) for index, shift in enumerate(shifts)}
     moves = moves_between(side(chapter, cases(40)), side(chapter, after))
     adjusted = stats.false_discovery_control([move.chance for move in moves])
     found = [move.is_real for move in moves]
     assert found == [each <= 0.01 for each in adjusted]
-    assert sum(found) >= 9
+    assert sum(found) > sum(move.chance <= 0.01 / 40 for move in moves) > 0
     quiet = moves_between(side(chapter, cases(40)), side(chapter, cases(40)))
     assert {move.limit for move in quiet} == {0.01 / 40}
 

@@ -202,6 +202,15 @@ def test_a_row_that_is_wild_in_one_edition_is_wild_in_the_others():
     assert max(np.delete(noises, 7)) < 0.05
 
 
+def test_a_section_with_one_row_scatters_as_its_column_does_in_others():
+    _, [records, [single]] = drawn(5, 6, 1)
+    lone = replace(single, rows=single.rows[:1])
+    measured_sections = {("a", "toy"): records, ("a", "other"): [lone]}
+    found = body_of(measured_sections, report().columns).sections["a", "other"]
+    _, [noise] = known(found, lone)
+    assert 0.015 < noise < 0.06
+
+
 def test_the_noise_falls_with_each_measurement():
     falls = []
     for seed in range(12):
