@@ -30,7 +30,7 @@ from measured_report.parts.claim import Claim
 from measured_report.parts.section import Section
 from measured_report.records.record import Record
 from measured_report.values.evidence import repeats_of
-from measured_report.values.quantities import Quantity
+from measured_report.values.quantities import VALUES_FILE, Quantity
 from measured_report.values.results import Results
 
 NON_FINITE = "the state was not finite in frame 300"
@@ -76,7 +76,8 @@ class Removal:
         if not self.section:
             return pointer.startswith(f"{folder}/")
         if self.row is None:
-            return pointer.startswith(f"{folder}/{self.section}.")
+            values = f"{folder}/{VALUES_FILE}#/{self.section}/"
+            return pointer.startswith((f"{folder}/{self.section}.", values))
         return pointer.startswith(f"{folder}/{self.section}.json#/rows/{self.row}/")
 
 
