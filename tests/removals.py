@@ -14,7 +14,6 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 from importlib import import_module
 from inspect import signature
-from time import monotonic
 from typing import Any
 
 from current_columns import REASON, column_of, is_number
@@ -31,7 +30,7 @@ from measured_report.parts.claim import Claim
 from measured_report.parts.section import Section
 from measured_report.records.record import Record
 from measured_report.values.evidence import repeats_of
-from measured_report.values.quantities import Quantity
+from measured_report.values.quantities import VALUES_FILE, Quantity
 from measured_report.values.results import Results
 
 NON_FINITE = "the state was not finite in frame 300"
@@ -77,7 +76,8 @@ class Removal:
         if not self.section:
             return pointer.startswith(f"{folder}/")
         if self.row is None:
-            return pointer.startswith(f"{folder}/{self.section}.")
+            values = f"{folder}/{VALUES_FILE}#/{self.section}/"
+            return pointer.startswith((f"{folder}/{self.section}.", values))
         return pointer.startswith(f"{folder}/{self.section}.json#/rows/{self.row}/")
 
 
@@ -269,29 +269,24 @@ def tracked_world() -> World:
     return World(editions, Templates(project.templates, project.report))
 
 
-def main() -> None:
+def main() -> int:
+    """Print each sentence that changes unread, and what fails; 1 if there is any."""
     every = int(sys.argv[1]) if len(sys.argv) > 1 else 1
-    start = int(sys.argv[2]) if len(sys.argv) > 2 else 0
     world = tracked_world()
-    changes = 0
-    removals = list(removals_of(world, (own_release(), "1.8.0")))[start::every]
-    begun = monotonic()
+    removals = list(removals_of(world, (own_release(), "1.8.0")))[::every]
+    count = 0
     for removal in removals:
         world.faults.clear()
-        found = world.unread(removal)
-        changes += len(found)
-        for sentence, (before, after) in found.items():
-            print(
-                f"{removal}\t{'.'.join(sentence)}\n  - {before}\n  + {after}",
-                flush=True,
-            )
+        for sentence, (before, after) in world.unread(removal).items():
+            name = ".".join(sentence)
+            print(f"{removal}: {name}\n  - {before}\n  + {after}", flush=True)
+            count += 1
         for fault in world.faults:
-            print(f"{removal}\tFAULT {fault}", flush=True)
-    seconds = monotonic() - begun
-    print(
-        f"{len(removals)} removals, {changes} sentences changed unread, {seconds:.0f} s"
-    )
+            print(f"{removal}: {fault}", flush=True)
+            count += 1
+    print(f"{len(removals)} removals, {count} sentences changed unread")
+    return int(count > 0)
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(main())
