@@ -1,4 +1,4 @@
-"""What a scene comes to rest as, and the rules on it: each change that they name has been measured in the same way."""
+"""Rules on the state in which a scene comes to rest; each named change is measured."""
 
 import copy
 import math
@@ -11,7 +11,7 @@ import mujoco
 import numpy as np
 from mujoco import MjData, MjModel
 
-from newton_lint.advice import for_contact
+from newton_lint.advice import either, for_contact
 from newton_lint.findings import Advice, Finding
 from newton_lint.law import M
 from newton_lint.pairs import HFIELD, PLANE
@@ -19,34 +19,37 @@ from newton_lint.scene import HINGE, Scene
 from newton_lint.source import Element
 from newton_lint.stepped import Run, Start, is_bad
 
-# Mean speed up to which a scene rests [m/s or rad/s], time over which it is taken, and for which rest is waited.
+# A scene rests if its fastest mean speed is below this [m/s or rad/s]. The mean is
+# taken over this window, and the scene is stepped for this long at most.
 REST = 2e-3
 WINDOW_S = 0.1
 LONGEST_S = 2.0
-# Speed after 2 s from which what it came to is a note [m/s or rad/s], and time of the processor to wait for it.
+# Scenes that still move faster than this only give notes [m/s or rad/s]. Stepping stops
+# after this processor time.
 WILD = 1.0
 BUDGET_S = 0.4
 LEAST = {"mm": 1e-3, "°": math.radians(1.0)}
-"""What a contact, a limit, an equality or a servo gives that is said, of what slides and of what turns [m or rad]."""
+"""Least depth, distance or angle that is reported [m or rad]."""
 SCALE = {"mm": M, "°": math.degrees(1.0)}
-# Times this from which it is a warning, and of a limit.
+# A finding is a warning above this multiple of it; the second one is for limits.
 FAR = 5.0
 MUCH = 3.0
-# Share of it that a named change leaves at most, and of half its thickness by which what lies is sunk.
+# A change is named if it leaves at most this share. A body is reported if it sinks by
+# the second share of half its thickness.
 MENDS = 0.5
 SUNK = 0.2
 HARD = (0.999, 0.999, 0.001)
 HARDEST = 'solref="{}" solimp="{}"'
 THICKER = (2, 4, 8, 16, 32)
-# Speed at which a keyframe is left from which it is said [m/s or rad/s], and time in which it is looked for.
+# A keyframe is reported if the scene leaves it at this speed [m/s or rad/s] within this
+# time.
 LEAVES = 3.0
 LEAVES_S = 0.2
 MOST_CONTACTS = int(mujoco.mjMAXCONPAIR)
 SLIDE = int(mujoco.mjtJoint.mjJNT_SLIDE)
 ON_JOINT = int(mujoco.mjtTrn.mjTRN_JOINT)
-ELLIPSOID, CYLINDER, BOX, MESH = PLATES = tuple(
-    range(mujoco.mjtGeom.mjGEOM_ELLIPSOID, mujoco.mjtGeom.mjGEOM_MESH + 1)
-)
+PLATES = tuple(range(mujoco.mjtGeom.mjGEOM_ELLIPSOID, mujoco.mjtGeom.mjGEOM_MESH + 1))
+ELLIPSOID, CYLINDER, BOX, MESH = PLATES
 UNSORTED = int(mujoco.mjtDisableBit.mjDSBL_MIDPHASE)
 MOST_CROSSINGS = 3
 EQUALITY = int(mujoco.mjtConstraint.mjCNSTR_EQUALITY)
@@ -57,46 +60,55 @@ COUPLINGS = {
 Edit = Callable[[MjModel, MjData], None]
 Read = Callable[[MjModel, MjData], float]
 Places = tuple[np.ndarray, np.ndarray]
-"""Where geoms are, and their axes."""
+"""Positions and orientations of all geoms."""
 
 
 @dataclass(frozen=True)
 class Rest:
-    """A scene in which nothing moves any more, or what it came to in 2 s and, without its speed, in 2 s more."""
+    """A scene at rest, or after 2 s and, if it still moves, 2 s more with braking."""
 
     start: Start
     data: MjData
     speed: float
-    """What moved fastest when it was not waited for any longer; 0 where nothing did [m/s or rad/s]."""
+    """Fastest speed if the scene did not come to rest, else 0 [m/s or rad/s]."""
     places: Sequence[Places]
-    """On the way, every 0.1 s."""
+    """Positions every 0.1 s before the braking."""
 
     def __str__(self) -> str:
-        return f"at rest, from {self.start}{f', still moving at {self.speed:.2g} after 2 s' if self.speed else ''}"
+        if self.speed:
+            moving = f"still moving at {self.speed:.2g} m/s or rad/s after 2 s"
+            return f"(from {self.start}, {moving})"
+        return f"at rest (from {self.start})"
 
 
 @dataclass(frozen=True)
 class Give:
-    """What may give, by how much it does, and changes that may mend it, with how they are written."""
+    """A contact, limit, equality or servo that may yield, with possible changes."""
 
     rule: str
     name: str
     parameter: str
     message: str
+    """A message in which $rest stands for the state of the scene."""
     read: Read
+    """Returns by how much it yields [m or rad]."""
     ways: Sequence[tuple[str, Edit]]
+    """Changes, as they are written and as functions."""
     unit: str = "mm"
     least: float = 0.0
-    """By itself that of the unit [m or rad]."""
+    """Least value that is reported [m or rad]; 0 for the default of the unit."""
     far: float = FAR
     against: tuple[str, ...] = ()
     element: Element | None = None
     needs_way: bool = False
-    """Whether it is a fault only where the first of the ways mends it."""
+    """Whether to report it only if the first of the ways mends it."""
 
 
 def rest_of(model: MjModel, data: MjData, start: Start) -> Rest | None:
-    """Step on until nothing moves; what swings on is braked whenever it slows. None where it blows up."""
+    """Step until nothing moves, or return None if the scene blows up.
+
+    If the scene still moves after 2 s, it is stopped whenever it slows down.
+    """
     data = copy.copy(data)
     moved = np.zeros(model.nv)
     speed = 0.0
@@ -113,7 +125,8 @@ def rest_of(model: MjModel, data: MjData, start: Start) -> Rest | None:
                 before = energy
                 energy = data.qvel @ data.qvel
                 if braked and energy < before:
-                    data.qvel[:] = energy = 0.0
+                    data.qvel[:] = 0.0
+                    energy = 0.0
             if is_bad(data):
                 return None
             places += [] if braked else [places_of(data)]
@@ -135,7 +148,7 @@ def places_of(data: MjData) -> Places:
 
 
 def at_rest(scene: Scene, run: Run, rest: Rest) -> Iterator[Finding]:
-    """Yield contacts, limits, equalities and servos that give, and what has gone through a wall."""
+    """Yield contacts, limits, equalities and servos that yield, and tunnelling."""
     model = scene.model
     afters = {}
     for rule in (_passed, _released, _crowded):
@@ -151,7 +164,7 @@ def at_rest(scene: Scene, run: Run, rest: Rest) -> Iterator[Finding]:
         if (value := give.read(model, rest.data)) <= least:
             continue
         for _, edit in give.ways:
-            if edit not in afters:  # all that a rule finds is changed at once
+            if edit not in afters:  # An edit changes all that its rule found at once.
                 afters[edit] = _again(scene, rest.start, edit)
         mended = [
             (text, give.read(model, after.data))
@@ -163,7 +176,10 @@ def at_rest(scene: Scene, run: Run, rest: Rest) -> Iterator[Finding]:
         ]
         if not give.needs_way or (mended and mended[0][0] == give.ways[0][0]):
             gains = [
-                f"{text}: {scale * value:.3g} → {scale * after:.3g} {give.unit} at rest"
+                Advice(
+                    f"Set {text}: this reduces it to {scale * after:.3g} {give.unit}"
+                    " (measured at rest)"
+                )
                 for text, after in mended
             ]
             is_certain = mended and rest.speed < WILD and value > give.far * least
@@ -172,18 +188,17 @@ def at_rest(scene: Scene, run: Run, rest: Rest) -> Iterator[Finding]:
                 give.name,
                 give.parameter,
                 scale * value,
-                f"{give.message} {rest}",
-                give.against,
-                None,
-                give.unit,
-                "warning" if is_certain else "note",
-                give.element,
-                Advice("; or ".join(gains)) if gains else None,
+                message=give.message.replace("$rest", str(rest)),
+                against=give.against,
+                unit=give.unit,
+                severity="warning" if is_certain else "note",
+                element=give.element,
+                advice=either(*gains) if gains else None,
             )
 
 
 def _again(scene: Scene, start: Start, edit: Edit) -> Rest | None:
-    """Step a changed model from the same start to its rest."""
+    """Step a changed model to rest from the same start."""
     model = copy.copy(scene.model)
     data = start.data(model)
     edit(model, data)
@@ -192,7 +207,7 @@ def _again(scene: Scene, start: Start, edit: Edit) -> Rest | None:
 
 
 def _depths(scene: Scene, run: Run, rest: Rest) -> Iterator[Give]:
-    """Yield what is pressed in by a millimetre or a share of its thickness, whatever overlaps from the start aside."""
+    """Yield geoms that sink by a millimetre or by a share of their thickness."""
     model = scene.model
     contacts = scene.contacts
     sizes = _thin(scene.model)
@@ -218,12 +233,13 @@ def _depths(scene: Scene, run: Run, rest: Rest) -> Iterator[Give]:
             if hardest:
                 getattr(model, f"{kind}_solimp")[rows, :3] = HARD
 
-    shortest = 2.0 * model.opt.timestep, 1.0
+    shortest = (2.0 * model.opt.timestep, 1.0)
     harder: Edit = partial(stiffer, hardest=True)
     for pair in dict.fromkeys(
         tuple(sorted(pair)) for pair in rest.data.contact.geom.tolist()
     ):
-        if (contact := pairs.get(pair)) is None:  # a flex, or one of many alike
+        # The pair may be that of a flex, or of a geom that is not read.
+        if (contact := pairs.get(pair)) is None:
             continue
 
         def read(model, data, pair=pair) -> float:
@@ -262,23 +278,22 @@ def _depths(scene: Scene, run: Run, rest: Rest) -> Iterator[Give]:
             "depth",
             scene.names[thin],
             "depth",
-            "is how deep it is pressed in, as a contact is only as stiff as its lighter body is heavy,",
-            read,
-            ways,
-            "mm",
-            least,
-            sizes[thin] / least if is_certain else math.inf,
-            (scene.names[partner],),
-            scene.source.geom(thin),
+            "$shape sinks $value into $against $rest because contact stiffness scales"
+            " with the mass of the lighter body",
+            read=read,
+            ways=ways,
+            least=least,
+            far=sizes[thin] / least if is_certain else math.inf,
+            against=(scene.names[partner],),
+            element=scene.source.geom(thin),
         )
 
 
 def _limits(model: MjModel, data: MjData) -> Iterator[Give]:
-    """Yield joints and tendons with a range, and how far beyond it they lie."""
-    solref = max(0.005, 2.0 * model.opt.timestep), 1.0
-    servos = np.flatnonzero(
-        is_servo(model)
-    )  # the trnid of others may be that of a tendon
+    """Yield joints and tendons that have a range, with the distance beyond it."""
+    solref = (max(0.005, 2.0 * model.opt.timestep), 1.0)
+    # The trnid of other actuators may be that of a tendon.
+    servos = np.flatnonzero(is_servo(model))
     servos = servos[model.jnt_limited[model.actuator_trnid[servos, 0]] > 0]
     gears = np.where(
         model.actuator_gear[servos, :1] == 0.0, 1.0, model.actuator_gear[servos, :1]
@@ -286,7 +301,8 @@ def _limits(model: MjModel, data: MjData) -> Iterator[Give]:
     ranges = model.jnt_range[model.actuator_trnid[servos, 0]] / gears
 
     def harder(model, data) -> None:
-        model.jnt_solref[:] = model.tendon_solref_lim[:] = solref
+        model.jnt_solref[:] = solref
+        model.tendon_solref_lim[:] = solref
 
     def clipped(model, data) -> None:
         data.ctrl[servos] = np.clip(
@@ -305,18 +321,11 @@ def _limits(model: MjModel, data: MjData) -> Iterator[Give]:
         low, high = span.tolist()
         ways = [(f'solreflimit="{solref[0]:g} 1" on it', harder)]
         for servo in servos[model.actuator_trnid[servos, 0] == joint].tolist():
-            if (
-                not low
-                <= (told := data.ctrl[servo] * model.actuator_gear[servo, 0])
-                <= high
-            ):
+            told = data.ctrl[servo] * model.actuator_gear[servo, 0]
+            if not low <= told <= high:
                 actuator = model.actuator(servo).name or "its actuator"
-                ways = [
-                    (
-                        f'ctrlrange="{low:.4g} {high:.4g}" on {actuator}, which asks for {told:.4g}',
-                        clipped,
-                    )
-                ]
+                text = f'ctrlrange="{low:.4g} {high:.4g}" on {actuator}'
+                ways = [(f"{text}, whose target is {told:.4g}", clipped)]
 
         def past(model, data) -> float:
             value = getattr(data, field)[at]
@@ -326,10 +335,10 @@ def _limits(model: MjModel, data: MjData) -> Iterator[Give]:
             "limit",
             name,
             parameter,
-            "is how far it is beyond its range",
-            past,
-            ways,
-            unit,
+            "$shape is $value beyond its range $rest",
+            read=past,
+            ways=ways,
+            unit=unit,
             far=MUCH,
         )
 
@@ -341,49 +350,55 @@ def _limits(model: MjModel, data: MjData) -> Iterator[Give]:
         yield give(
             name,
             "position",
-            model.jnt_range[joint],
-            unit,
-            "qpos",
-            model.jnt_qposadr[joint],
-            joint,
+            span=model.jnt_range[joint],
+            unit=unit,
+            field="qpos",
+            at=model.jnt_qposadr[joint],
+            joint=joint,
         )
     for tendon in np.flatnonzero(model.tendon_limited).tolist():
         name = model.tendon(tendon).name or f"tendon_{tendon}"
         unit = "°" if _turns(model, tendon) else "mm"
         yield give(
-            name, "length", model.tendon_range[tendon], unit, "ten_length", tendon
+            name,
+            "length",
+            span=model.tendon_range[tendon],
+            unit=unit,
+            field="ten_length",
+            at=tendon,
         )
 
 
 def unposed(model: MjModel, start: Start) -> Iterator[Finding]:
-    """Yield joints that a start puts beyond their range: nobody starts there."""
+    """Yield joints that are beyond their range at the start itself."""
     data = start.data(model)
     for give in _limits(model, data):
         if (
             give.parameter == "position"
             and (value := give.read(model, data)) > LEAST[give.unit]
         ):
+            place = f"at {start}, before the first step"
             yield Finding(
                 give.rule,
                 give.name,
                 give.parameter,
                 SCALE[give.unit] * value,
-                f"{give.message} at {start}, before the first step",
+                message=give.message.replace("$rest", place),
                 unit=give.unit,
                 severity="note",
             )
 
 
 def _turns(model: MjModel, tendon: int) -> bool:
-    """Tell whether a tendon is the sum of angles, as a fixed one of hinges."""
+    """Return whether the length of a tendon is a sum of angles of hinges."""
     wrap = model.tendon_adr[tendon]
     of_joint = model.wrap_type[wrap] == int(mujoco.mjtWrap.mjWRAP_JOINT)
     return bool(of_joint and model.jnt_type[model.wrap_objid[wrap]] == HINGE)
 
 
 def _equalities(model: MjModel, data: MjData) -> Iterator[Give]:
-    """Yield equalities, and how far they are open; of a weld's six rows the last three are of rotation."""
-    solref = 2.0 * model.opt.timestep, 1.0
+    """Yield equalities with their gap; for a weld, this is the translational gap."""
+    solref = (2.0 * model.opt.timestep, 1.0)
 
     def harder(model, data) -> None:
         model.eq_solref[:] = solref
@@ -403,19 +418,20 @@ def _equalities(model: MjModel, data: MjData) -> Iterator[Give]:
             if kind == "tendon"
             else kind == "joint" and model.jnt_type[joint] == HINGE
         )
+        used = _text(model.eq_solref[equality])
         yield Give(
             "equality",
             model.eq(equality).name or f"equality_{equality}",
             "gap",
-            f"is how far this {kind} is open with a solref of {_text(model.eq_solref[equality])}",
-            gap,
-            [(f"{HARDEST.format(_text(solref), _text(HARD))} on it", harder)],
-            "°" if turns else "mm",
+            f"$shape is $value open $rest; it is a {kind} equality with solref {used}",
+            read=gap,
+            ways=[(f"{HARDEST.format(_text(solref), _text(HARD))} on it", harder)],
+            unit="°" if turns else "mm",
         )
 
 
 def is_servo(model: MjModel) -> np.ndarray:
-    """Tell of each actuator whether it pulls a joint to a position."""
+    """Return for each actuator whether it pulls a joint to a position."""
     gain = model.actuator_gainprm[:, 0]
     bias = model.actuator_biasprm[:, 1]
     on_joint = model.actuator_trntype == ON_JOINT
@@ -428,7 +444,7 @@ def is_servo(model: MjModel) -> np.ndarray:
 
 
 def _servos(model: MjModel, rest: Rest) -> Iterator[Give]:
-    """Yield servos, and how far gravity pulls them from what they are told."""
+    """Yield servos that gravity pulls from their targets."""
     times = np.ones(model.nu)
 
     def stiffer(model, data) -> None:
@@ -451,35 +467,33 @@ def _servos(model: MjModel, rest: Rest) -> Iterator[Give]:
 
         unit = "°" if model.jnt_type[joint] == HINGE else "mm"
         times[servo] = max(1.0, math.ceil(short(model, rest.data) / LEAST[unit]))
+        stiff = times[servo] * model.actuator_gainprm[servo, 0]
         yield Give(
             "servo",
             model.actuator(servo).name
             or model.joint(joint).name
             or f"actuator_{servo}",
             "error",
-            "is how far gravity pulls it from its target",
-            short,
-            [
+            "$shape is $value from its target $rest because gravity pulls it",
+            read=short,
+            ways=[
                 ('gravcomp="1" on the bodies that it carries', light),
-                (
-                    f'kp="{times[servo] * model.actuator_gainprm[servo, 0]:.4g}" on it',
-                    stiffer,
-                ),
+                (f'kp="{stiff:.4g}" on it', stiffer),
             ],
-            unit,
+            unit=unit,
             needs_way=True,
         )
 
 
 def _passed(scene: Scene, rest: Rest) -> Iterator[Finding]:
-    """Yield what has fallen, flown or been driven through a plate that a thicker one would have stopped."""
+    """Yield a geom that passed through a plate, if a thicker plate would stop it."""
     model = scene.model
     contacts = scene.contacts
     data = rest.start.data(model)
     mujoco.mj_kinematics(model, data)
     pairs = np.stack([contacts.first, contacts.second], axis=1)
     pairs = np.concatenate([pairs, pairs[:, ::-1]])
-    # What moves is passed by on all sides within a tenth of a second.
+    # Only plates that stand still count; moving bodies pass others without contact.
     walls = np.isin(model.geom_type, PLATES) & (
         model.body_weldid[model.geom_bodyid] == 0
     )
@@ -496,16 +510,17 @@ def _passed(scene: Scene, rest: Rest) -> Iterator[Finding]:
             def thicker(model, data, wall=wall, axis=axis, times=times) -> None:
                 kind = model.geom_type[wall]
                 mesh = model.geom_dataid[wall]
-                model.geom_size[wall, axis // 2 if kind == CYLINDER else axis] *= (
-                    times  # its radius, then its length
-                )
+                # The sizes of a cylinder are its radius and its half length.
+                size = axis // 2 if kind == CYLINDER else axis
+                model.geom_size[wall, size] *= times
                 if kind == MESH:
                     model.mesh_vert[model.mesh_vertadr[mesh] :][
                         : model.mesh_vertnum[mesh], axis
                     ] *= times
                 model.geom_aabb[wall, 3 + axis] *= times
                 model.geom_rbound[wall] = np.linalg.norm(model.geom_aabb[wall, 3:])
-                model.opt.disableflags |= UNSORTED  # whose tree of boxes is compiled
+                # The tree of bounding boxes was compiled for the old size.
+                model.opt.disableflags |= UNSORTED
 
             after = (
                 _again(scene, rest.start, thicker)
@@ -518,14 +533,15 @@ def _passed(scene: Scene, rest: Rest) -> Iterator[Finding]:
                     scene.names[geom],
                     "wall",
                     thick,
-                    f"thick, and it has gone through it, from {rest.start}",
-                    (scene.names[wall],),
-                    None,
-                    "mm",
-                    "error",
-                    scene.source.geom(wall),
-                    Advice(
-                        f"a thickness of {times * thick:.3g} mm stops it, measured; or a softer drive"
+                    message="$shape passes through $against, which is only $value"
+                    f" thick (from {rest.start})",
+                    against=(scene.names[wall],),
+                    unit="mm",
+                    severity="error",
+                    element=scene.source.geom(wall),
+                    advice=Advice(
+                        f"Use a thickness of {times * thick:.3g} mm, which stops it"
+                        " (measured), or a softer drive"
                     ),
                 )
                 return
@@ -534,7 +550,7 @@ def _passed(scene: Scene, rest: Rest) -> Iterator[Finding]:
 def _crossing(
     model: MjModel, pairs: np.ndarray, places: Sequence[Places]
 ) -> np.ndarray:
-    """Tell of geoms and plates whether the geom has gone from one side of the plate to the other, and through it."""
+    """Return for each pair of a geom and a plate whether the geom passed through."""
     rows = np.arange(len(pairs))
     geoms, walls = pairs.T
     centres, sizes = np.split(model.geom_aabb[walls], 2, axis=1)
@@ -564,7 +580,7 @@ def _crossing(
 
 
 def _released(scene: Scene, rest: Rest) -> Iterator[Finding]:
-    """Yield a keyframe that does not say what its servos are told, so that they pull to 0."""
+    """Yield a keyframe without ctrl, whose servos pull their joints to 0."""
     model = scene.model
     servos = np.flatnonzero(is_servo(model))
     plain = rest.start.data(model)
@@ -579,15 +595,18 @@ def _released(scene: Scene, rest: Rest) -> Iterator[Finding]:
     before = _fastest(model, plain)
     after = _fastest(model, told)
     if before > LEAVES and after < MENDS * before:
+        values = _text(told.ctrl)
         yield Finding(
             "keyframe",
             rest.start.name,
             "speed",
             before,
-            "m/s or rad/s is how fast it is left, since it has no ctrl and servos pull to 0",
+            message="$shape starts with a motion of $value m/s or rad/s because it has"
+            " no ctrl and the servos pull to 0",
             element=key,
             advice=Advice(
-                f'ctrl="{_text(told.ctrl)}" in the <key>: {before:.3g} → {after:.3g} m/s or rad/s'
+                f'Add ctrl="{values}" to the <key>: this reduces the speed to'
+                f" {after:.3g} m/s or rad/s (measured)"
             ),
         )
 
@@ -601,7 +620,7 @@ def _fastest(model: MjModel, data: MjData) -> float:
 
 
 def _crowded(scene: Scene, rest: Rest) -> Iterator[Finding]:
-    """Yield height fields under which a geom has as many contacts as a pair gets: those of the far side are missing."""
+    """Yield height fields with more cells under a geom than a pair has contacts."""
     model = scene.model
     names = scene.names
     data = rest.start.data(model)
@@ -620,18 +639,20 @@ def _crowded(scene: Scene, rest: Rest) -> Iterator[Finding]:
                 names[geom],
                 "",
                 MOST_CONTACTS,
-                f"{MOST_CONTACTS} contacts are all that a pair gets, and more cells touch it: it sinks through",
-                (names[field],),
+                message="$shape sinks through $against because it touches more cells"
+                " than the $value contacts that MuJoCo makes for a pair",
+                against=(names[field],),
                 element=scene.source.geom(field),
                 advice=Advice(
-                    f'nrow="{nrow}" ncol="{ncol}" on the <hfield>: cells about as large as what stands on them'
+                    f'Set nrow="{nrow}" ncol="{ncol}" on the <hfield>: this makes its'
+                    " cells about as large as the geoms on it"
                 ),
             )
             return
 
 
 def _thin(model: MjModel) -> np.ndarray:
-    """Return half the thickness of each geom where it is thinnest; infinite of what has no other side [m]."""
+    """Return half the least thickness of each geom, infinite for one-sided ones [m]."""
     sizes = np.where(model.geom_size > 0.0, model.geom_size, np.inf).min(axis=1)
     sizes[np.isin(model.geom_type, (PLANE, HFIELD))] = np.inf
     return sizes
