@@ -92,7 +92,7 @@ def test_a_clean_scene(scene, capsys):
     out = capsys.readouterr().out
     assert ": 2 shapes, 1 pair, dt 0.002 s: nothing found" in out.splitlines()[0]
     assert (
-        "timeconst 0.02 s; 8.5 mm/s for each m/s²" in out
+        "timeconst 0.02 s; 8.5 mm/s per m/s²" in out
     )  # 0.95 · 20 ms / 2 less half a step
     texture = '<asset><texture name="a" type="2d" file="no.png"/><material name="b" texture="a"/></asset>'
     assert (
@@ -350,7 +350,7 @@ def test_json_and_rules_are_as_documented(scene, capsys):
         for path in (ROOT / "packages/newton-lint/newton_lint").rglob("*.py")
     ]
     named = re.compile(
-        r'(?:Wording|Finding|_scene_finding)\(\s*(?:scene, )?"([a-z-]+)"'
+        r'(?:Wording|Finding|_scene_finding)\(\s*(?:scene,\s*)?"([a-z-]+)"'
     )
     rules = {rule for source in sources for rule in named.findall(source)}
     table = (ROOT / "packages/newton-lint/newton_lint/rules.md").read_text(

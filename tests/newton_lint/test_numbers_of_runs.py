@@ -173,7 +173,7 @@ def test_iterations_are_too_few_where_more_make_a_millimetre(
     assert not said or 'iterations="1000"' in str(found["solver"].advice)
     assert (
         not said
-        or f"{1e3 * seen.deepest_m:.3g} → {1e3 * (seen.deepest_m - deeper_m):.3g} mm"
+        or f"{1e3 * seen.deepest_m:.3g} to {1e3 * (seen.deepest_m - deeper_m):.3g} mm"
         in str(found["solver"].advice)
     )
 
@@ -206,7 +206,9 @@ def test_an_overlap_is_a_warning_where_it_presses_or_throws(
         or "19.6 N press them apart, 101 times the weight" in found.message
     )
     assert not found or found.value == pytest.approx(1e3 * depth)
-    assert not found or str(found.advice) == f"move one by {1e3 * depth:.3g} mm"
+    assert not found or str(found.advice) == (
+        f"Move one of them by {1e3 * depth:.3g} mm"
+    )
 
 
 @pytest.mark.parametrize(("depth_mm", "said"), [(0.9, False), (1.1, True), (5, True)])
@@ -219,7 +221,11 @@ def test_what_lies_is_pressed_in_from_a_millimetre_on(depth_mm, said):
     ).get("depth")
     assert bool(found) == said
     assert not found or found.value == pytest.approx(depth_mm, rel=0.04)
-    after = float(str(found.advice).partition(" → ")[2].split()[0]) if found else 0.0
+    after = (
+        float(str(found.advice).partition("reduces it to ")[2].split()[0])
+        if found
+        else 0.0
+    )
     assert not found or after == pytest.approx(min(1.0, 0.4 * depth_mm), rel=0.04)
 
 
@@ -238,7 +244,9 @@ def test_what_flies_through_a_wall_is_followed_and_what_flies_past_is_not(
     runs = runs_of(target.model, target)
     found = [each for each in stepped(scene_of(target), runs) if each.rule == "tunnel"]
     assert [each.value for each in found] == ([pytest.approx(20.0)] if said else [])
-    assert not said or "a thickness of 80 mm stops it, measured" in str(found[0].advice)
+    assert not said or "a thickness of 80 mm, which stops it (measured)" in str(
+        found[0].advice
+    )
 
 
 @pytest.mark.parametrize(("timeconst", "said"), [(0.043, False), (0.047, True)])
@@ -287,18 +295,18 @@ def test_a_joint_sags_by_its_row_as_a_contact_creeps(timeconst, share, kind, sai
     assert not found or found.value == pytest.approx(
         1e3 * speed if kind == "slide" else turned, rel=0.01
     )
-    assert not found or f"{found.value:.3g} → 0 {found.unit}, in MuJoCo C" in str(
+    assert not found or f"reduces it to 0 {found.unit} in MuJoCo C" in str(
         found.advice
     )  # noslip leaves R out
 
 
 HARM = [
     ({}, {"deepest_m": 0.01104}, ""),  # 1.1 times 10 mm and 0.05 mm
-    ({}, {"deepest_m": 0.01106}, "deepest contact 10 → 11.1 mm"),
+    ({}, {"deepest_m": 0.01106}, "deepest contact goes from 10 to 11.1 mm"),
     ({}, {"late_m": 0.00554}, ""),
-    ({}, {"late_m": 0.00556}, "deepest contact at the end 5 → 5.56 mm"),
+    ({}, {"late_m": 0.00556}, "deepest contact at the end goes from 5 to 5.56 mm"),
     ({}, {"speed": 1.051}, ""),  # 1.05 times 1 m/s and 2 mm/s
-    ({}, {"speed": -1.053}, "what moves fastest"),
+    ({}, {"speed": -1.053}, "the fastest speed"),
     ({}, {"effort": 1790.0}, ""),
     ({}, {"effort": 1810.0}, "1.8 times as much"),
     ({}, {"cost_s": 5.9}, ""),
@@ -347,4 +355,6 @@ def test_what_was_measured_is_told_in_millimetres_and_as_a_mean():
         replace(seen, deepest_m=0.01, cost_s=2.0),
         replace(seen, deepest_m=0.002, cost_s=1.0),
     ]
-    assert _measures(runs) == "deepest contact 10 mm, 1.5 s a simulated second"
+    assert _measures(runs) == (
+        "the deepest contact is 10 mm and a simulated second takes 1.5 s"
+    )

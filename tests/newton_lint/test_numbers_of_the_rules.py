@@ -67,14 +67,14 @@ FOUND = [
     ),  # critical: 2 √100
     ("solref-format", alone("0 1"), 1.0, 1.0, "error", 'solref="0.02 1"'),
     ("timeconst", alone("0.0039 1"), 0.0039, 0.004, "warning", 'solref="0.004 1"'),
-    ("timeconst", alone("0.003 1"), 0.003, 0.004, "warning", "1.3 times the steps"),
+    ("timeconst", alone("0.003 1"), 0.003, 0.004, "warning", "1.3 times as many steps"),
     (
         "timeconst",
         alone("0.001 1"),
         0.001,
         0.004,
         "warning",
-        'or timestep="0.0005": ',
+        'Or set timestep="0.0005": ',
     ),  # 4 times
     (
         "timeconst",
@@ -131,7 +131,7 @@ FOUND = [
         0.004,
         0.012,
         "warning",
-        "down by up to 3;",
+        "by a factor of up to 3 (",
     ),
     ("one-sided", {"part": 'solref="0.005 2"'}, 0.005, 0.0125, "warning", "up to 2.5"),
     (
@@ -178,7 +178,7 @@ FOUND = [
         2.0,
         None,
         "warning",
-        "goes down by 2 where μ is 1",
+        "by a factor of 2 at a friction of 1",
     ),
     (
         "pyramid",
@@ -186,7 +186,7 @@ FOUND = [
         4.0,
         None,
         "warning",
-        "goes down by 17 where",
+        "by a factor of 17 at",
     ),  # 1 + μ²
     (
         "pyramid",
@@ -194,7 +194,7 @@ FOUND = [
         4.0,
         None,
         "warning",
-        "goes down by 170 where",
+        "by a factor of 170 at",
     ),
     (
         "pyramid",
@@ -202,7 +202,7 @@ FOUND = [
         4.0,
         None,
         "warning",
-        "goes down by 340 where",
+        "by a factor of 340 at",
     ),
     (
         "pyramid",
@@ -210,7 +210,7 @@ FOUND = [
         4.0,
         None,
         "warning",
-        "where μ is 4",
+        "at a friction of 4",
     ),
     (
         "pyramid",
@@ -299,7 +299,7 @@ def test_dmin_is_no_more_than_dmax_as_the_engine_clips_both():
     assert (finding.value, finding.used) == (0.95, 0.5)
     assert 'solimp="0.95 0.95 0.001 0.5 2"' in str(
         finding.advice
-    ) and "goes down by 10" in str(finding.advice)
+    ) and "by a factor of 10" in str(finding.advice)
     assert not found("solimp", floor='solimp="2 1 0.001 0.5 2"') + found(
         "solimp", floor='solimp="0.9 0.9 0.001 0 1"'
     )

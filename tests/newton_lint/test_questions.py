@@ -149,10 +149,15 @@ SIDES = {
     "depth": (
         'solref="0.2 1" solimp="0.5 0.5 0.001" priority="1"',
         "",
-        "depth 48.",
-        "→ 1 mm at rest",
+        "part sinks 48.",
+        "reduces it to 1 mm (measured at rest)",
     ),
-    "friction": ("", 'friction="0.05"', "friction 0.05 counts nowhere", 'priority="1"'),
+    "friction": (
+        "",
+        'friction="0.05"',
+        "friction 0.05 of part counts nowhere",
+        'priority="1"',
+    ),
     "pyramid": ("", 'friction="5"', "friction 5 makes", 'cone="elliptic"'),
 }
 """Floor and what lies on it, what is said of them, and the advice."""
@@ -214,24 +219,24 @@ STARTS = {
     ),
     "a margin presses": (
         PART.format(z=0.12, geom='margin="0.1"'),
-        "overlap 80 mm is how deep they overlap with",
-        "move",
+        "overlap by 80 mm including their margin",
+        "or move",
     ),
     "of a direct solref": (
         PART.format(z=0.1, geom='solref="-25 -10" priority="1"'),
-        "depth: part against",
-        "→ 0.961 mm at rest",
+        "depth: part sinks",
+        "reduces it to 0.961 mm (measured at rest)",
     ),
     "of the heavy on the light": (
         PART.format(z=0.1, geom='mass="0.01"')
         + PART.replace("part", "load").format(z=0.3, geom='mass="100"'),
-        "as stiff as its lighter body",
+        "with the mass of the lighter body",
         'solimp="0.999 0.999 0.001"',
     ),
     "a heap of loose bodies": (
         "".join(PART.replace("part", name).format(z=1, geom="") for name in "abc"),
-        "(the fastest of 3 pairs): it throws them apart",
-        "move one by 200 mm",
+        "(the fastest of 3 pairs); this throws them apart",
+        "Move one of them by 200 mm",
     ),
     "a servo stiffer than the step": (
         SERVO,
@@ -240,7 +245,7 @@ STARTS = {
     ),
     "a weld that is soft": (
         WELDED,
-        "warning equality: equality_0: gap",
+        "warning equality: equality_0 is",
         'solref="0.01 1"',
     ),
 }
@@ -283,13 +288,13 @@ NOTES = {
     "a piece by itself": (
         TORSO,
         "note overlap",
-        "on a base that moves MuJoCo leaves this contact out",
+        "MuJoCo ignores this contact if the base can move",
     ),
     "a start beside a keyframe": (FOOT + KEY, "note overlap", "1 note"),
     "a start that is out of range": (
         LINK.format('range="60 90" damping="1e5"'),
         "note limit",
-        "60 ° is how far it is beyond its range at the start,",
+        "j is 60 ° beyond its range at the start,",
     ),
     "a keyframe that says its ctrl": (LINK.format("") + HOME, "nothing found", ""),
     "a joint that a motor moves": (

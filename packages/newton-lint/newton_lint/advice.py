@@ -115,7 +115,7 @@ def longer_solref(
 
 
 def softer_solref(scene: Scene, pair: int, dmax: float) -> Advice:
-    """Return advice to use a direct solref with a b h of 1, damped critically or less."""
+    """Return advice to use a direct solref that the time step can bear."""
     damping = dmax / scene.option.timestep_s
 
     def softer(solref: Sequence[float]) -> str | None:
@@ -142,7 +142,10 @@ def elliptic(scene: Scene, steepest: float) -> Advice:
         if impratio <= 1.0
         else []
     )
-    gain = "reduces creep under load {:.3g} times at a friction of {:g} (predicted)"
+    gain = (
+        "reduces creep under load by a factor of {:.3g} at a friction of {:g}"
+        " (predicted)"
+    )
     cone = {"cone": "elliptic"}
     return either(
         *(
@@ -170,8 +173,10 @@ def of_higher_priority(scene: Scene, geom: int, mixed_s: np.ndarray) -> Advice:
     # Otherwise the next run would report the clamped timeconst.
     if timeconst > authored:
         attributes["solref"] = f"{timeconst:g} {ratio:g}"
-    less = f"reduces creep up to {mixed_s[geom] / timeconst:.2g} times (predicted)"
-    gain = f"makes its solref, friction, condim and solimp count alone, and {less}"
+    gain = (
+        "makes its solref, friction, condim and solimp count alone, and reduces creep"
+        f" by a factor of up to {mixed_s[geom] / timeconst:.2g} (predicted)"
+    )
     return for_geom(scene, geom, attributes, gain)
 
 
@@ -211,5 +216,6 @@ def in_order(scene: Scene, geom: int) -> Advice:
         scene,
         geom,
         {"solimp": entries},
-        f"reduces creep of a deep contact under load {less:.3g} times (predicted)",
+        f"reduces creep of a deep contact under load by a factor of {less:.3g}"
+        " (predicted)",
     )

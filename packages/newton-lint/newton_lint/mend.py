@@ -285,7 +285,10 @@ def fixed(
     if mending.texts:
         before = _measures(mending.first_runs)
         after = _measures(mending.runs)
-        lines.append(f"{target.name}: before, {before}; after, {after} (measured)")
+        lines.append(
+            f"{target.name}: before the changes, {before}; after them, {after}"
+            " (measured)"
+        )
     return mending.first, lines, why
 
 

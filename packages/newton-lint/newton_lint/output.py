@@ -15,7 +15,7 @@ LEAST_MM_S = 1e-3
 
 
 def printable(text: str) -> str:
-    """Return a text with escaped unprintable characters, so that it fits on one line."""
+    """Return a text on one line, with unprintable characters escaped."""
     return "".join(
         char
         if char.isprintable()

@@ -271,7 +271,7 @@ def _depths(scene: Scene, run: Run, rest: Rest) -> Iterator[Give]:
         ).changes
         ways = [
             (", ".join(map(str, changes)), stiffer),
-            (HARDEST.format(_text(shortest), _text(HARD)), harder),
+            (f"{HARDEST.format(_text(shortest), _text(HARD))} there", harder),
         ]
         is_certain = depth > 2.0 * run.first.get(pair, 0.0) and rest.speed < 0.1 * WILD
         yield Give(
