@@ -26,7 +26,7 @@ from newton_lint.prescribe import (
 from newton_lint.report import scene_of
 from newton_lint.scene import changed
 from newton_lint.settle import Hold, Work, _reading, predicted_hold, settled_hold
-from newton_lint.stepped import runs_of
+from newton_lint.stepped import Start, runs_of
 from newton_lint.target import Target
 from tests.newton_lint.cases import Case
 
@@ -280,7 +280,7 @@ def test_what_moves_by_less_than_three_tenths_of_its_creep_does_not_slip(share, 
         bool(
             list(
                 _grip_findings(
-                    scene, hold.body, list(hold.touches), hold.data, "the start"
+                    scene, hold.body, list(hold.touches), hold.data, Start("the start")
                 )
             )
         )
@@ -329,7 +329,7 @@ def test_candidates_creep_as_the_law_says():
         'solref="0.005 1"': 0.25,
     }
     shares |= {'noslip_iterations="10"': 0.0}
-    model = with_setting(scene, Setting(0.005, (("impratio", 10.0),)), hold)
+    model = with_setting(scene, Setting(0.005, {"impratio": 10.0}), hold)
     assert (
         model.geom_solref.tolist() == [[0.005, 1.0]] * 2 and model.opt.impratio == 10.0
     )
@@ -350,7 +350,7 @@ def test_the_cheap_that_are_good_by_a_fifth_are_tried_first_and_five_of_them():
     scene, target, hold = hold_of()
     kinds = {
         "plain": (Setting(0.01), 0.079),
-        "noslip": (Setting(None, (("noslip_iterations", 10.0),)), 0.01),  # counts twice
+        "noslip": (Setting(None, {"noslip_iterations": 10.0}), 0.01),  # counts twice
         "over": (Setting(0.01), 0.081),
         "far": (Setting(0.01), 3.0),
     }

@@ -47,7 +47,7 @@ def test_a_hold_is_said_and_is_a_finding_above_its_bound(written, capsys):
     assert (
         main([written("pinch", grip=0.5), "--hold", "held", "--settle", "3"]) == 1
     )  # and is far away by then
-    assert "slides: held slides against" in capsys.readouterr().out
+    assert "slides: held slides because its load" in capsys.readouterr().out
     assert (
         main([pinch, "--hold", "cube"]) == 2
         and "has no body cube" in capsys.readouterr().err

@@ -185,22 +185,12 @@ def whole_solref(scene: Scene, pair: int) -> Advice:
 
     def sound(solref: Sequence[float]) -> str | None:
         first, second = solref
-        ratio = (
-            second
-            if first > 0.0
-            else -second / (2.0 * math.sqrt(-first))
-            if first < 0.0
-            else 0.0
-        )
-        if (first > 0.0) == (second > 0.0) and 0.25 <= ratio <= FAR:
+        if first == 0.0:
+            return "0.02 1"
+        critical = 1.0 if first > 0.0 else -2.0 * math.sqrt(-first)
+        if 0.25 <= second / critical <= FAR:
             return None
-        return (
-            f"{first:g} 1"
-            if first > 0.0
-            else f"{first:g} {-2.0 * math.sqrt(-first):.3g}"
-            if first
-            else "0.02 1"
-        )
+        return f"{first:g} {critical:.3g}"
 
     return for_contact(scene, pair, sound, "keeps the stiffness, with critical damping")
 

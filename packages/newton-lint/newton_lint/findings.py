@@ -132,37 +132,40 @@ class Wording:
 
 @dataclass(frozen=True)
 class Hits:
-    """Hits of a rule with the same message; arrays of one length."""
+    """Geoms or pairs that a rule hits; the arrays are of all geoms or pairs."""
 
     wording: Wording
-    shape: np.ndarray
+    items: np.ndarray
+    """Indices of the geoms or pairs that are hit."""
     value: np.ndarray
     used: np.ndarray | float = np.nan
-    """The value that is used, one for all or one per hit; NaN if there is none."""
+    """The value that is used, one for all or one for each; NaN if there is none."""
+    shape: np.ndarray | None = None
+    """The geom of each pair, or None if the items are geoms."""
     partner: np.ndarray | None = None
-    """The other shape of each pair, or None if the hits are about single shapes."""
-    items: np.ndarray | None = None
-    """Geoms or indices of pairs that ``element`` and ``advise`` take, or None."""
+    """The other geom of each pair, or None if the items are geoms."""
     element: Callable[[int], Element | None] = lambda _: None
     advise: Callable[[int], Advice | None] = lambda _: None
 
 
 def findings_of(hits: Hits, names: Sequence[str]) -> Iterator[Finding]:
     """Yield a finding for each shape and each of its values, in order of the hits."""
-    all_used = np.broadcast_to(hits.used, len(hits.shape))
+    items = hits.items
+    all_used = np.broadcast_to(hits.used, hits.value.shape)[items]
+    shapes = items if hits.shape is None else hits.shape[items]
     # NaN does not equal itself, so each hit without a used value would stay alone.
-    numbers = row_numbers(hits.shape, hits.value, np.nan_to_num(all_used, nan=np.inf))
-    for member in sorted(groups_of(numbers), key=lambda member: member[0]):
-        index = member[0]
-        used = float(all_used[index])
-        item = -1 if hits.items is None else int(hits.items[index])
+    used_keys = np.nan_to_num(all_used, nan=np.inf)
+    numbers = row_numbers(shapes, hits.value[items], used_keys)
+    for members in sorted(groups_of(numbers), key=lambda members: members[0]):
+        first = members[0]
+        item = int(items[first])
+        used = float(all_used[first])
+        partners = () if hits.partner is None else hits.partner[items[members]].tolist()
         yield Finding(
             **vars(hits.wording),
-            shape=names[hits.shape[index]],
-            value=float(hits.value[index]),
-            against=()
-            if hits.partner is None
-            else tuple(names[geom] for geom in hits.partner[member].tolist()),
+            shape=names[shapes[first]],
+            value=float(hits.value[item]),
+            against=tuple(names[geom] for geom in partners),
             used=None if np.isnan(used) else used,
             element=hits.element(item),
             advice=hits.advise(item),

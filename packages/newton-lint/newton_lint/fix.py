@@ -35,44 +35,38 @@ def edited(
     Raises:
         Unwritable: A change has no place in the files.
     """
-    edits: dict[Path, dict[int, tuple[Element, list[Change]]]] = {}
+    placed = []
     for change in changes:
-        element = change.element or (
-            source.root if source and change.subject in NEW else None
-        )
+        element = change.element
+        if element is None and source and change.subject in NEW:
+            element = source.root
         if element is None or not change.attributes:
             raise Unwritable("no file defines this attribute")
-        edits.setdefault(element.file, {}).setdefault(element.start, (element, []))[
-            1
-        ].append(change)
-    return {
-        file: _edited(texts.get(file) or file.read_bytes(), tags)
-        for file, tags in edits.items()
-    }
-
-
-def _edited(text: bytes, tags: dict[int, tuple[Element, list[Change]]]) -> bytes:
+        placed.append((element, change))
+    new: dict[Path, bytes] = {}
     # Later tags come first, so that the positions of earlier ones stay valid.
-    for start, (element, changes) in sorted(tags.items(), reverse=True):
-        for change in changes:
-            tag = TAG.match(text, start)
-            if tag is None or tag[1].decode(errors="replace") != element.tag:
-                raise Unwritable("the file has changed since it was read")
-            if change.element is None:
-                end = text.index(b">", tag.end()) + 1
-                line = b"\r\n" if b"\r\n" in text else b"\n"
-                attributes = " ".join(
-                    f'{name}="{_escaped(value)}"' for name, value in change.attributes
-                )
-                child = NEW[change.subject].format(attributes).encode()
-                text = text[:end] + line + b"  " + child + text[end:]
-            else:
-                text = (
-                    text[:start]
-                    + _with(tag[0], dict(change.attributes))
-                    + text[tag.end() :]
-                )
-    return text
+    for element, change in sorted(placed, key=lambda item: -item[0].start):
+        file = element.file
+        text = new.get(file) or texts.get(file) or file.read_bytes()
+        new[file] = _edited(text, element, change)
+    return new
+
+
+def _edited(text: bytes, element: Element, change: Change) -> bytes:
+    """Return a text with one change, in an element or as a new child of the root."""
+    tag = TAG.match(text, element.start)
+    if tag is None or tag[1].decode(errors="replace") != element.tag:
+        raise Unwritable("the file has changed since it was read")
+    if change.element:
+        new = _with(tag[0], dict(change.attributes))
+        return text[: tag.start()] + new + text[tag.end() :]
+    end = text.index(b">", tag.end()) + 1
+    line = b"\r\n" if b"\r\n" in text else b"\n"
+    attributes = " ".join(
+        f'{name}="{_escaped(value)}"' for name, value in change.attributes
+    )
+    child = NEW[change.subject].format(attributes).encode()
+    return text[:end] + line + b"  " + child + text[end:]
 
 
 def _with(tag: bytes, attributes: dict[str, str]) -> bytes:

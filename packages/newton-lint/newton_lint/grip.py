@@ -135,8 +135,8 @@ def _grip_findings(
             hold.mm_s,
             message=f"$shape creeps at $value {where} $against because friction rows"
             f" yield to its load of {hold.load_n:.3g} N on {hold.point_count:.3g}"
-            f" points (from {start})",
-            against=_names(scene, hold),
+            f" points (from {start.name})",
+            against=tuple(scene.names[geom] for geom in _supports(scene, hold)),
             used=after if holds else None,
             unit="mm/s",
             element=scene.source.option("impratio"),
@@ -150,28 +150,24 @@ def _turns(scene: Scene, hold: Hold, start: Start) -> Iterator[Finding]:
     index = scene.pair_indices
     condims = {int(scene.contacts.condim[index[touch.geoms]]) for touch in hold.touches}
     if len(points) == 2 and max(points.values()) == 1 and condims == {3}:
-        pad = _supports(scene, hold)[0]
+        pads = _supports(scene, hold)
         yield Finding(
             "condim",
             hold.name,
             "condim",
             3.0,
             message="$shape turns between $against because each side touches it in one"
-            f" point and condim $value has no torsional friction (from {start})",
-            against=_names(scene, hold),
+            f" point and condim $value has no torsional friction (from {start.name})",
+            against=tuple(scene.names[pad] for pad in pads),
             used=4.0,
-            element=scene.source.authored(pad, "condim"),
+            element=scene.source.authored(pads[0], "condim"),
             advice=for_geom(
                 scene,
-                pad,
+                pads[0],
                 {"condim": "4"},
                 "adds torsional friction, with friction[1] as its coefficient",
             ),
         )
-
-
-def _names(scene: Scene, hold: Hold) -> tuple[str, ...]:
-    return tuple(scene.names[geom] for geom in _supports(scene, hold))
 
 
 def _supports(scene: Scene, hold: Hold) -> list[int]:

@@ -48,12 +48,13 @@ def harm(before: Sequence[Run], after: Sequence[Run], rules: Collection[str]) ->
     """Return how a change for these rules made a scene worse, or an empty string."""
     for old, new in zip(before, after, strict=True):
         if new.bad:
-            return f"the simulation blows up after {new.time_s:.3g} s from {new.start}"
+            start = new.start.name
+            return f"the simulation blows up after {new.time_s:.3g} s from {start}"
         if not old.bad and (reason := _motion_harm(old, new, rules)):
             return reason
-    for name, most in (
-        () if {*FREES} & {*rules} else (("effort", SLOWER), ("cost_s", SLOWEST))
-    ):
+    if {*FREES} & {*rules}:
+        return ""
+    for name, most in (("effort", SLOWER), ("cost_s", SLOWEST)):
         old_cost = sum(getattr(run, name) for run in before)
         new_cost = sum(getattr(run, name) for run in after)
         if new_cost > most * old_cost:
@@ -81,7 +82,7 @@ def _motion_harm(old: Run, new: Run, rules: Collection[str]) -> str:
         if new_depth > DEEPER * old_depth + DEEPER_M and not lies:
             return (
                 f"the {name} goes from {M * old_depth:.3g} to {M * new_depth:.3g} mm"
-                f" from {new.start}"
+                f" from {new.start.name}"
             )
     old_speed = np.abs(old.data.qvel).max(initial=0.0)
     new_speed = np.abs(new.data.qvel).max(initial=0.0)
@@ -219,7 +220,7 @@ class Mending:
 
     def _harm_elsewhere(self, texts: Texts, rules: Collection[str]) -> str:
         """Return how a change of an included file harms the other scenes."""
-        included = {file for file in texts if file != self.target.path}
+        included = texts.keys() - {self.target.path}
         for path in self.paths if included else ():
             if path != self.target.path and included & {
                 element.file for element in parse(path).walk()
@@ -241,10 +242,11 @@ class Mending:
     def patch(self) -> Iterator[str]:
         """Yield the lines of a patch from the old files to the new ones."""
         for file, text in self.texts.items():
-            old = file.read_bytes().decode(errors="replace").splitlines(keepends=True)
-            new = text.decode(errors="replace").splitlines(keepends=True)
-            for line in difflib.unified_diff(old, new, f"a/{file}", f"b/{file}"):
-                yield line.rstrip("\r\n")
+            old = file.read_bytes().decode(errors="replace").splitlines()
+            new = text.decode(errors="replace").splitlines()
+            yield from difflib.unified_diff(
+                old, new, f"a/{file}", f"b/{file}", lineterm=""
+            )
 
 
 def _key(finding: Finding) -> tuple[str, str, str]:
@@ -298,15 +300,11 @@ def fixed_again(
     """Mend scenes that may share files until no scene changes any more."""
     lines: list[str] = []
     for _ in range(PASSES):
-        scenes = (
-            scene
-            for scene in map(read_target, targets)
-            if scene.path and scene.model is not None
-        )
-        written = [
-            line for scene in scenes for line in fixed(scene, request, paths, False)[1]
-        ]
-        written = [line for line in written if line.endswith(": written")]
+        written = []
+        for scene in map(read_target, targets):
+            if scene.path and scene.model is not None:
+                _, changes, _ = fixed(scene, request, paths, dry=False)
+                written += [line for line in changes if line.endswith(": written")]
         if not written:
             break
         lines += written

@@ -112,11 +112,7 @@ def creep_line(prediction: Prediction, load: Load) -> str:
     if load.load_n:
         least = prediction.load_deep_mm_s
         most = prediction.load_shallow_mm_s
-        between = (
-            rated(most)
-            if rated(least) == rated(most)
-            else f"{rated(least)} to {rated(most)}"
-        )
+        between = " to ".join(dict.fromkeys([rated(least), rated(most)]))
         parts.append(f"{between} under {load.load_n:g} N on a contact point")
     number = f" ({count} pairs)" if count > 1 else ""
     return f"{named(shapes)} on {named(partners)}{number}: {'; '.join(parts)}"
@@ -133,16 +129,13 @@ def rated(mm_s: float) -> str:
 def _github(report: Report) -> Iterator[str]:
     for group in grouped(report.findings):
         finding = group[0]
-        element = finding.element
-        location = (
-            f"file={element.file},line={element.line},"
-            if element
-            else f"file={report.target},"
-        )
+        location = f"file={report.target}"
+        if element := finding.element:
+            location = f"file={element.file},line={element.line}"
         # In GitHub's workflow commands % starts an escape and a newline ends a command.
         message = _with_advice(group).replace("%", "%25").replace("\n", "%0A")
         level = finding.severity.replace("note", "notice")
-        yield f"::{level} {location}title=newton-lint {finding.rule}::{message}"
+        yield f"::{level} {location},title=newton-lint {finding.rule}::{message}"
 
 
 def _sarif(reports: Sequence[Report], unread: Sequence[str]) -> dict:
@@ -156,14 +149,11 @@ def _sarif(reports: Sequence[Report], unread: Sequence[str]) -> dict:
         for report in reports
         for group in grouped(report.findings)
     ]
-    rules = [
-        {"id": rule}
-        for rule in sorted(
-            {finding.rule for report in reports for finding in report.findings}
-        )
-    ]
+    rules = sorted({str(result["ruleId"]) for result in results})
     run = {
-        "tool": {"driver": {"name": "newton-lint", "rules": rules}},
+        "tool": {
+            "driver": {"name": "newton-lint", "rules": [{"id": rule} for rule in rules]}
+        },
         "results": results,
         "invocations": [
             {
@@ -182,9 +172,7 @@ def _sarif(reports: Sequence[Report], unread: Sequence[str]) -> dict:
 
 
 def _with_advice(group: Sequence[Finding]) -> str:
-    return (
-        f"{sentence(group)}. {group[0].advice}" if group[0].advice else sentence(group)
-    )
+    return ". ".join(filter(None, [sentence(group), str(group[0].advice or "")]))
 
 
 def _location(finding: Finding, report: Report) -> dict:

@@ -98,7 +98,7 @@ def _geom(scene: Scene, target: str, name: str) -> int:
 def _separation(scene: Scene, geoms: Sequence[int]) -> str:
     """Return why two geoms never touch, by the filters of mj_collision in order."""
     model = scene.model
-    weld = scene.model.body_weldid[scene.model.geom_bodyid[geoms]]
+    weld = model.body_weldid[model.geom_bodyid[geoms]]
     types = model.geom_contype[geoms]
     affinities = model.geom_conaffinity[geoms]
     if weld[0] == weld[1] or not (model.body_dofnum[weld] > 0).any():
@@ -117,13 +117,12 @@ def _table(
     model = scene.model
     option = scene.option
     contact = contacts.contact(pair)
-    winner = scene.names[contacts.first[pair]]
-    ranked = (
-        f"from {winner}, which has the higher priority"
-        if contacts.outranked[pair]
-        else ""
-    )
-    ranked = "from the <pair> that names them" if contacts.named[pair] >= 0 else ranked
+    ranked = ""
+    if contacts.named[pair] >= 0:
+        ranked = "from the <pair> that names them"
+    elif contacts.outranked[pair]:
+        winner = scene.names[contacts.first[pair]]
+        ranked = f"from {winner}, which has the higher priority"
     mixed = (
         f"mixed by solmix, {model.geom_solmix[geom1]:g} to {model.geom_solmix[geom2]:g}"
     )
@@ -133,39 +132,35 @@ def _table(
         if contact.solref[0] <= 0.0
         else mixed
     )
-    sums = (
-        "the sum",
-        "the sum; a contact bears force below margin, and is listed below margin + gap",
+    combined = np.max
+    margin = "the larger"
+    gap = (
+        "the larger; a contact bears force below margin − gap and is listed below"
+        " margin"
     )
-    larger = (
-        "the larger",
-        "the larger; a contact bears force below margin − gap, and is listed below"
-        " margin",
-    )
-    together, rules = (np.sum, sums) if NEW_GAP else (np.max, larger)
+    if NEW_GAP:
+        combined = np.sum
+        margin = "the sum"
+        gap = (
+            "the sum; a contact bears force below margin and is listed below"
+            " margin + gap"
+        )
 
     def row(name: str, used: object, rule: str) -> tuple[object, ...]:
         values = getattr(model, f"geom_{name}")
         return name, values[geom1], values[geom2], used, rule
 
     rows = [
+        ("", scene.names[geom1], scene.names[geom2], "contact", ""),
         row("priority", "", ranked),
         row("solref", contact.solref, ranked or least),
         row("solimp", contact.solimp, ranked or mixed),
         row("friction", contacts.friction[pair], ranked or "the larger"),
         row("condim", contact.condim, ranked or "the larger"),
-        row("margin", together(model.geom_margin[[geom1, geom2]]), rules[0]),
-        row("gap", together(model.geom_gap[[geom1, geom2]]), rules[1]),
+        row("margin", combined(model.geom_margin[[geom1, geom2]]), margin),
+        row("gap", combined(model.geom_gap[[geom1, geom2]]), gap),
     ]
-    yield "  ".join(
-        [
-            f"{'':8}",
-            *(
-                f"{name:{WIDTH}}"
-                for name in (scene.names[geom1], scene.names[geom2], "contact")
-            ),
-        ]
-    )
+
     for name, *values, rule in rows:
         yield "  ".join(
             [

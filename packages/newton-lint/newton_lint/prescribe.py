@@ -5,7 +5,7 @@ The law ranks the settings; the best ones are simulated in MuJoCo C.
 
 import itertools
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from mujoco import MjData, MjModel
@@ -45,13 +45,13 @@ class Setting:
     """A timeconst for the touching geoms, and options; None and absent ones stay."""
 
     timeconst_s: float | None = None
-    options: tuple[tuple[str, float], ...] = ()
+    options: dict[str, float] = field(default_factory=dict)
 
     def attributes(self) -> dict[str, str]:
         """Return the attributes of ``<option>``."""
         return {
             name: "elliptic" if name == "cone" else f"{value:g}"
-            for name, value in self.options
+            for name, value in self.options.items()
         }
 
     @property
@@ -63,7 +63,7 @@ class Setting:
         return (
             len(self.options)
             + (self.timeconst_s is not None)
-            + ("noslip_iterations" in self.attributes())
+            + ("noslip_iterations" in self.options)
         )
 
     def __str__(self) -> str:
@@ -162,32 +162,17 @@ def candidates(scene: Scene, hold: Hold, work: Work) -> Iterator[tuple[Setting, 
         None,
         *(timeconst for timeconst in TIMECONSTS_S if least <= timeconst < most),
     ]
-    impratios = [
-        None,
-        *(impratio for impratio in IMPRATIOS if impratio > option.impratio),
+    noslips: list[dict[str, float]] = [{}]
+    if not option.noslip and scene.engine.name == "mujoco":
+        noslips.append({"noslip_iterations": NOSLIP})
+    # With a pyramidal cone, impratio would harden the normal rows too.
+    cone = {"cone": ELLIPTIC} if option.cone == "pyramidal" else {}
+    ratios = [
+        {},
+        *(cone | {"impratio": ratio} for ratio in IMPRATIOS if ratio > option.impratio),
     ]
-    noslips = (
-        (False, True)
-        if not option.noslip and scene.engine.name == "mujoco"
-        else (False,)
-    )
-    for timeconst, impratio, noslip in itertools.product(
-        timeconsts, impratios, noslips
-    ):
-        options = {
-            # With a pyramidal cone, impratio would harden the normal rows too.
-            "cone": ELLIPTIC
-            if option.cone == "pyramidal" and impratio is not None
-            else None,
-            "impratio": impratio,
-            "noslip_iterations": NOSLIP if noslip else None,
-        }
-        setting = Setting(
-            timeconst,
-            tuple(
-                (name, value) for name, value in options.items() if value is not None
-            ),
-        )
+    for timeconst, ratio, noslip in itertools.product(timeconsts, ratios, noslips):
+        setting = Setting(timeconst, ratio | noslip)
         if setting.change_count:
             variant = replace(scene, model=with_setting(scene, setting, hold))
             yield (
@@ -204,7 +189,7 @@ def touched(scene: Scene, hold: Hold) -> list[int]:
 
 def with_setting(scene: Scene, setting: Setting, hold: Hold) -> MjModel:
     """Return a copy of the model that has a setting."""
-    model = changed(scene.model, **dict(setting.options))
+    model = changed(scene.model, **setting.options)
     if setting.timeconst_s is not None:
         model.geom_solref[touched(scene, hold)] = (setting.timeconst_s, 1.0)
         pairs = scene.pair_indices

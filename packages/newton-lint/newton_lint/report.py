@@ -134,11 +134,11 @@ def _noted(
     scene: Scene, runs: Sequence[Run], findings: Sequence[Finding]
 ) -> list[Finding]:
     """Return the findings, with those on shapes that touch nothing as notes."""
-    touched = {scene.names[geom] for run in runs for pair in run.first for geom in pair}
-    touched |= {
+    touched = {
         scene.names[geom]
         for run in runs
-        for geom in run.data.contact.geom.ravel().tolist()
+        for pair in (*run.first, *run.data.contact.geom.tolist())
+        for geom in pair
         if geom >= 0
     }
     may_touch = not runs or any(run.bad for run in runs)
@@ -208,18 +208,10 @@ def scene_of(target: Target, engine: Engine | None = None) -> Scene:
         for name in dir(target.model)
         if name.startswith(NUMBERS)
     }
-    numbers = {
-        name: values for name, values in numbers.items() if values.dtype == np.float64
-    }
-    numbers |= {
-        name: np.atleast_1d(getattr(target.model.opt, name))
-        for name in ("impratio", "gravity", "timestep")
-    }
+    for name in ("impratio", "gravity", "timestep"):
+        numbers[name] = np.asarray(getattr(target.model.opt, name))
     for name, values in numbers.items():
-        if (
-            np.abs(values[np.isfinite(values)]).max(initial=0.0) > HUGE
-            or not np.isfinite(values).all()
-        ):
+        if values.dtype == np.float64 and not (np.abs(values) <= HUGE).all():
             raise TargetError(
                 f"{target.name}: {name} is not finite or exceeds {HUGE:g}: use smaller"
                 " numbers"

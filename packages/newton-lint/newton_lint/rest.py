@@ -4,7 +4,7 @@ import copy
 import math
 import time
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 
 import mujoco
@@ -16,7 +16,6 @@ from newton_lint.findings import Advice, Finding
 from newton_lint.law import M
 from newton_lint.pairs import HFIELD, PLANE
 from newton_lint.scene import HINGE, Scene
-from newton_lint.source import Element
 from newton_lint.stepped import Run, Start, is_bad
 
 # A scene rests if its fastest mean speed is below this [m/s or rad/s]. The mean is
@@ -77,31 +76,37 @@ class Rest:
     def __str__(self) -> str:
         if self.speed:
             moving = f"still moving at {self.speed:.2g} m/s or rad/s after 2 s"
-            return f"(from {self.start}, {moving})"
-        return f"at rest (from {self.start})"
+            return f"(from {self.start.name}, {moving})"
+        return f"at rest (from {self.start.name})"
 
 
 @dataclass(frozen=True)
 class Give:
     """A contact, limit, equality or servo that may yield, with possible changes."""
 
-    rule: str
-    name: str
-    parameter: str
-    message: str
-    """A message in which $rest stands for the state of the scene."""
+    finding: Finding
+    """The finding without a value; $rest in its message is the state of the scene."""
     read: Read
     """Returns by how much it yields [m or rad]."""
     ways: Sequence[tuple[str, Edit]]
     """Changes, as they are written and as functions."""
-    unit: str = "mm"
     least: float = 0.0
     """Least value that is reported [m or rad]; 0 for the default of the unit."""
     far: float = FAR
-    against: tuple[str, ...] = ()
-    element: Element | None = None
     needs_way: bool = False
     """Whether to report it only if the first of the ways mends it."""
+
+    def found(
+        self, value: float, rest: str, severity: str, advice: Advice | None = None
+    ) -> Finding:
+        """Return the finding with a value [m or rad]."""
+        return replace(
+            self.finding,
+            value=SCALE[self.finding.unit] * value,
+            message=self.finding.message.replace("$rest", rest),
+            severity=severity,
+            advice=advice,
+        )
 
 
 def rest_of(model: MjModel, data: MjData, start: Start) -> Rest | None:
@@ -159,42 +164,26 @@ def at_rest(scene: Scene, run: Run, rest: Rest) -> Iterator[Finding]:
         *_equalities(model, rest.data),
     ]
     for give in [*gives, *_servos(model, rest)]:
-        scale = SCALE[give.unit]
-        least = give.least or LEAST[give.unit]
+        unit = give.finding.unit
+        least = give.least or LEAST[unit]
         if (value := give.read(model, rest.data)) <= least:
             continue
-        for _, edit in give.ways:
+        gains = {}
+        for text, edit in give.ways:
             if edit not in afters:  # An edit changes all that its rule found at once.
                 afters[edit] = _again(scene, rest.start, edit)
-        mended = [
-            (text, give.read(model, after.data))
-            for text, edit in give.ways
-            if (after := afters[edit])
-        ]
-        mended = [
-            (text, max(0.0, after)) for text, after in mended if after < MENDS * value
-        ]
-        if not give.needs_way or (mended and mended[0][0] == give.ways[0][0]):
-            gains = [
-                Advice(
-                    f"Set {text}: this reduces it to {scale * after:.3g} {give.unit}"
-                    " (measured at rest)"
-                )
-                for text, after in mended
-            ]
-            is_certain = mended and rest.speed < WILD and value > give.far * least
-            yield Finding(
-                give.rule,
-                give.name,
-                give.parameter,
-                scale * value,
-                message=give.message.replace("$rest", str(rest)),
-                against=give.against,
-                unit=give.unit,
-                severity="warning" if is_certain else "note",
-                element=give.element,
-                advice=either(*gains) if gains else None,
-            )
+            if after := afters[edit]:
+                left = max(0.0, give.read(model, after.data))
+                if left < MENDS * value:
+                    gains[text] = Advice(
+                        f"Set {text}: this reduces it to {SCALE[unit] * left:.3g}"
+                        f" {unit} (measured at rest)"
+                    )
+        if not give.needs_way or give.ways[0][0] in gains:
+            is_certain = gains and rest.speed < WILD and value > give.far * least
+            severity = "warning" if is_certain else "note"
+            advice = either(*gains.values()) if gains else None
+            yield give.found(value, str(rest), severity, advice)
 
 
 def _again(scene: Scene, start: Start, edit: Edit) -> Rest | None:
@@ -210,25 +199,20 @@ def _depths(scene: Scene, run: Run, rest: Rest) -> Iterator[Give]:
     """Yield geoms that sink by a millimetre or by a share of their thickness."""
     model = scene.model
     contacts = scene.contacts
-    sizes = _thin(scene.model)
+    sizes = _thin(model)
     pairs = scene.pair_indices
     speeds = np.linalg.norm(rest.data.cvel[:, 3:], axis=1)
     solrefs: dict[int, tuple[float, float]] = {}
 
     def stiffer(model, data, hardest: bool = False) -> None:
         for contact, solref in solrefs.items():
-            first, second, named = (
-                int(getattr(contacts, side)[contact])
-                for side in ("first", "second", "named")
-            )
-            rows = (
-                [named]
-                if named >= 0
-                else [first]
-                if contacts.outranked[contact]
-                else [first, second]
-            )
-            kind = "pair" if named >= 0 else "geom"
+            kind = "geom"
+            rows = [contacts.first[contact], contacts.second[contact]]
+            if contacts.outranked[contact]:
+                rows = rows[:1]
+            if contacts.named[contact] >= 0:
+                kind = "pair"
+                rows = [contacts.named[contact]]
             getattr(model, f"{kind}_solref")[rows] = shortest if hardest else solref
             if hardest:
                 getattr(model, f"{kind}_solimp")[rows, :3] = HARD
@@ -274,19 +258,19 @@ def _depths(scene: Scene, run: Run, rest: Rest) -> Iterator[Give]:
             (f"{HARDEST.format(_text(shortest), _text(HARD))} there", harder),
         ]
         is_certain = depth > 2.0 * run.first.get(pair, 0.0) and rest.speed < 0.1 * WILD
-        yield Give(
+        finding = Finding(
             "depth",
             scene.names[thin],
             "depth",
-            "$shape sinks $value into $against $rest because contact stiffness scales"
-            " with the mass of the lighter body",
-            read=read,
-            ways=ways,
-            least=least,
-            far=sizes[thin] / least if is_certain else math.inf,
+            depth,
+            message="$shape sinks $value into $against $rest because contact stiffness"
+            " scales with the mass of the lighter body",
             against=(scene.names[partner],),
+            unit="mm",
             element=scene.source.geom(thin),
         )
+        far = sizes[thin] / least if is_certain else math.inf
+        yield Give(finding, read, ways, least=least, far=far)
 
 
 def _limits(model: MjModel, data: MjData) -> Iterator[Give]:
@@ -295,10 +279,9 @@ def _limits(model: MjModel, data: MjData) -> Iterator[Give]:
     # The trnid of other actuators may be that of a tendon.
     servos = np.flatnonzero(is_servo(model))
     servos = servos[model.jnt_limited[model.actuator_trnid[servos, 0]] > 0]
-    gears = np.where(
-        model.actuator_gear[servos, :1] == 0.0, 1.0, model.actuator_gear[servos, :1]
-    )
-    ranges = model.jnt_range[model.actuator_trnid[servos, 0]] / gears
+    joints = model.actuator_trnid[servos, 0]
+    gears = model.actuator_gear[servos, :1]
+    ranges = model.jnt_range[joints] / np.where(gears == 0.0, 1.0, gears)
 
     def harder(model, data) -> None:
         model.jnt_solref[:] = solref
@@ -309,18 +292,21 @@ def _limits(model: MjModel, data: MjData) -> Iterator[Give]:
             data.ctrl[servos], ranges.min(axis=1), ranges.max(axis=1)
         )
 
-    def give(
-        name: str,
-        parameter: str,
-        span: np.ndarray,
-        unit: str,
-        field: str,
-        at: int,
-        joint: int = -1,
-    ) -> Give:
-        low, high = span.tolist()
+    def give(kind: str, index: int, unit: str) -> Give:
+        parameter = "length"
+        values = "ten_length"
+        at = index
+        spans = model.tendon_range
+        drives: list[int] = []
+        if kind == "joint":
+            parameter = "position"
+            values = "qpos"
+            at = model.jnt_qposadr[index]
+            spans = model.jnt_range
+            drives = servos[joints == index].tolist()
+        low, high = spans[index].tolist()
         ways = [(f'solreflimit="{solref[0]:g} 1" on it', harder)]
-        for servo in servos[model.actuator_trnid[servos, 0] == joint].tolist():
+        for servo in drives:
             told = data.ctrl[servo] * model.actuator_gear[servo, 0]
             if not low <= told <= high:
                 actuator = model.actuator(servo).name or "its actuator"
@@ -328,65 +314,29 @@ def _limits(model: MjModel, data: MjData) -> Iterator[Give]:
                 ways = [(f"{text}, whose target is {told:.4g}", clipped)]
 
         def past(model, data) -> float:
-            value = getattr(data, field)[at]
+            value = getattr(data, values)[at]
             return max(low - value, value - high)
 
-        return Give(
-            "limit",
-            name,
-            parameter,
-            "$shape is $value beyond its range $rest",
-            read=past,
-            ways=ways,
-            unit=unit,
-            far=MUCH,
-        )
+        name = getattr(model, kind)(index).name or f"{kind}_{index}"
+        message = "$shape is $value beyond its range $rest"
+        finding = Finding("limit", name, parameter, 0.0, message=message, unit=unit)
+        return Give(finding, past, ways, far=MUCH)
 
     for joint in np.flatnonzero(
         model.jnt_limited & np.isin(model.jnt_type, (HINGE, SLIDE))
     ).tolist():
-        unit = "°" if model.jnt_type[joint] == HINGE else "mm"
-        name = model.joint(joint).name or f"joint_{joint}"
-        yield give(
-            name,
-            "position",
-            span=model.jnt_range[joint],
-            unit=unit,
-            field="qpos",
-            at=model.jnt_qposadr[joint],
-            joint=joint,
-        )
+        yield give("joint", joint, "°" if model.jnt_type[joint] == HINGE else "mm")
     for tendon in np.flatnonzero(model.tendon_limited).tolist():
-        name = model.tendon(tendon).name or f"tendon_{tendon}"
-        unit = "°" if _turns(model, tendon) else "mm"
-        yield give(
-            name,
-            "length",
-            span=model.tendon_range[tendon],
-            unit=unit,
-            field="ten_length",
-            at=tendon,
-        )
+        yield give("tendon", tendon, "°" if _turns(model, tendon) else "mm")
 
 
 def unposed(model: MjModel, start: Start) -> Iterator[Finding]:
     """Yield joints that are beyond their range at the start itself."""
     data = start.data(model)
     for give in _limits(model, data):
-        if (
-            give.parameter == "position"
-            and (value := give.read(model, data)) > LEAST[give.unit]
-        ):
-            place = f"at {start}, before the first step"
-            yield Finding(
-                give.rule,
-                give.name,
-                give.parameter,
-                SCALE[give.unit] * value,
-                message=give.message.replace("$rest", place),
-                unit=give.unit,
-                severity="note",
-            )
+        value = give.read(model, data)
+        if give.finding.parameter == "position" and value > LEAST[give.finding.unit]:
+            yield give.found(value, f"at {start.name}, before the first step", "note")
 
 
 def _turns(model: MjModel, tendon: int) -> bool:
@@ -419,15 +369,17 @@ def _equalities(model: MjModel, data: MjData) -> Iterator[Give]:
             else kind == "joint" and model.jnt_type[joint] == HINGE
         )
         used = _text(model.eq_solref[equality])
-        yield Give(
+        finding = Finding(
             "equality",
             model.eq(equality).name or f"equality_{equality}",
             "gap",
-            f"$shape is $value open $rest; it is a {kind} equality with solref {used}",
-            read=gap,
-            ways=[(f"{HARDEST.format(_text(solref), _text(HARD))} on it", harder)],
+            0.0,
+            message=f"$shape is $value open $rest; it is a {kind} equality with solref"
+            f" {used}",
             unit="°" if turns else "mm",
         )
+        hard = f"{HARDEST.format(_text(solref), _text(HARD))} on it"
+        yield Give(finding, gap, [(hard, harder)])
 
 
 def is_servo(model: MjModel) -> np.ndarray:
@@ -468,21 +420,21 @@ def _servos(model: MjModel, rest: Rest) -> Iterator[Give]:
         unit = "°" if model.jnt_type[joint] == HINGE else "mm"
         times[servo] = max(1.0, math.ceil(short(model, rest.data) / LEAST[unit]))
         stiff = times[servo] * model.actuator_gainprm[servo, 0]
-        yield Give(
+        finding = Finding(
             "servo",
             model.actuator(servo).name
             or model.joint(joint).name
             or f"actuator_{servo}",
             "error",
-            "$shape is $value from its target $rest because gravity pulls it",
-            read=short,
-            ways=[
-                ('gravcomp="1" on the bodies that it carries', light),
-                (f'kp="{stiff:.4g}" on it', stiffer),
-            ],
+            0.0,
+            message="$shape is $value from its target $rest because gravity pulls it",
             unit=unit,
-            needs_way=True,
         )
+        ways = [
+            ('gravcomp="1" on the bodies that it carries', light),
+            (f'kp="{stiff:.4g}" on it', stiffer),
+        ]
+        yield Give(finding, short, ways, needs_way=True)
 
 
 def _passed(scene: Scene, rest: Rest) -> Iterator[Finding]:
@@ -534,7 +486,7 @@ def _passed(scene: Scene, rest: Rest) -> Iterator[Finding]:
                     "wall",
                     thick,
                     message="$shape passes through $against, which is only $value"
-                    f" thick (from {rest.start})",
+                    f" thick (from {rest.start.name})",
                     against=(scene.names[wall],),
                     unit="mm",
                     severity="error",

@@ -64,15 +64,11 @@ def solref_format(scene: Scene) -> Iterator[Hits]:
         severity="error",
     )
 
-    def advise(geom: int) -> Advice | None:
+    def advise(geom: int) -> Advice:
         plain = (contacts.named < 0) & (
             (contacts.first == geom) | (contacts.second == geom) & ~contacts.outranked
         )
-        return (
-            advice.whole_solref(scene, int(np.flatnonzero(plain)[0]))
-            if plain.any()
-            else None
-        )
+        return advice.whole_solref(scene, int(np.flatnonzero(plain)[0]))
 
     yield _geom_hits(scene, wording, geoms, solref[:, 1], DEFAULT_SOLREF[1], advise)
 
@@ -199,9 +195,8 @@ def one_sided(scene: Scene) -> Iterator[Hits]:
     differ = ~np.isclose(authored[contacts.first], authored[contacts.second], rtol=SAME)
     # Direct solrefs are not mixed: the engine uses the element-wise minimum.
     plain = (contacts.named < 0) & (contacts.solref > 0.0).all(axis=1) & differ
-    ranked = np.concatenate([contacts.first, contacts.second])[
-        np.tile(contacts.outranked, 2)
-    ]
+    first = contacts.first[contacts.outranked]
+    ranked = np.append(first, contacts.second[contacts.outranked])
     stiffest = -_largest(scene, plain, -contacts.solref[:, 0])
     softest = _largest(scene, plain, contacts.solref[:, 0])
     # A geom with a priority decides on purpose.
@@ -301,16 +296,15 @@ def _geom_hits(
         authored: The written value of each geom.
         used: The value that the engine uses for each geom.
     """
-    used = np.broadcast_to(used, authored.shape)
     return Hits(
         wording,
         geoms,
-        authored[geoms],
-        used[geoms],
-        None,
-        geoms,
-        partial(scene.source.authored, attribute=wording.parameter.partition("[")[0]),
-        advise,
+        value=authored,
+        used=used,
+        element=partial(
+            scene.source.authored, attribute=wording.parameter.partition("[")[0]
+        ),
+        advise=advise,
     )
 
 
@@ -329,8 +323,6 @@ def _pair_hits(
         timeconst[contacts.second] < timeconst[contacts.first]
     ) & ~contacts.outranked
     shape = np.where(swap, contacts.second, contacts.first)
-    partner = np.where(swap, contacts.first, contacts.second)
-    used = np.broadcast_to(used, authored.shape)
 
     def element(pair: int) -> Element | None:
         is_named = contacts.named[pair] >= 0
@@ -342,11 +334,11 @@ def _pair_hits(
 
     return Hits(
         wording,
-        shape[pairs],
-        authored[pairs],
-        used[pairs],
-        partner[pairs],
         pairs,
-        element,
-        advise,
+        value=authored,
+        used=used,
+        shape=shape,
+        partner=np.where(swap, contacts.first, contacts.second),
+        element=element,
+        advise=advise,
     )

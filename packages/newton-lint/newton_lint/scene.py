@@ -72,12 +72,9 @@ class Scene:
         """Return the number of geoms that can collide."""
         model = self.model
         # A <pair> makes contacts whatever the masks of its geoms are.
-        named = np.zeros(model.ngeom, dtype=bool)
-        named[model.pair_geom1] = True
-        named[model.pair_geom2] = True
-        return int(
-            np.count_nonzero(model.geom_contype | model.geom_conaffinity | named)
-        )
+        named = np.isin(np.arange(model.ngeom), [model.pair_geom1, model.pair_geom2])
+        masks = model.geom_contype | model.geom_conaffinity
+        return int(np.count_nonzero(masks | named))
 
     @cached_property
     def bodies(self) -> list[str]:
@@ -106,10 +103,7 @@ class Scene:
         pairs = np.sort(
             np.stack([self.contacts.first, self.contacts.second], axis=1), axis=1
         )
-        return {
-            (int(geom1), int(geom2)): index
-            for index, (geom1, geom2) in enumerate(pairs)
-        }
+        return {pair: index for index, pair in enumerate(map(tuple, pairs.tolist()))}
 
     def pair_element(self, contact: int) -> Element | None:
         """Return the ``<pair>`` that names the geoms of a contact."""

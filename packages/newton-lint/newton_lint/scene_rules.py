@@ -36,16 +36,12 @@ def lost(scene: Scene) -> Iterator[Finding]:
         model.geom_contype | model.geom_conaffinity
     )
     is_free = scene.free[tree]
-    met = {*tree[contacts.first].tolist(), *tree[contacts.second].tolist()}
-    falls = bool(model.opt.gravity.any()) and not model.opt.disableflags & (
-        WEIGHTLESS | OFF
-    )
     others = np.flatnonzero(~is_free)
-    for body in (
-        sorted({*tree[is_free & collides].tolist()} - met)
-        if falls and is_whole and len(others)
-        else ()
-    ):
+    is_off = model.opt.disableflags & (WEIGHTLESS | OFF)
+    if is_off or not (model.opt.gravity.any() and is_whole and len(others)):
+        return
+    met = tree[np.concatenate([contacts.first, contacts.second])]
+    for body in np.setdiff1d(tree[is_free & collides], met).tolist():
         bits = int(np.bitwise_or.reduce(model.geom_contype[tree != body]))
         geom = int(np.flatnonzero(tree == body)[0] if bits else others[0])
         yield Finding(
@@ -68,8 +64,8 @@ def lost(scene: Scene) -> Iterator[Finding]:
 def fixed(scene: Scene) -> Iterator[Finding]:
     """Yield bodies that have a mass but no joint, and that touch nothing."""
     model = scene.model
-    data = mujoco.MjData(scene.model)
-    tree = scene.model.body_rootid[scene.model.geom_bodyid]
+    data = mujoco.MjData(model)
+    tree = model.body_rootid[model.geom_bodyid]
     mujoco.mj_kinematics(model, data)
     static = np.flatnonzero(
         ~np.isin(tree, model.body_rootid[model.jnt_bodyid])
@@ -85,15 +81,10 @@ def fixed(scene: Scene) -> Iterator[Finding]:
             for geom in geoms
             if (element := scene.source.geom(geom)) and "mass" in element.attributes
         ]
-        pairs = (
-            (geom, other)
-            for other in range(model.ngeom)
-            for geom in geoms
-            if tree[other] != body
-        )
         near = (
-            mujoco.mj_geomDistance(model, data, *pair, NEAR_M, None) < NEAR_M
-            for pair in pairs
+            mujoco.mj_geomDistance(model, data, geom, other, NEAR_M, None) < NEAR_M
+            for other in np.flatnonzero(tree != body).tolist()
+            for geom in geoms
         )
         if elements and not any(near):
             element = elements[0]
@@ -160,7 +151,7 @@ def visual(scene: Scene) -> Iterator[Finding]:
 def closed(scene: Scene) -> Iterator[Finding]:
     """Yield hollow meshes, which collide as their convex hull."""
     model = scene.model
-    touch = (scene.model.geom_contype | scene.model.geom_conaffinity) != 0
+    touch = (model.geom_contype | model.geom_conaffinity) != 0
     for geom in np.flatnonzero(touch & (model.geom_type == MESH)).tolist():
         mesh = int(model.geom_dataid[geom])
         if (start := int(model.mesh_graphadr[mesh])) < 0:  # The mesh has no hull.

@@ -124,8 +124,8 @@ class Hold:
                 self.name,
                 "speed",
                 self.moves_mm_s,
-                message="$shape still moves at $value against $against, faster than its"
-                " predicted creep of $used; give its grip more time with --settle",
+                message="$shape still moves at $value, faster than its predicted creep"
+                " of $used; give its grip more time with --settle",
                 against=touching,
                 used=self.mm_s,
                 unit="mm/s",
@@ -137,8 +137,8 @@ class Hold:
                 self.name,
                 "load",
                 self.load_n,
-                message="$shape slides against $against because its load of $value"
-                " exceeds the friction of its contacts",
+                message="$shape slides because its load of $value exceeds the friction"
+                " of its contacts",
                 against=touching,
                 unit="N",
                 severity="error",
@@ -149,8 +149,7 @@ class Hold:
                 self.name,
                 "creep",
                 self.mm_s,
-                message="$shape creeps at $value against $against, faster than the"
-                " bound of $used",
+                message="$shape creeps at $value, faster than the bound of $used",
                 against=touching,
                 used=below_mm_s,
                 unit="mm/s",
@@ -231,11 +230,9 @@ def settled(model: MjModel, data: MjData, time_s: float) -> MjData:
 def touches_of(scene: Scene, data: MjData, body: int, step_count: int) -> list[Touch]:
     """Step on and return the averaged contact points of a body and its welded parts."""
     model = scene.model
-    body_of = scene.model.geom_bodyid
+    body_of = model.geom_bodyid
     is_held = model.body_weldid == model.body_weldid[body]
-    readings: defaultdict[tuple[tuple[int, int], int], list[dict[str, Any]]] = (
-        defaultdict(list)
-    )
+    readings: dict[Any, list[dict[str, Any]]] = defaultdict(list)
     for _ in range(step_count):
         mujoco.mj_step(model, data)
         counts: Counter[tuple[int, int]] = Counter()
@@ -293,7 +290,6 @@ def _reading(
         float(shares.sum() if scene.option.cone == "pyramidal" else np.hypot(*shares))
         / force[0]
     )
-    weight = _weight(scene, data, index)
     along1, along2 = force[1:3] ** 2 / max(force[1:3] @ force[1:3], mujoco.mjMINVAL)
     # mj_makeImpedance: R μ² is the same along both tangents.
     softer = (
@@ -301,15 +297,13 @@ def _reading(
         if along1 + along2
         else 1.0
     )
-    means = {
+    return {
         "normal_n": force[0],
         "tangential_n": sign * (force[1:3] @ frame[1:]),
         "normal": frame[0].copy(),
-    }
-    return means | {
         "position": contact.pos.copy(),
         "used": used,
-        "weight_1_kg": weight,
+        "weight_1_kg": _weight(scene, data, index),
         "softer": softer,
     }
 
@@ -441,12 +435,10 @@ def _slide(
 
 
 def _speed(model: MjModel, data: MjData, body: int, support: int) -> float:
-    motion = np.zeros(6)
-    carrier = np.zeros(6)
-    # Velocities are rotation first, then translation.
-    for moving, into in ((body, motion), (support, carrier)):
-        mujoco.mj_objectVelocity(
-            model, data, int(mujoco.mjtObj.mjOBJ_BODY), moving, into, 0
-        )
+    velocities = np.zeros((2, 6))  # Rotation comes first, then translation.
+    kind = int(mujoco.mjtObj.mjOBJ_BODY)
+    for moving, velocity in zip((body, support), velocities, strict=True):
+        mujoco.mj_objectVelocity(model, data, kind, moving, velocity, 0)
+    motion, carrier = velocities
     carried = carrier[3:] + np.cross(carrier[:3], data.xpos[body] - data.xpos[support])
     return np.linalg.norm(motion[3:] - carried)

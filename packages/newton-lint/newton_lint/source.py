@@ -132,11 +132,7 @@ class Source:
             # replicate appends to each name.
             if all(map(str.startswith, names, authored)):
                 return dict(enumerate(in_order))
-        named = {
-            geom[0].attributes["name"]: geom
-            for geom in in_order
-            if "name" in geom[0].attributes
-        }
+        named = {geom[0].attributes.get("name"): geom for geom in in_order}
         return {index: named[name] for index, name in enumerate(names) if name in named}
 
     @cached_property
@@ -178,11 +174,7 @@ class Source:
 
     def option(self, attribute: str = "") -> Element | None:
         """Return the ``<option>`` that sets an attribute, any other one, or None."""
-        options = (
-            list(self.root.sections("option"))
-            if self.root and self.root.tag == "mujoco"
-            else []
-        )
+        options = list(self.root.sections("option")) if self.root else []
         authoring = [
             element for element in options if attribute in element.attributes
         ] or options

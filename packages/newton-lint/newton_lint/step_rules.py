@@ -97,7 +97,7 @@ def stepped(scene: Scene, runs: Sequence[Run]) -> list[Finding]:
 def _ways(scene: Scene, data: MjData, limited: bool) -> Iterator[Way]:
     """Yield changes that may stabilize a scene: options, then servo parameters."""
     model = scene.model
-    half = 0.5 * scene.model.opt.timestep
+    half = 0.5 * model.opt.timestep
     if limited:
         more = max(3, 10 * model.opt.iterations)
         yield changed(model, iterations=more), {"iterations": str(more)}, ""
@@ -175,7 +175,7 @@ def _unstable(scene: Scene, runs: Sequence[Run]) -> Iterator[Finding]:
     """
     run = runs[0]
     model = scene.model
-    opt = scene.model.opt
+    opt = model.opt
     fast = run.thrown_m_s.max(initial=0.0)
     begin = run.start.data(model)
 
@@ -197,7 +197,7 @@ def _unstable(scene: Scene, runs: Sequence[Run]) -> Iterator[Finding]:
     if run.bad:
         advice = mended(lambda after: not after.bad)
         message = (
-            f"The simulation blows up after {run.time_s:.3g} s from {run.start}:"
+            f"The simulation blows up after {run.time_s:.3g} s from {run.start.name}:"
             " accelerations become infinite, and MuJoCo resets the state"
         )
         for servo, _, ratio, _ in _stiff(model, begin)[:1]:
@@ -229,7 +229,7 @@ def _unstable(scene: Scene, runs: Sequence[Run]) -> Iterator[Finding]:
             "speed",
             fast,
             message="$shape flies off at $value because contacts throw it"
-            f" (from {run.start}); nothing else drives it",
+            f" (from {run.start.name}); nothing else drives it",
             unit="m/s",
             severity="error",
             advice=mended(
@@ -254,7 +254,7 @@ def _unstable(scene: Scene, runs: Sequence[Run]) -> Iterator[Finding]:
                 "iterations",
                 float(opt.iterations),
                 message=f"The solver uses all $value iterations in {run.at_limit:.0%}"
-                f" of the steps from {run.start}, so contacts are not solved",
+                f" of the steps from {run.start.name}, so contacts are not solved",
                 element=scene.source.option("iterations"),
                 advice=for_option(scene, {"iterations": more}, gain),
             )
@@ -266,11 +266,9 @@ def _overlapping(scene: Scene, run: Run) -> Iterator[Finding]:
     It is a warning if they are jammed or thrown apart, otherwise a note.
     """
     model = scene.model
-    body_of = scene.model.geom_bodyid
+    body_of = model.geom_bodyid
     touching = np.sort(body_of[run.data.contact.geom], axis=1)
-    forces = contact_forces(model, run.data, range(len(touching)))[:, 0] * (
-        0.0 if run.bad else 1.0
-    )
+    forces = contact_forces(model, run.data, range(len(touching)))[:, 0]
     fast = dict(
         zip(
             model.jnt_bodyid[free_joints(model)].tolist(),
@@ -283,13 +281,12 @@ def _overlapping(scene: Scene, run: Run) -> Iterator[Finding]:
     is_piece = (root is not None and root.tag == "robot") or len(
         {*model.body_rootid[body_of].tolist()}
     ) == 1
-    worst: dict[tuple[int, int], tuple[float, tuple[int, int]]] = {}
+    worst: dict[tuple[int, ...], tuple[float, tuple[int, int]]] = {}
     for pair, depth in run.first.items():
-        sizes = [
-            model.geom_rbound[geom] for geom in pair if model.geom_rbound[geom] > 0.0
-        ]
+        # A plane has the radius 0.
+        sizes = filter(None, model.geom_rbound[list(pair)].tolist())
         if depth > max(OVERLAP_M, OVERLAP_SHARE * min(sizes, default=0.0)):
-            bodies = min(body_of[list(pair)]), max(body_of[list(pair)])
+            bodies = tuple(sorted(body_of[list(pair)].tolist()))
             worst[bodies] = max(worst.get(bodies, (0.0, pair)), (depth, pair))
     loose = (bodies for bodies in worst if scene.free[list(bodies)].all())
     # A heap of loose bodies is probably scattered by code, so one pair represents it.
@@ -304,12 +301,11 @@ def _overlapping(scene: Scene, run: Run) -> Iterator[Finding]:
         if bodies in heap[:-1]:
             continue
         force = forces[(touching == bodies).all(axis=1)].sum()
-        jammed = weight > 0.0 and force > FORCE * weight
+        jammed = not run.bad and weight > 0.0 and force > FORCE * weight
         thrown = max(fast.get(int(model.body_weldid[body]), 0.0) for body in bodies)
         hard = jammed or run.bad or thrown > THROWN_M_S
-        one_tree = model.body_rootid[bodies[0]] == model.body_rootid[
-            bodies[1]
-        ] or not any(scene.free[list(bodies)])
+        root1, root2 = model.body_rootid[list(bodies)]
+        one_tree = root1 == root2 or not scene.free[list(bodies)].any()
         names = [scene.bodies[body] for body in bodies]
         margin = (
             " including their margin"
@@ -317,7 +313,9 @@ def _overlapping(scene: Scene, run: Run) -> Iterator[Finding]:
             else ""
         )
         more = f" (the fastest of {len(heap)} pairs)" if bodies in heap[1:] else ""
-        message = f"$shapes and $against overlap by $value{margin} at {run.start}{more}"
+        message = (
+            f"$shapes and $against overlap by $value{margin} at {run.start.name}{more}"
+        )
         if jammed:
             message += (
                 f"; {force:.3g} N press them apart, {force / weight:.3g} times the"
@@ -381,7 +379,8 @@ def _sagging(scene: Scene, run: Run) -> Iterator[Finding]:
             "speed",
             scale * rate,
             message=f"$shape sags at $value under a load of {load:.3g} although its"
-            f" frictionloss is {loss:.3g} (from {run.start}); impratio has no effect",
+            f" frictionloss is {loss:.3g} (from {run.start.name}); impratio has no"
+            " effect",
             unit=unit,
             advice=advice,
         )

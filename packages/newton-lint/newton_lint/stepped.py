@@ -37,9 +37,6 @@ class Start:
     state: MjData | None = None
     """The state that a function returned, or None."""
 
-    def __str__(self) -> str:
-        return self.name
-
     def data(self, model: MjModel) -> MjData:
         """Return data of a model in this state."""
         if self.state is not None:

@@ -23,7 +23,6 @@ ROOTS = re.compile(rb"<(mujoco|robot)[\s>/]")
 """Matches the root of a scene, which ``<mujocoinclude>`` is not."""
 INCLUDE = re.compile(rb"""<include\s[^>]*file\s*=\s*["']([^"']+)""")
 NEWTONS = "newton_lint.newton_models.report"
-NEEDS_NEWTON = "this needs Newton and its importers: pip install 'newton-lint[newton]'"
 
 
 @dataclass(frozen=True)
@@ -217,7 +216,10 @@ def newtons(target: str, module: str, function: str, *arguments: Any) -> Any:
     try:
         return attrgetter(function)(importlib.import_module(module))(*arguments)
     except ImportError as error:
-        raise TargetError(f"{target}: {NEEDS_NEWTON} ({_line(error)})") from error
+        raise TargetError(
+            f"{target}: this needs Newton and its importers:"
+            f" pip install 'newton-lint[newton]' ({_line(error)})"
+        ) from error
     except (
         Exception
     ) as error:  # The importers raise any kind for a file they don't know.

@@ -97,7 +97,7 @@ def ke_without_kd(scene: Shapes) -> Iterator[Hits]:
                 f" solver uses solref ({timeconst_s:g}, {ratio:g})",
             ),
             hit,
-            values[name][hit],
+            values[name],
             used,
         )
 
@@ -113,7 +113,7 @@ def friction_gain(scene: Shapes) -> Iterator[Hits]:
         yield Hits(
             Wording("kf", "kf", f"kf $value of $shapes is not read {reason}"),
             unread,
-            kf[unread],
+            kf,
         )
         return
     first = contacts.first
@@ -129,7 +129,7 @@ def friction_gain(scene: Shapes) -> Iterator[Hits]:
         "mu $value of $shapes against $against is not read because a kf of 0 removes"
         " the friction",
     )
-    yield Hits(wording, first[lost], mu[lost], partner=second[lost])
+    yield Hits(wording, lost, mu, shape=first, partner=second)
     dmax = contacts.solimp[:, 1]
     most = 1.0 / (
         opt.timestep_s * contacts.weight * ((1.0 - dmax) / opt.impratio + dmax)
@@ -144,7 +144,7 @@ def friction_gain(scene: Shapes) -> Iterator[Hits]:
         "kf $value of $shapes against $against needs a friction timeconst below two"
         " time steps, so the engine clamps it to that of a kf of $used",
     )
-    yield Hits(wording, first[hit], mixed[hit], most[hit], second[hit])
+    yield Hits(wording, hit, mixed, used=most, shape=first, partner=second)
 
 
 def kf_unread(scene: Scene) -> str:
