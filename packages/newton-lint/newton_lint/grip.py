@@ -91,6 +91,7 @@ def _least_cosine(touches: Sequence[Touch]) -> float:
 def _grip_findings(
     scene: Scene, body: int, touches: list[Touch], data: mujoco.MjData, start: Start
 ) -> Iterator[Finding]:
+    """Yield a body that turns in its grip, or slips."""
     hold = predicted_hold(scene, body, touches, Work(scene.bodies[body]), data)
     between = _is_between(touches)
     is_sloped = _least_cosine(touches) > -OPPOSE

@@ -135,8 +135,8 @@ class Mending:
 
     def _pass(self) -> bool:
         """Try each change once. Return whether any of them was taken over."""
-        written = {line: why for line, why in self.outcomes.items() if why == ""}
-        self.outcomes = dict(written)
+        self.outcomes = {line: why for line, why in self.outcomes.items() if not why}
+        written = len(self.outcomes)
         for _ in range(MOST_TRIES):
             # An accepted change alters the findings, so list the candidates again.
             untried = (
@@ -152,7 +152,7 @@ class Mending:
             ends = [[run.data.qpos for run in group] for group in (runs, self.runs)]
             if runs is not self.runs and all(map(np.array_equal, *ends)):
                 self.idle.add(line)
-        return list(self.outcomes.values()).count("") > len(written)
+        return list(self.outcomes.values()).count("") > written
 
     def _candidates(self) -> Iterator[tuple[str, list[Finding], Sequence[Change]]]:
         """Yield the text of changes, the findings that they may mend, and the changes.

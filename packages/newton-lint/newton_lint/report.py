@@ -23,6 +23,7 @@ OF_CONTACTS = ("timeconst", "solimp", "dampratio", "one-sided", "friction")
 """Rules whose findings only matter if the shapes touch something soon."""
 # Numbers above this have infinite squares; fields with these prefixes are checked.
 HUGE = 1e100
+MUJOCO_C = Engine()
 NUMBERS = ("geom_", "pair_", "body_", "dof_", "actuator_gain", "actuator_bias")
 
 
@@ -192,9 +193,8 @@ def _newton_findings(
     yield from (finding for finding in report.findings if finding.rule not in rules)
 
 
-def scene_of(target: Target, engine: Engine | None = None) -> Scene:
+def scene_of(target: Target, engine: Engine = MUJOCO_C) -> Scene:
     """Return the scene of a target, or raise TargetError if it cannot be simulated."""
-    engine = engine or Engine()
     if target.model is None:
         raise TargetError(f"{target.name}: expected a MuJoCo model, got a Newton model")
     # mj_step accepts any time step, but the number of steps would round to 0.

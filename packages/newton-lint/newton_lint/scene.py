@@ -42,7 +42,7 @@ class Engine:
         cone = CONES.index(self.cone) if self.cone else None
         options = {"timestep": self.timestep_s, "cone": cone, "impratio": self.impratio}
         authored = {name: value for name, value in options.items() if value is not None}
-        return changed(model, **authored) if authored else model
+        return changed(model, **authored)
 
 
 @dataclass(frozen=True)
