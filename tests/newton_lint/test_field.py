@@ -261,7 +261,7 @@ def test_a_change_without_effect_is_told_as_such_and_what_touches_nothing_is_a_n
 
 OPTIONS = [
     (["--version"], 0, "newton-lint "),
-    (["--explain", "limit"], 0, "limit (warning): a joint or tendon"),
+    (["--explain", "limit"], 0, "limit (warning): A joint or tendon"),
     (["--explain", "limits"], 2, "unknown rule limits"),
     (["{}", "--ignore", "limits"], 2, "cannot ignore unknown rule limits"),
 ]

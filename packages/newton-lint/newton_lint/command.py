@@ -285,7 +285,7 @@ def add_work(parser: argparse.ArgumentParser) -> None:
     add(
         "--engine",
         choices=("mujoco", "warp", "newton"),
-        help="engine that simulates the scene; default: mujoco",
+        help="engine whose rules apply; default: mujoco",
     )
     add("--dt", type=positive, metavar="S", help=f"time step [s]; {default}")
     add("--cone", choices=("pyramidal", "elliptic"), help=f"friction cone; {default}")
