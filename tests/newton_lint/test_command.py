@@ -349,9 +349,7 @@ def test_json_and_rules_are_as_documented(scene, capsys):
         path.read_text(encoding="utf-8")
         for path in (ROOT / "packages/newton-lint/newton_lint").rglob("*.py")
     ]
-    named = re.compile(
-        r'(?:Wording|Finding|_scene_finding)\(\s*(?:scene,\s*)?"([a-z-]+)"'
-    )
+    named = re.compile(r'(?i:wording|finding)\(\s*(?:scene,\s*)?"([a-z-]+)"')
     rules = {rule for source in sources for rule in named.findall(source)}
     table = (ROOT / "packages/newton-lint/newton_lint/rules.md").read_text(
         encoding="utf-8"
