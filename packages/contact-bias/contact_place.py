@@ -355,7 +355,7 @@ def subtract_place(
         first.bend = 0.0 * UNIT
         first.sharp = 0.0 * UNIT
         second.sharp = UNIT
-    # Velocities of the contact over both surfaces, and the turn of the normal by them.
+    # The contact moves over both surfaces, which turns the normal by ``bent``.
     over_1, over_2 = wp.vec2(), wp.vec2()
     bent = wp.vec2()
     carrying = w_1

@@ -7,8 +7,8 @@
 Each world is run with and without the term. For both, the benchmark records the largest
 energy relative to that of the body at rest, and the largest height. Spins are slow
 enough for the term to act. Tumbling is chaotic, and the time step has an error of its
-own, so some worlds gain energy without the term. The effect of the term is the
-difference between the numbers of pairs that change in either direction.
+own, so some worlds gain energy without the term. To see the effect of the term, compare
+the pairs in which only one of the two worlds gains energy or rises higher.
 """
 
 import argparse

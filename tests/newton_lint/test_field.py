@@ -1,4 +1,4 @@
-"""Scenes of public questions: what the lint names in each, with the number that MuJoCo C comes to and what mends it."""
+"""Scenes from public questions: the finding, its number and the advice for each."""
 
 import json
 
@@ -202,7 +202,10 @@ WELD = """<mujoco><worldbody><body name="a" pos="0 0 1"><geom size=".03"/></body
 
 
 def test_what_swings_is_read_where_it_comes_to_rest(tmp_path, capsys):
-    """After 0.2 s the upper weld is 83 mm open and after 12 s 196; a mocap weld on its way is open nowhere."""
+    """The upper weld is 83 mm open after 0.2 s and 196 mm after 12 s.
+
+    A weld that follows a mocap body is not reported.
+    """
     model = mujoco.MjModel.from_xml_string(WELD)
     data = mujoco.MjData(model)
     for _ in range(6000):
@@ -320,7 +323,7 @@ def test_what_mujoco_stops_at_and_numbers_without_squares_are_one_line(
     ],
 )
 def test_a_load_creeps_as_a_grip_does(flag, contact, least, most, tmp_path, capsys):
-    """--load says the same as --hold on a slope of 0.2, whose weight is the load of four points."""
+    """--load agrees with --hold on a slope of 0.2 with a quarter of the load per point."""
     path = tmp_path / "scene.xml"
     path.write_text(
         f'<mujoco><option cone="elliptic" gravity="1.924 0 -9.62">{flag}</option><worldbody>{BOX}<body name="held" '

@@ -1,4 +1,4 @@
-"""Fixes: files are never damaged, what does harm is not written, and what was written stays as it is."""
+"""Tests of ``--fix``: it damages no file and writes no harmful change."""
 
 import os
 
@@ -37,7 +37,7 @@ STIFF = """
 
 @pytest.fixture
 def scenes(tmp_path):
-    """Two scenes that share an include."""
+    """Return a folder with two scenes that include the same file."""
     (tmp_path / "common.xml").write_bytes(COMMON.encode())
     for name, body in (
         ("one.xml", BODY),

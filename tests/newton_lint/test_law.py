@@ -1,4 +1,4 @@
-"""The whole law, from the scene alone, held against MuJoCo's C engine: one case in six here, all in ``cases.py``."""
+"""Compares the law with MuJoCo's C engine on every sixth case of ``cases.py``."""
 
 import math
 

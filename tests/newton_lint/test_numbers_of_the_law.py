@@ -20,10 +20,10 @@ from newton_lint.target import Target
 from tests.newton_lint.cases import Case
 
 CONTACT = Contact((0.02, 1.0), (0.9, 0.95, 0.001, 0.5, 2.0), 0.8, 2.0)
-"""1/b = 0.95 · 20 ms / 2 = 9.5 ms, R = 0.05 / 0.95 · 2 = 2/19 per kg, and R/b = 1 mm/s for each newton."""
+"""1/b = 0.95 · 20 ms / 2 = 9.5 ms and R = 0.05 / 0.95 · 2 = 2/19 per kg give R/b = 1 mm/s/N."""
 ELLIPTIC = Option(0.002, cone="elliptic")
 STEEP = 1.0 + 0.8**2
-"""What an edge of the pyramid has more of w."""
+"""Factor of w for an edge of the pyramid."""
 
 
 @pytest.mark.parametrize(
@@ -218,7 +218,7 @@ def test_a_pyramid_has_two_edges_for_each_axis_of_friction(condim, cone, edges):
 @pytest.mark.parametrize("slide", [0.001, 0.0015, 0.003, 0.008, 0.02])
 @pytest.mark.parametrize("edge_count", [4, 6])
 def test_a_pyramids_edges_bear_what_minimizes_their_energy(slide, edge_count):
-    """With the least Σ R f²/2 - J f of edges that only press, as MuJoCo's dual problem has it, here by SciPy."""
+    """SciPy minimizes Σ R f²/2 - J f over non-negative forces, as in MuJoCo's dual."""
     mu, normal, compliance = 0.5, 10.0, 0.001
     pulls = np.zeros(edge_count)
     pulls[:2] = 1.0, -1.0
@@ -409,7 +409,10 @@ FEW = """
     ],
 )
 def test_alike_pairs_are_predicted_together_the_free_and_the_fastest_first(load, order):
-    """Under a load what weighs a tenth creeps ten times as fast; of an acceleration it is the timeconst alone."""
+    """A tenth of the mass creeps ten times as fast under a load.
+
+    Under an acceleration only the timeconst matters.
+    """
     model = mujoco.MjModel.from_xml_string(
         FEW.format(rest='size="0.1" contype="0" conaffinity="1"')
     )

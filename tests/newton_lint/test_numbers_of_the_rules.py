@@ -51,7 +51,7 @@ def found(rule: str, **changes) -> list[Finding]:
 
 
 def alone(solref: str, **more) -> dict:
-    """A floor whose solref counts alone."""
+    """Return settings of a floor whose solref counts alone."""
     return {"floor": f'priority="1" solref="{solref}"', **more}
 
 
@@ -294,7 +294,7 @@ def test_short_of_a_threshold_nothing_is_said(rule, changes):
 
 
 def test_dmin_is_no_more_than_dmax_as_the_engine_clips_both():
-    """(1 - 0.5) / (1 - 0.95) of the creep is left; 2 and 1 are both clipped to 0.9999."""
+    """Creep decreases by (1 - 0.5) / (1 - 0.95); 2 and 1 are both clipped to 0.9999."""
     [finding] = found("solimp", floor='solimp="0.95 0.5 0.001 0.5 2"')
     assert (finding.value, finding.used) == (0.95, 0.5)
     assert 'solimp="0.95 0.95 0.001 0.5 2"' in str(
@@ -306,13 +306,13 @@ def test_dmin_is_no_more_than_dmax_as_the_engine_clips_both():
 
 
 def test_a_pyramid_is_said_to_be_as_soft_as_it_is():
-    """136 times at μ 4: (1 + μ²) μ² / 2."""
+    """(1 + μ²) μ² / 2 is 136 for a μ of 4."""
     [finding] = found("pyramid", floor='friction="4"')
     assert "contacts 136 times softer" in finding.message
 
 
 def test_of_a_pair_whose_parameters_mix_the_stiffer_side_is_named():
-    """By solmix 3 to 1: 0.75 · 2 ms + 0.25 · 8 ms."""
+    """A solmix of 3 to 1 gives 0.75 · 2 ms + 0.25 · 8 ms."""
     floor, part = 'solref="0.008 1"', 'solref="0.002 1" solmix="3"'
     [finding] = found("timeconst", floor=floor, part=part)
     assert (finding.shape, finding.against) == ("part", ("floor",))

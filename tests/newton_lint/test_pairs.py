@@ -1,4 +1,4 @@
-"""The pairs, held against those that MuJoCo's collision asks for."""
+"""Compares the pairs with those that MuJoCo's collision detection checks."""
 
 import copy
 
@@ -30,7 +30,7 @@ BODIES = """
 
 
 def asked_for(model: mujoco.MjModel) -> set[tuple[int, int]]:
-    """Pairs that the engine's collision asks for where nothing is too far apart, and those that the scene names."""
+    """Return the pairs that the engine checks if all geoms are near, and the named ones."""
     if model.opt.disableflags & OFF:
         return set()
     near, found = copy.copy(model), set()

@@ -1,4 +1,4 @@
-"""Holds, prescriptions and pages of a pinch and an incline."""
+"""Tests of ``--hold``, prescribe and page on a pinch and an incline."""
 
 import json
 import re
@@ -71,7 +71,7 @@ def test_a_prescription_reaches_its_bound_and_is_written(
 
 
 def test_what_is_asked_for_is_simulated_too(written, capsys):
-    """An impratio in place of the scene's."""
+    """``--impratio`` replaces that of the scene."""
     assert (
         main(["prescribe", written("pinch"), "--hold", "held", "--impratio", "10"]) == 0
     )
@@ -82,7 +82,7 @@ def test_what_is_asked_for_is_simulated_too(written, capsys):
 
 
 def test_what_slips_by_its_own_weight_is_a_finding(written, capsys):
-    """As fast as it is simulated to, where all points bear alike, between fingers and on a slope."""
+    """The creep agrees with the simulation, between fingers and on a slope."""
     for kind, changes in (
         ("pinch", {"grip": 60}),
         ("incline", {"cone": "pyramidal", "solref": "0.05 1"}),

@@ -1,4 +1,4 @@
-"""Questions of issue trackers: what the lint names, and whether the first change that it says cures it in MuJoCo C."""
+"""Questions from issue trackers: the finding, and the effect of its first change."""
 
 import mujoco
 import numpy as np
@@ -107,11 +107,11 @@ QUESTIONS = {
         1.001,
     ),
 }
-"""Scene, what is in it, the rule that names it, what is measured, and which share of it the change leaves at most."""
+"""Scene, its settings, the rule, the measured quantity, and the share that may remain."""
 
 
 def measured(path: str, what: str) -> float:
-    """How fast the body creeps [mm/s], how far it turns [rad], or how deep it is below where it started [mm]."""
+    """Return the creep [mm/s], rotation [rad] or depth [mm] of the body."""
     model = mujoco.MjModel.from_xml_path(path)
     data, body = mujoco.MjData(model), model.body("body").id
     if model.nkey:
@@ -160,7 +160,7 @@ SIDES = {
     ),
     "pyramid": ("", 'friction="5"', "friction 5 makes", 'cone="elliptic"'),
 }
-"""Floor and what lies on it, what is said of them, and the advice."""
+"""Attributes of the floor and of the part, parts of the message, and of the advice."""
 
 
 @pytest.mark.parametrize("rule", SIDES)
@@ -249,7 +249,7 @@ STARTS = {
         'solref="0.01 1"',
     ),
 }
-"""Bodies over a floor, what is said of them, and the advice."""
+"""Bodies over a floor, part of the message, and part of the advice."""
 
 
 @pytest.mark.parametrize("question", STARTS)

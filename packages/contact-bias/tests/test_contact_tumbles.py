@@ -1,4 +1,4 @@
-"""Bodies that tumble: how they start, and how pairs of worlds are counted."""
+"""Tests of the benchmark: the starts of the bodies, and the counts of pairs."""
 
 import mujoco
 import numpy as np

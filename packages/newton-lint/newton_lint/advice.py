@@ -10,9 +10,9 @@ from newton_lint.findings import Advice, Change, distinct
 from newton_lint.law import clamped
 from newton_lint.scene import Scene
 
-# A damping ratio or timeconst is far from another one at this ratio. An elliptic cone
-# needs at least this many solver iterations.
+# A damping ratio or timeconst is far from another one at this ratio.
 FAR = 4.0
+# An elliptic cone needs at least this many solver iterations.
 FEW = 10
 
 

@@ -183,7 +183,7 @@ def row_numbers(*columns: np.ndarray) -> np.ndarray:
 
 
 def groups_of(numbers: np.ndarray) -> list[np.ndarray]:
-    """Return the indices of each number, in the order of the numbers."""
+    """Return the indices of each group of equal numbers, lowest number first."""
     return (
         np.split(
             np.argsort(numbers, kind="stable"), np.cumsum(np.bincount(numbers))[:-1]

@@ -25,13 +25,13 @@ from newton_lint.stepped import Run, Start, contact_forces, free_joints
 
 SLIP_MM_S = 1.0
 """A body slips if it creeps at least this fast under its own weight."""
-# Least ratio of measured and predicted creep; least share of the weight that friction
-# bears, in a grip and on a slope.
+# A body must move at this share of its predicted creep to be reported.
 AGREES = 0.3
+# Friction must bear this share of the weight of a body on a slope.
 LEAST = 0.015
-# Two contacts oppose each other if the cosine of their normals is below this. At most
-# this many bodies are checked, those with the most friction first.
+# Two contacts oppose each other if the cosine of their normals is below this.
 OPPOSE = -0.5
+# At most this many bodies are checked, those with the most friction first.
 MOST_BODIES = 6
 
 

@@ -10,8 +10,8 @@ Here d is the impedance of the contact, and w is the sum of both bodies'
 body_invweight0, or (1 + μ²) times that in a row of a pyramid.
 
 With the time step h, a contact also slides by a h/2 less under integrators that move
-bodies by their new velocity, and by a h/2 more under ``discrete``. The latter also
-weighs rows by 1 + b h + h² k d (numerical integration).
+bodies by their new velocity, and by a h/2 more under ``discrete``. This integrator also
+multiplies R by (1 + b h) / (1 + b h + h² k d).
 """
 
 import math

@@ -21,21 +21,25 @@ from newton_lint.target import Target, TargetError, compiled, read_target, tried
 
 MEASURED_S = 2.0
 """Time for which a scene is stepped before and after a change, from each start."""
+# Contacts may become this many times as deep, and this much deeper [m].
 DEEPER = 1.1
 DEEPER_M = 5e-5
+# Motions may become this many times as fast, and this much faster [m/s or rad/s].
 FASTER = 1.05
 FASTER_M_S = 2e-3
+# A simulated second may take this many times the solver's effort.
 SLOWER = 1.8
+# It may take this many times the processor time.
 SLOWEST = 3.0
-# The limits above bound how much deeper contacts and how much faster motions may get,
-# and how much more solver effort and processor time a change may take.
-# A body below this depth no longer falls through; from this speed on a body falls.
+# A body whose contacts are below this depth no longer falls through [m].
 SHALLOW_M = 2e-3
+# A body falls if it reaches this speed.
 FALLS_M_S = 3.0
 FREES = ("lost", "stiff", "thrown", "unstable")
 """Rules on bodies that fall or fly, which cost little only because nothing touches."""
-# Most changes that are tried in one pass, and most passes over scenes that share files.
+# At most this many changes are tried in one pass.
 MOST_TRIES = 40
+# Scenes that share files are mended in at most this many passes.
 PASSES = 4
 
 
@@ -45,7 +49,7 @@ def measured(target: Target) -> list[Run]:
 
 
 def harm(before: Sequence[Run], after: Sequence[Run], rules: Collection[str]) -> str:
-    """Return how a change for these rules made a scene worse, or an empty string."""
+    """Return the harm that a change for these rules does, or an empty string."""
     for old, new in zip(before, after, strict=True):
         if new.bad:
             start = new.start.name

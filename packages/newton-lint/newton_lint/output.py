@@ -8,7 +8,7 @@ from newton_lint.law import M
 from newton_lint.prediction import Load, Prediction
 from newton_lint.report import Report, as_json
 
-# Most predictions of creep that are printed.
+# At most this many predictions of creep are printed.
 WORST = 5
 LEAST_MM_S = 1e-3
 """Slower creep is printed as being below this speed."""

@@ -29,9 +29,9 @@ from newton_lint.settle import (
 from newton_lint.target import Target, TargetError, read_target
 
 BELOW_MM_S = 0.1
-# A setting is tried first if its prediction is below this share of the bound. At most
-# this many settings are simulated.
+# A setting is tried first if its prediction is below this share of the bound.
 SAFETY = 0.8
+# At most this many settings are simulated.
 MOST_TRIES = 5
 MEASURED_S = 1.0
 """Time over which creep is measured once the scene has settled."""

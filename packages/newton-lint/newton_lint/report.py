@@ -21,9 +21,10 @@ from newton_lint.target import NEWTONS, Target, TargetError, newtons
 
 OF_CONTACTS = ("timeconst", "solimp", "dampratio", "one-sided", "friction")
 """Rules whose findings only matter if the shapes touch something soon."""
-# Numbers above this have infinite squares; fields with these prefixes are checked.
+# Numbers above this have infinite squares.
 HUGE = 1e100
 MUJOCO_C = Engine()
+# Fields of the model with these prefixes are checked for such numbers.
 NUMBERS = ("geom_", "pair_", "body_", "dof_", "actuator_gain", "actuator_bias")
 
 

@@ -18,31 +18,33 @@ from newton_lint.pairs import HFIELD, PLANE
 from newton_lint.scene import HINGE, Scene
 from newton_lint.stepped import Run, Start, is_bad
 
-# A scene rests if its fastest mean speed is below this [m/s or rad/s]. The mean is
-# taken over this window, and the scene is stepped for this long at most.
+# A scene rests if its fastest mean speed is below this [m/s or rad/s].
 REST = 2e-3
+# The mean speed is taken over this time.
 WINDOW_S = 0.1
+# A scene is stepped for at most this time.
 LONGEST_S = 2.0
-# Scenes that still move faster than this only give notes [m/s or rad/s]. Stepping stops
-# after this processor time.
+# Scenes that still move faster than this only give notes [m/s or rad/s].
 WILD = 1.0
+# Stepping stops after this processor time.
 BUDGET_S = 0.4
 LEAST = {"mm": 1e-3, "°": math.radians(1.0)}
 """Least depth, distance or angle that is reported [m or rad]."""
 SCALE = {"mm": M, "°": math.degrees(1.0)}
-# A finding is a warning above this multiple of it; the second one is for limits.
+# A finding is a warning if its value is above this multiple of the least one.
 FAR = 5.0
+# For limits of joints and tendons, this multiple applies instead.
 MUCH = 3.0
-# A change is named if it leaves at most this share. A body is reported if it sinks by
-# the second share of half its thickness.
+# A change is recommended if it leaves less than this share of the value.
 MENDS = 0.5
+# A body is reported if it sinks by this share of half its thickness.
 SUNK = 0.2
 HARD = (0.999, 0.999, 0.001)
 HARDEST = 'solref="{}" solimp="{}"'
 THICKER = (2, 4, 8, 16, 32)
-# A keyframe is reported if the scene leaves it at this speed [m/s or rad/s] within this
-# time.
+# A keyframe is reported if a motion of this speed starts there [m/s or rad/s].
 LEAVES = 3.0
+# The motion must start within this time.
 LEAVES_S = 0.2
 MOST_CONTACTS = int(mujoco.mjMAXCONPAIR)
 SLIDE = int(mujoco.mjtJoint.mjJNT_SLIDE)

@@ -17,9 +17,9 @@ from newton_lint.scene import Scene
 from newton_lint.scene_rules import closed, engine, fixed, lost, pyramid, unread, visual
 from newton_lint.source import Element
 
-# Parameters that differ by less than this are equal. From this value of b h + k h²/2 on
-# MuJoCo's time step throws bodies off.
+# Parameters that differ by less than this are equal.
 SAME = 1e-5
+# From this value of b h + k h²/2 on, MuJoCo's time step throws bodies off.
 STIFF = 1.9
 Advise = Callable[[int], Advice | None]
 

@@ -115,7 +115,7 @@ class Scene:
         """Return for each geom whether any pair uses its own parameters."""
         contacts = self.contacts
         counting = np.zeros(self.model.ngeom, dtype=bool)
-        # mj_collide reads the parameters of a <pair>, and none of its geoms.
+        # mj_collide reads the parameters of a <pair> instead of those of its geoms.
         plain = contacts.named < 0
         counting[contacts.first[plain]] = True
         counting[contacts.second[plain & ~contacts.outranked]] = True

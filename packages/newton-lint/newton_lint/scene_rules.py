@@ -12,15 +12,16 @@ from newton_lint.pairs import MOST_PAIRS, OFF, read
 from newton_lint.scene import WEIGHTLESS, Scene
 from newton_lint.warp_engine import refusal
 
-# A body sinks visibly into the contacts of a pyramid from this friction on: 2 mm at a
-# friction of 3, 100 mm at 8.
+# Bodies sink visibly into a pyramidal cone from this friction on: 2 mm at 3, 100 mm at
+# 8.
 STEEP = 3.0
 # Bodies that are farther from every other geom than this hang in the air.
 NEAR_M = 1e-3
-# Least ratio of a mass with and without its visual geoms, largest distance of that
-# ratio from 2 at which it counts as doubled, and least ratio of hull and mesh volume.
+# Visual geoms are reported if they make a body this many times as heavy.
 HEAVIER = 1.7
+# A mass counts as doubled if its ratio differs from 2 by less than this.
 TWICE = 0.1
+# A mesh is reported if its convex hull has this many times its volume.
 HOLLOW = 2.0
 MESH = int(mujoco.mjtGeom.mjGEOM_MESH)
 
@@ -207,7 +208,7 @@ def pyramid(scene: Scene) -> Iterator[Finding]:
             advice=advice,
         )
     if steepest > STEEP:
-        # R by mj_makeImpedance for condim 3, relative to an elliptic cone.
+        # mj_makeImpedance gives this ratio of R to that of an elliptic cone (condim 3).
         softer = 0.5 * steepest**2 * (1.0 + steepest**2)
         yield _scene_finding(
             scene,

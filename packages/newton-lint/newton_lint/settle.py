@@ -21,21 +21,22 @@ from newton_lint.law import (
 from newton_lint.scene import Scene
 from newton_lint.target import Target, TargetError
 
-# Time in which a scene comes to rest, and the share of it at the end over which forces
-# are averaged.
+# A scene comes to rest in this time by default.
 SETTLE_S = 0.5
+# Forces are averaged over this share at the end of the time.
 READ_SHARE = 0.2
-# Shares of the settling time after which the body is looked for in its grip, and the
-# share of the friction cone from which on a contact slides.
+# The body is looked for in its grip after these shares of the time.
 EARLIER = (1.0, 0.1, 0.01)
+# A contact slides if it uses this share of its friction cone.
 AT_THE_EDGE = 0.999
-# A body has not settled if it moves faster than this many times its creep plus this
-# speed [mm/s].
+# A body has not settled if it moves faster than the first number times its creep
+# plus the second number [mm/s].
 UNSETTLED = 2.0
 UNSETTLED_MM_S = 0.5
 STIFFER = 1e4
 """Ratio of normal to tangential stiffness in the model of creep."""
-# A body is not held if it moves faster than this many times its creep and this [m/s].
+# A body is not held if it moves faster than the first number times the sum of its
+# creep and the second number [m/s].
 RUNAWAY = 3.0
 LEAST_M_S = 0.05
 Points = Sequence[tuple[Response, float]]

@@ -173,7 +173,7 @@ class Source:
         return self.geoms[index][0] if index in self.geoms else None
 
     def option(self, attribute: str = "") -> Element | None:
-        """Return the ``<option>`` that sets an attribute, any other one, or None."""
+        """Return the ``<option>`` that sets an attribute, or any if no one does."""
         options = list(self.root.sections("option")) if self.root else []
         authoring = [
             element for element in options if attribute in element.attributes

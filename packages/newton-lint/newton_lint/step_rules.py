@@ -16,25 +16,28 @@ from newton_lint.rest import ON_JOINT, at_rest, is_servo, rest_of, unposed
 from newton_lint.scene import HINGE, Scene, changed
 from newton_lint.stepped import MOST_DOFS, Run, contact_forces, free_joints, run_of
 
-# Contacts cannot give a resting or falling body this speed. A change mends it if less
-# than this share of the speed remains.
+# Contacts cannot give a resting or falling body this speed.
 THROWN_M_S = 0.5
+# A change mends a thrown body if less than this share of its speed remains.
 CALMER = 0.5
-# Least overlap at the start that is reported [m], also as a share of the smaller geom.
+# An overlap at the start is reported from this depth on [m].
 OVERLAP_M = 1e-3
+# It must also exceed this share of the radius of the smaller geom.
 OVERLAP_SHARE = 0.05
-# A force is out of proportion above this multiple of the total weight. The solver is
-# at its limit if this share of the steps uses all iterations.
+# Bodies are jammed if a force exceeds this multiple of the total weight.
 FORCE = 100.0
+# The solver is at its limit if this share of the steps uses all iterations.
 LIMITED = 0.5
-# The number of iterations is reported if more of them change the depth by this [m] and
-# by this share, or a speed by 100 times as much [m/s].
+# Too few iterations are reported if more of them reduce the depth by this [m], or a
+# speed by 100 times as much [m/s].
 DIFFERS_M = 1e-3
+# The depth must also change by this share.
 DIFFERS = 0.1
-# A joint sags from this speed on [m/s or rad/s], if its friction force is below this
-# share of frictionloss and the speed is at least this share of the predicted one.
+# A joint sags from this speed on [m/s or rad/s].
 SAG = 5e-3
+# Its friction force must be below this share of the frictionloss.
 HELD = 0.99
+# Its speed must be at least this share of the predicted speed.
 AGREES = 0.7
 DRY_FRICTION = int(mujoco.mjtConstraint.mjCNSTR_FRICTION_DOF)
 Way = tuple[MjModel, dict[str, str], str]

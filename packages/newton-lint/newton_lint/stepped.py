@@ -12,12 +12,13 @@ from newton_lint.scene import FREE, WEIGHTLESS
 from newton_lint.settle import started
 from newton_lint.target import Target
 
-# Time for which a scene is stepped by default, and the processor time after which a
-# run stops early.
+# A scene is stepped for this time by default.
 STEPPED_S = 0.2
+# A run stops early after this processor time.
 BUDGET_S = 5.0
-# Most starts of a scene, and most degrees of freedom; a step with more takes seconds.
+# A scene is stepped from at most this many starts.
 MOST_STARTS = 4
+# Scenes with more degrees of freedom are not stepped: a step takes seconds.
 MOST_DOFS = 3000
 # After these warnings mj_checkPos and mj_checkAcc reset the state, which then looks
 # valid; only their counts remain.

@@ -272,7 +272,7 @@ def _computed(code: str, operands: Mapping[str, Quantity], expression: str) -> Q
 def _rounded(value: Decimal, last_digit: int, printed: re.Match[str]) -> str:
     """Return a number in the format of the printed one.
 
-    A number with a power of ten, or with more than 28 digits, gives an empty string.
+    The result is empty if the number has a power of ten or more than 28 digits.
     """
     if printed["ten"]:
         return ""

@@ -212,7 +212,7 @@ def _role(text: str, start: int, content: int) -> Region:
 
 
 def _end_of_fenced_code(text: str, opening: re.Match[str]) -> int:
-    """Return the end of fenced code, which is the end of the text without a fence."""
+    """Return where fenced code ends: at a closing fence or at the end of the text."""
     fence = opening["fence"]
     closing = re.compile(rf"^[ >]*{fence}{fence[0]}*[ \t\r]*$", re.MULTILINE)
     match = closing.search(text, opening.end())

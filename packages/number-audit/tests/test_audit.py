@@ -1,4 +1,4 @@
-"""Audits of whole files, through the command: findings, exit status and fixes."""
+"""Tests of the command on whole files: findings, exit status and fixes."""
 
 import json
 import os
@@ -101,7 +101,10 @@ def folder(tmp_path, monkeypatch):
 
 @pytest.fixture
 def audit(folder, capsys):
-    """Return a function that audits a text: status, printed lines, text afterwards."""
+    """Return a function that audits a text.
+
+    It returns the exit status, the printed lines and the text afterwards.
+    """
 
     def run(
         text: str | bytes, *options: str, name: str = "a.md"
@@ -415,7 +418,7 @@ def test_a_chain_of_names_is_as_long_as_it_is(audit):
 
 
 def test_a_fix_never_overwrites_what_was_saved_in_the_meantime(audit, monkeypatch):
-    """As an editor does, between the reading of the file and the fix."""
+    """An editor may save the file between its reading and the fix."""
     edited = "a new sentence"
 
     def edit_and_copy(path, temporary, copymode=shutil.copymode):
@@ -462,7 +465,7 @@ def test_a_name_of_a_file_writes_no_command_of_github_and_no_second_line(audit):
 
 
 ABSENT = ("fcntl", "grp", "pwd", "resource", "termios")
-"""Modules of Python that Windows does not have."""
+"""Python modules that do not exist on Windows."""
 
 
 def test_it_needs_no_other_package_and_nothing_that_windows_does_not_have(folder):

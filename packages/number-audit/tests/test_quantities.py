@@ -1,4 +1,4 @@
-"""Units, noise and arithmetic, by numbers worked by hand."""
+"""Compares units, noise and arithmetic with numbers computed by hand."""
 
 import math
 
@@ -32,7 +32,7 @@ def test_student_t_is_that_of_the_tables(freedom, t):
 
 
 def test_the_noise_of_a_mean_is_its_confidence_interval():
-    """Deviation 1, 4 samples: 3.182 / 2."""
+    """For a deviation of 1 and 4 samples it is 3.182 / 2."""
     mean, noise = sample_mean(
         [1.0, 1.0, 1.0 + math.sqrt(3) / 2, 1.0 - math.sqrt(3) / 2]
     )

@@ -1,4 +1,4 @@
-"""Rules on Newton models: the MuJoCo rules on the compiled model, and ke, kd and kf."""
+"""Applies the rules to Newton models, and checks ke, kd and kf, which MuJoCo lacks."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass, field
