@@ -103,12 +103,11 @@ class Case:
         """Return the simulated speed of the body relative to its support."""
         model = self.target.model
         data = started(model)
-        body, support = model.body("held").id, 1 if self.kind == "turn" else 0
+        body = model.body("held").id
+        support = 1 if self.kind == "turn" else 0
         if self.kind == "turn":
-            data.qvel[0], data.qvel[2] = (
-                0.5,
-                0.5 * dict(self.changes).get("radius", 1.0),
-            )
+            data.qvel[0] = 0.5
+            data.qvel[2] = 0.5 * dict(self.changes).get("radius", 1.0)
         start = _within(model, settled(model, data, 0.5), body, support)
         time = 0.3
         end = _within(model, settled(model, data, time), body, support)

@@ -1,6 +1,7 @@
-"""What a hold bears and how it creeps, worked by hand on a slope and in a pinch, and the thresholds of grips.
+"""Loads and creep of held bodies, computed by hand, and thresholds of grips.
 
-With solimp 0.9 at each depth a box of mass m on four points creeps by g sin θ / 4 · (1 - d) timeconst / 2, as w is 1/m.
+With a solimp of 0.9 at each depth, a box of mass m on four points creeps at
+g sin θ / 4 · (1 - d) timeconst / 2, because w is 1/m.
 """
 
 import math
@@ -177,7 +178,8 @@ def test_what_was_touched_within_a_tenth_or_a_hundredth_of_the_time_is_lost(
     ).target
     target.model.opt.gravity[:] = 0.0
     data = mujoco.MjData(target.model)
-    data.qpos[2], data.qvel[2] = 0.05 + above, speed
+    data.qpos[2] = 0.05 + above
+    data.qvel[2] = speed
     hold = settled_hold(scene_of(target), replace(target, data=data), Work("held"))
     assert (hold is not None and hold.slides) == is_held
 
@@ -368,8 +370,10 @@ def test_the_cheap_that_are_good_by_a_fifth_are_tried_first_and_five_of_them():
 
 def test_a_motion_is_told_in_the_frame_of_what_holds_and_without_sinking_in():
     scene, _, hold = hold_of("turn", slope=0.0)
-    model, data = scene.model, mujoco.MjData(scene.model)
-    data.qpos[0], data.qpos[1] = math.radians(90.0), 0.5
+    model = scene.model
+    data = mujoco.MjData(scene.model)
+    data.qpos[0] = math.radians(90.0)
+    data.qpos[1] = 0.5
     mujoco.mj_kinematics(model, data)
     assert within(data, hold.body, hold.touches[0].support) == pytest.approx(
         [0.0, -1.5, 0.099]
@@ -377,7 +381,8 @@ def test_a_motion_is_told_in_the_frame_of_what_holds_and_without_sinking_in():
     model.opt.disableflags |= int(mujoco.mjtDisableBit.mjDSBL_CONSTRAINT) | int(
         mujoco.mjtDisableBit.mjDSBL_GRAVITY
     )
-    data.qpos[:], data.qvel[:] = 0.0, (0.0, 0.3, 0.4, -0.9)
+    data.qpos[:] = 0.0
+    data.qvel[:] = (0.0, 0.3, 0.4, -0.9)
     mujoco.mj_step(model, data)
     assert along(model, data, hold, 0.1) == pytest.approx(0.05)  # 0.5 m/s for 0.1 s
 

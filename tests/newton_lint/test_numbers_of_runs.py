@@ -114,7 +114,9 @@ def test_late_is_after_the_first_third(time_s, late):
 @pytest.mark.parametrize(("iterations", "share"), [(1, 1.0), (100, 0.0)])
 def test_effort_is_steps_and_half_the_iterations(iterations, share):
     target = of(g=-9.81, z=0.1, type="box", option=f'iterations="{iterations}"')
-    seen, data, count = ran(target), mujoco.MjData(target.model), 0
+    seen = ran(target)
+    data = mujoco.MjData(target.model)
+    count = 0
     for _ in range(100):
         mujoco.mj_step(target.model, data)
         count += int(data.solver_niter.sum())
@@ -337,7 +339,8 @@ HARM = [
 
 @pytest.mark.parametrize(("old", "new", "said"), HARM)
 def test_a_change_does_harm_from_its_thresholds_on(old, new, said):
-    runs, seen = [], ran(of())
+    runs = []
+    seen = ran(of())
     for given in (old, new):
         given = {
             "deepest_m": 0.01,

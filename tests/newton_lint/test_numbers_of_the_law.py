@@ -1,7 +1,9 @@
-"""The law's numbers, worked by hand from MuJoCo's documentation ("Modeling", solver parameters; "Computation").
+"""Numbers of the law, computed by hand from MuJoCo's documentation.
 
-b = 2 / (dmax timeconst) and k = 1 / (dmax timeconst dampratio)², or, of a direct solref, b = damping / dmax and
-k = stiffness / dmax²; R = (1 - d) / d · w / impratio. With ``refsafe`` no timeconst is below two steps.
+See "Modeling", solver parameters, and "Computation". A timeconst gives
+b = 2 / (dmax timeconst) and k = 1 / (dmax timeconst dampratio)². A direct solref gives
+b = damping / dmax and k = stiffness / dmax². R is (1 - d) / d · w / impratio. With
+``refsafe`` a timeconst is at least two steps.
 """
 
 import math
@@ -219,7 +221,9 @@ def test_a_pyramid_has_two_edges_for_each_axis_of_friction(condim, cone, edges):
 @pytest.mark.parametrize("edge_count", [4, 6])
 def test_a_pyramids_edges_bear_what_minimizes_their_energy(slide, edge_count):
     """SciPy minimizes Σ R f²/2 - J f over non-negative forces, as in MuJoCo's dual."""
-    mu, normal, compliance = 0.5, 10.0, 0.001
+    mu = 0.5
+    normal = 10.0
+    compliance = 0.001
     pulls = np.zeros(edge_count)
     pulls[:2] = 1.0, -1.0
     r = 2.0 * mu**2 * compliance

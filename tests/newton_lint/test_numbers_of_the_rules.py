@@ -1,7 +1,8 @@
-"""Every threshold of the rules from both sides, and every number that they advise, worked by hand.
+"""Checks each threshold of the rules from both sides, and each recommended number.
 
-The step is 2 ms and dmax 0.95 where nothing else is said; the formulas are those of MuJoCo's documentation, "Modeling",
-solver parameters: b = damping / dmax, k = stiffness / dmax², timeconst and dampratio otherwise, and two steps at least.
+By default the step is 2 ms and dmax is 0.95. The formulas are from MuJoCo's
+documentation, "Modeling", solver parameters: b = damping / dmax and
+k = stiffness / dmax², or timeconst and dampratio, with at least two steps.
 """
 
 import math
@@ -313,7 +314,8 @@ def test_a_pyramid_is_said_to_be_as_soft_as_it_is():
 
 def test_of_a_pair_whose_parameters_mix_the_stiffer_side_is_named():
     """A solmix of 3 to 1 gives 0.75 · 2 ms + 0.25 · 8 ms."""
-    floor, part = 'solref="0.008 1"', 'solref="0.002 1" solmix="3"'
+    floor = 'solref="0.008 1"'
+    part = 'solref="0.002 1" solmix="3"'
     [finding] = found("timeconst", floor=floor, part=part)
     assert (finding.shape, finding.against) == ("part", ("floor",))
     assert finding.value == pytest.approx(0.0035) and math.isclose(finding.used, 0.004)

@@ -63,7 +63,8 @@ BESIDE = {
     "geom": "",
     "slope": 0,
 }
-SETTLE_S, MEASURED_S = 1.0, 0.4
+SETTLE_S = 1.0
+MEASURED_S = 0.4
 QUESTIONS = {
     "creeps-out-of-the-grip": (PINCH, {}, "slip", "creep", 0.1),
     "impratio-does-not-help": (
@@ -113,7 +114,8 @@ QUESTIONS = {
 def measured(path: str, what: str) -> float:
     """Return the creep [mm/s], rotation [rad] or depth [mm] of the body."""
     model = mujoco.MjModel.from_xml_path(path)
-    data, body = mujoco.MjData(model), model.body("body").id
+    data = mujoco.MjData(model)
+    body = model.body("body").id
     if model.nkey:
         mujoco.mj_resetDataKeyframe(model, data, 0)
     places = []
@@ -182,11 +184,9 @@ def test_what_only_one_side_says_is_answered(rule, tmp_path, capsys):
     model = mujoco.MjModel.from_xml_path(str(path))
     data = mujoco.MjData(model)
     mujoco.mj_forward(model, data)
-    contact, rows = (
-        data.contact[0],
-        dict(
-            line.split(maxsplit=1) for line in capsys.readouterr().out.splitlines()[1:8]
-        ),
+    contact = data.contact[0]
+    rows = dict(
+        line.split(maxsplit=1) for line in capsys.readouterr().out.splitlines()[1:8]
     )
     assert f"  {' '.join(f'{each:.4g}' for each in contact.solref)}  " in rows["solref"]
     assert (
@@ -269,7 +269,8 @@ def test_what_stands_and_starts_wrong_is_said_with_what_mends_it(
 
 
 def test_the_thickness_that_is_named_stops_a_fall(tmp_path, capsys):
-    path, thick_mm = tmp_path / "scene.xml", "20"
+    path = tmp_path / "scene.xml"
+    thick_mm = "20"
     for status in (1, 0):
         wall = f'<geom type="box" size="1 1 {float(thick_mm) / 2e3}"/><body pos="0 0 6"><freejoint/><geom size="0.01"/>'
         path.write_text(f"<mujoco><worldbody>{wall}</body></worldbody></mujoco>")

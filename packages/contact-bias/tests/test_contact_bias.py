@@ -202,10 +202,8 @@ def test_centred_the_term_is_less_by_what_a_step_damps(own):
     contact_bias_c.subtract(
         engine, data, contact, np.arange(1.0, 7.0), centred=True, normal=True
     )
-    normal, friction = (
-        1.0 - 0.002 / 0.019,
-        1.0 - 0.002 / (0.0095 if any(own) else 0.019),
-    )
+    normal = 1.0 - 0.002 / 0.019
+    friction = 1.0 - 0.002 / (0.0095 if any(own) else 0.019)
     assert data.efc_aref == pytest.approx(
         [0.0, -normal, -2.0 * friction, -3.0 * friction, -4.0 * friction, 0.0]
     )
@@ -215,11 +213,10 @@ def test_centred_the_term_is_less_by_what_a_step_damps(own):
 def test_centred_the_kernel_is_its_twin_in_c(tumble, refsafe):
     """Timeconsts are near two steps of 1 ms, one solref is direct, impedances reach 1."""
     tumble = copy(tumble)
-    tumble.geom_solref[:, 0], tumble.geom_solimp[:, 1] = (
-        np.geomspace(0.001, 0.01, tumble.ngeom),
-        1.0,
-    )
-    tumble.geom_solref[-1], tumble.geom_solimp[::2, 1] = (-500.0, -20.0), 0.8
+    tumble.geom_solref[:, 0] = np.geomspace(0.001, 0.01, tumble.ngeom)
+    tumble.geom_solimp[:, 1] = 1.0
+    tumble.geom_solref[-1] = (-500.0, -20.0)
+    tumble.geom_solimp[::2, 1] = 0.8
     tumble.opt.disableflags |= 0 if refsafe else contact_bias.NO_REFSAFE
     with wp.ScopedDevice("cpu"):
         m = mjw.put_model(tumble)

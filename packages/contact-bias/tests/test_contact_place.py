@@ -65,7 +65,8 @@ def pair(first: str, second: str, cone: str, dim: int) -> mujoco.MjModel:
 
 def states(model: mujoco.MjModel, seed: int) -> Iterator[mujoco.MjData]:
     """Yield random states of two bodies that barely touch, with moderate velocities."""
-    random, data = np.random.default_rng(seed), mujoco.MjData(model)
+    random = np.random.default_rng(seed)
+    data = mujoco.MjData(model)
     for _ in range(200):
         for joint in range(model.njnt):
             quaternion = random.normal(size=4)
@@ -77,7 +78,8 @@ def states(model: mujoco.MjModel, seed: int) -> Iterator[mujoco.MjData]:
             mujoco.mj_kinematics(model, data)
             way = data.geom_xmat[0].reshape(3, 3) @ (0.1 * way[0], 0.1 * way[1], 1.0)
         way /= np.linalg.norm(way)
-        near, far = 0.0, 3.0
+        near = 0.0
+        far = 3.0
         for _ in range(40):
             data.qpos[-7:-4] = 0.5 * (near + far) * way
             mujoco.mj_fwdPosition(model, data)
@@ -102,7 +104,8 @@ def velocities(
     The result is None if the contacts change.
     """
     moved = mujoco.MjData(model)
-    moved.qpos[:], moved.qvel[:] = data.qpos, data.qvel
+    moved.qpos[:] = data.qpos
+    moved.qvel[:] = data.qvel
     mujoco.mj_integratePos(model, moved.qpos, data.qvel, time_s)
     mujoco.mj_fwdPosition(model, moved)
     if moved.ncon != data.ncon:
@@ -164,7 +167,8 @@ def smooth_states(
 ) -> Iterator[tuple[mujoco.MjData, np.ndarray]]:
     """Yield states with a rate on which differences over two steps agree, and the rate."""
     for data in states(model, seed):
-        coarse, fine = rates(model, data, STEP_S), rates(model, data, 0.5 * STEP_S)
+        coarse = rates(model, data, STEP_S)
+        fine = rates(model, data, 0.5 * STEP_S)
         if coarse is None or fine is None or not is_smooth(model, data):
             continue
         if np.linalg.norm(coarse - fine) <= 3e-4 * np.linalg.norm(fine) + NOTHING_M_S2:
@@ -173,12 +177,12 @@ def smooth_states(
 
 def subtracted(model: mujoco.MjModel, data: mujoco.MjData) -> np.ndarray:
     """Return the values that MuJoCo Warp subtracts from the first contact's rows."""
-    chosen, without_margin = wp.array([True], dtype=bool), copy(model)
-    without_margin.geom_margin[:] = 0.0  # which MuJoCo Warp has none of between boxes
-    m, d = (
-        mjw.put_model(without_margin),
-        mjw.put_data(model, data, nconmax=20, njmax=100),
-    )
+    chosen = wp.array([True], dtype=bool)
+    without_margin = copy(model)
+    # MuJoCo Warp ignores the margin between boxes.
+    without_margin.geom_margin[:] = 0.0
+    m = mjw.put_model(without_margin)
+    d = mjw.put_data(model, data, nconmax=20, njmax=100)
     mjw.rne(m, d)
     d.efc.aref.zero_()
     contact_bias.apply(m, d, chosen, centred=False, normal=True)
@@ -191,7 +195,8 @@ def test_what_is_subtracted_is_the_rate_of_the_row(first, second):
     with wp.ScopedDevice("cpu"):
         for number, (cone, dim) in enumerate(KINDS):
             model = pair(first, second, cone, dim)
-            found, held = smooth_states(model, number), 0
+            found = smooth_states(model, number)
+            held = 0
             for data, wanted in islice(found, STATES_OF_A_KIND):
                 missed = np.linalg.norm(subtracted(model, data) - wanted)
                 assert missed <= 1e-3 * np.linalg.norm(wanted) + NOTHING_M_S2
@@ -227,7 +232,7 @@ def test_of_a_rate_that_turns_while_its_contact_settles_a_row_gets_what_is_left(
         for angle, left in ((0.3, 0.7), (0.8, 0.2), (1.1, 0.0)):
             model.opt.timestep = (
                 angle / turning / 2.9
-            )  # 2 / b is dmax = 0.95 of the shortest timeconst, two steps
+            )  # 2 / b is 0.95 (dmax) of the shortest timeconst, which is two steps.
             assert subtracted(model, data) == pytest.approx(
                 left * rate, abs=5e-3 * np.linalg.norm(rate)
             )
@@ -249,7 +254,8 @@ def test_a_capsule_that_nearly_stands_whose_frame_runs_round_with_its_lean_gets_
 def test_a_contact_without_a_normal_as_boxes_and_cylinders_have_in_the_engine_gets_nothing():
     model = pair("plane", "capsule", "elliptic", 3)
     data = next(states(model, 0))
-    data.contact.frame[:], data.contact.pos[:] = 0.0, data.geom_xpos[1]
+    data.contact.frame[:] = 0.0
+    data.contact.pos[:] = data.geom_xpos[1]
     with wp.ScopedDevice("cpu"):
         assert not subtracted(model, data).any()
 
@@ -305,7 +311,7 @@ def in_warp(*installed: bool, **options) -> np.ndarray:
             contact_place.install(
                 SimpleNamespace(mjw_model=m, mjw_data=d), worlds=installed, **options
             )
-        mjw.step(m, d)  # compiles, which must not happen inside a capture
+        mjw.step(m, d)  # This compiles the kernels, which a capture does not permit.
         step = captured(partial(mjw.step, m, d))
         for _ in range(STEP_COUNT - 1):
             step()

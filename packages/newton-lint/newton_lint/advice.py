@@ -196,7 +196,7 @@ def whole_solref(scene: Scene, pair: int) -> Advice:
 
 
 def in_order(scene: Scene, geom: int) -> Advice:
-    """Return advice to raise dmax to dmin, which makes contacts softer at no depth."""
+    """Return advice to raise dmax to dmin, so that contacts become stiffer."""
     dmin, dmax, *shape = scene.model.geom_solimp[geom].tolist()
     high = min(max(dmin, dmax), 1.0)
     # R/b of a deep contact contains (1 - dmax) / dmax · dmax.

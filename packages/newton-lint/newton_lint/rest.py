@@ -172,7 +172,7 @@ def at_rest(scene: Scene, run: Run, rest: Rest) -> Iterator[Finding]:
             continue
         gains = {}
         for text, edit in give.ways:
-            if edit not in afters:  # An edit changes all that its rule found at once.
+            if edit not in afters:  # An edit covers all findings of its rule at once.
                 afters[edit] = _again(scene, rest.start, edit)
             if after := afters[edit]:
                 left = max(0.0, give.read(model, after.data))
@@ -555,8 +555,8 @@ def _released(scene: Scene, rest: Rest) -> Iterator[Finding]:
             rest.start.name,
             "speed",
             before,
-            message="$shape starts with a motion of $value m/s or rad/s because it has"
-            " no ctrl and the servos pull to 0",
+            message="$shape sets the scene in motion at $value m/s or rad/s because it"
+            " has no ctrl and the servos pull to 0",
             element=key,
             advice=Advice(
                 f'Add ctrl="{values}" to the <key>: this reduces the speed to'

@@ -57,7 +57,7 @@ RESULTS = {
 }
 on_posix = pytest.mark.skipif(os.name != "posix", reason="Windows has no such files")
 
-FRESH = [  # each with the number that would be stale, which a fix makes of it again
+FRESH = [  # Each fresh number has a stale one, from which a fix restores it.
     ("12.3 ms", "12.9 ms", "pytest.json#/benchmarks/a[1/2]/stats/mean"),
     ("**0.0123** s", "**0.0133** s", "pytest.json#/benchmarks/a[1/2]/stats/mean ms"),
     ("10 ms", "20 ms", "hyperfine.json#/results/sleep%201%20(b)/times"),
@@ -154,10 +154,8 @@ def test_names_make_arithmetic_and_words_that_turn(audit):
         "{}<!-- Faster if new < old else Slower --> "
         "{}<!-- not so if ratio < 1.5 else so -->"
     )
-    right, wrong = (
-        marks + words.format("Faster", "so"),
-        marks + words.format("Slower", "not so"),
-    )
+    right = marks + words.format("Faster", "so")
+    wrong = marks + words.format("Slower", "not so")
     assert audit(right, "--check") == (0, [], right)
     status, lines, _ = audit(wrong, "--check")
     assert (status, [line.split(": ")[1] for line in lines]) == (1, ["false", "false"])
@@ -276,7 +274,7 @@ def test_a_build_server_gets_annotations_or_json(audit):
     assert finding.items() >= expected.items()
 
 
-HOSTILE = {  # with the kinds of their findings
+HOSTILE = {  # Each text has the kinds of its findings.
     b"\xff\xe9 12.9 ms<!-- = " + MEAN.encode() + b" -->\xff\r\n": ["fresh"],  # no UTF-8
     b"7<!-- a <!-- = no.json#/x -->": ["invalid"],  # a comment in a comment
     b"7<!-- = no.json#/x" + b"<!--" * 9999: ["invalid"],
@@ -375,7 +373,7 @@ def test_a_thousand_marks_take_no_longer_than_a_second(audit, folder):
     )
     audit(
         "1 s<!-- = many.json#/benchmarks/t0/stats/mean -->"
-    )  # what is imported once is
+    )  # The first call imports modules.
     began = time.process_time()
     marks = "".join(
         f"{i + 1} s<!-- = many.json#/benchmarks/t{i}/stats/mean -->\n"
@@ -477,7 +475,7 @@ def test_it_needs_no_other_package_and_nothing_that_windows_does_not_have(folder
         f"sys.modules.update(dict.fromkeys({ABSENT!r}))",
         "runpy.run_module('number_audit', run_name='__main__')",
     ]
-    # Isolated, and without the site: only Python's own modules can be imported.
+    # In isolated mode without site, only the standard library can be imported.
     command = [sys.executable, "-I", "-S", "-c", "\n".join(lines), "a.md", "--fix"]
     done = subprocess.run(command, cwd=folder, capture_output=True, text=True)
     assert (done.returncode, done.stderr) == (0, "")

@@ -47,7 +47,7 @@ B = Quantity(2.0, "s", {"b": 0.4})
 @pytest.mark.parametrize(
     ("result", "value", "unit", "noise"),
     [
-        (A + A, 12.0, "m", 0.6),  # the same number twice moves both at once
+        (A + A, 12.0, "m", 0.6),  # Both terms are the same source.
         (A - A, 0.0, "m", 0.0),
         (A + Quantity(1.0, "m", {"c": 0.4}), 7.0, "m", 0.5),
         (A * B, 12.0, "m·s", math.hypot(2 * 0.3, 6 * 0.4)),
@@ -56,7 +56,7 @@ B = Quantity(2.0, "s", {"b": 0.4})
         (A / A, 1.0, "1", 0.0),
         (-A, -6.0, "m", 0.3),
         (Quantity(2.0) * A, 12.0, "m", 0.6),
-        (Quantity(1.0, "1", None) * A, 6.0, "m", 0.0),  # unknown, and so not counted
+        (Quantity(1.0, "1", None) * A, 6.0, "m", 0.0),  # Unknown noise does not count.
     ],
 )
 def test_arithmetic_carries_unit_and_noise(result, value, unit, noise):

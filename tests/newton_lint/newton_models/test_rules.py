@@ -171,7 +171,8 @@ def test_kf_is_clamped_where_its_timeconst_is_two_substeps_and_none_takes_the_fr
 
     weight = 2.0 / float(two_boxes({}, {}).body_mass.numpy()[0])
     most = 1.0 / (DT * weight * (0.05 / impratio + 0.95))
-    own, mixed = {"geom_priority": (1, 0)}, {"geom_solmix": (1.0, 3.0)}
+    own = {"geom_priority": (1, 0)}
+    mixed = {"geom_solmix": (1.0, 3.0)}
     assert (
         of(0.99 * most, 9.0 * most, **own)
         == of(0.39 * most, 1.19 * most, **mixed)
@@ -226,15 +227,14 @@ def test_the_contacts_are_those_that_the_solver_has():
     simulation = Simulation([AS_SHIPPED], wp.get_device("cpu"))
     simulation.frame()
     scene = Shapes.of(simulation.model, Engine())
-    contacts, shapes = scene.contacts, scene.index
+    contacts = scene.contacts
+    shapes = scene.index
     pairs = zip(
         shapes[contacts.first].tolist(), shapes[contacts.second].tolist(), strict=True
     )
     places = {frozenset(pair): index for index, pair in enumerate(pairs)}
-    data, geom_shapes = (
-        simulation.solver.mjw_data,
-        simulation.solver.mjc_geom_to_newton_shape.numpy()[0],
-    )
+    data = simulation.solver.mjw_data
+    geom_shapes = simulation.solver.mjc_geom_to_newton_shape.numpy()[0]
     count = int(data.nacon.numpy()[0])
     geoms = geom_shapes[data.contact.geom.numpy()[:count]]
     assert count
