@@ -1,19 +1,26 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The acceleration that contact friction leaves out, put back into MuJoCo Warp without a patch.
+"""Adds the acceleration that contact friction leaves out, in MuJoCo Warp.
 
     import contact_bias
-    contact_bias.install(solver)    # a newton.solvers.SolverMuJoCo on MuJoCo Warp, before its first step
+    contact_bias.install(solver)    # before the first step of a SolverMuJoCo
 
-A friction row asks for J q̈ = -b v, where v = J q̇ is the sliding velocity. What the contact then does is J q̈ + J̇ q̇, so
-a body that is held by a moving arm slides at J̇ q̇ / b for as long as the arm moves. With this the rows ask for
-J q̈ = -b v - J̇ q̇. MuJoCo Warp calls ``Model.callback.control`` once the rows and the bias forces are there and before
-the solver, in every step and in every stage of RK4; ``Data.cacc`` then holds what all bodies accelerate at with q̈ = 0.
-One launch, a few operations a contact, no memory; it can be part of a captured graph.
+A friction row asks for J q̈ = -b v, where v = J q̇ is the sliding velocity. But the
+velocity of the contact changes by J q̈ + J̇ q̇, so a body that a moving arm holds
+slides at J̇ q̇ / b for as long as the arm moves. With this module the rows ask for
+J q̈ = -b v - J̇ q̇.
 
-J̇ q̇ is the acceleration of the two bodies' material points at the contact, second against first, for q̈ = 0. Where the
-bodies stick they move as one, so that where the contact moves to and how its frame turns make no difference. Normal
-rows are left as they are unless asked for: they hold a distance, in which nothing adds up, and on a rolling body the
-material point's acceleration, to the centre, is not that of the distance.
+MuJoCo Warp calls ``Model.callback.control`` in every step and in every stage of RK4,
+after it has made the rows and the bias forces and before the solver runs. ``Data.cacc``
+then holds the accelerations of all bodies for q̈ = 0. The module needs one kernel
+launch with a few operations per contact and allocates no memory. The launch can be part
+of a captured graph.
+
+J̇ q̇ is the acceleration of the second body's material point at the contact, relative
+to that of the first body, for q̈ = 0. If the bodies stick, they move as one, so the
+motion of the contact point and the rotation of its frame do not matter. Normal rows
+stay unchanged by default: they control a distance, so errors do not add up. On a
+rolling body the material point accelerates towards the centre, which is not the
+acceleration of the distance.
 """
 
 from collections.abc import Sequence
@@ -40,22 +47,24 @@ def install(
     normal: bool = False,
     worlds: Sequence[bool] | None = None,
 ) -> None:
-    """Give the friction rows of all contacts the acceleration that they leave out.
+    """Add the missing acceleration to the friction rows of all contacts.
 
     Args:
-        solver: What has a ``mjw_model``: a ``newton.solvers.SolverMuJoCo`` that does not use MuJoCo's C engine.
-        centred: Whether the rows also see the sliding velocity of the last step's motion, v - h J̇ q̇ / 2, instead of v
-            at its end. A step of h moves a contact by that mean, so that without it a semi-implicit integrator
-            slides at -h J̇ q̇ / 2. RK4 has no such error.
-        normal: Whether normal rows get it too, which takes out the swaying of what is held in soft contacts. Not for
-            bodies that roll.
-        worlds: For each world whether it is given to its contacts; all when left out.
+        solver: An object with ``mjw_model`` and ``mjw_data``, such as a
+            ``newton.solvers.SolverMuJoCo`` that does not use MuJoCo's C engine.
+        centred: Whether the rows use the mean sliding velocity of the last step,
+            v - h J̇ q̇ / 2, in place of v at its end. A step of h moves a contact by
+            this mean velocity, so without it a semi-implicit integrator slides at
+            -h J̇ q̇ / 2. RK4 does not have this error.
+        normal: Whether to add it to normal rows too. This removes the swaying of bodies
+            that are held in soft contacts. Do not use it for bodies that roll.
+        worlds: For each world, whether to apply it there; by default to all.
 
-    A control callback that is there already is called before it.
+    If the model already has a control callback, that callback is called first.
 
     Raises:
-        ValueError: The solver has no model of MuJoCo Warp, has no actuation, for which the callback is left out, or RK4
-            with ``centred``.
+        ValueError: The solver does not run MuJoCo Warp, its actuation is disabled (then
+            MuJoCo Warp does not call the callback), or RK4 is used with ``centred``.
     """
     model = getattr(solver, "mjw_model", None)
     if model is None:
@@ -87,7 +96,7 @@ def install(
 
 @wp.struct
 class Rows:
-    """The contacts of all worlds with their constraint rows, and what these are given."""
+    """The contacts of all worlds with their constraint rows, and the options."""
 
     elliptic: bool
     centred: bool
@@ -112,7 +121,7 @@ class Rows:
 def rows_of(
     m: mujoco_warp.Model, d: mujoco_warp.Data, *, centred: bool, normal: bool
 ) -> Rows:
-    """Return the contacts and rows of the engine's data."""
+    """Return the contacts and rows of the engine's data, with the options."""
     rows = Rows()
     rows.elliptic, rows.centred, rows.normal = (
         int(m.opt.cone) == ELLIPTIC,
@@ -134,7 +143,10 @@ def apply(
     centred: bool,
     normal: bool,
 ) -> None:
-    """Subtract J̇ q̇ from what the rows ask for, as in ``install``; where ``Model.callback.control`` is called."""
+    """Subtract J̇ q̇ from the accelerations that the rows ask for.
+
+    This is the work of the control callback; see ``install`` for the options.
+    """
     wp.launch(
         subtract_bias,
         dim=d.naconmax,
@@ -148,7 +160,7 @@ def apply(
 def material_acceleration(
     velocity: wp.spatial_vector, acceleration: wp.spatial_vector, offset: wp.vec3
 ) -> wp.vec3:
-    """Return the acceleration of a body's point: the spatial one moved by ``offset``, and its velocity's turning."""
+    """Return the acceleration of a point of a body, at an offset from its reference."""
     turning = wp.spatial_top(velocity)
     of_point = wp.spatial_bottom(velocity) + wp.cross(turning, offset)
     moved = wp.spatial_bottom(acceleration) + wp.cross(
@@ -159,7 +171,7 @@ def material_acceleration(
 
 @wp.func
 def damping(solref: wp.vec2, solimp: vec5, timestep: float, refsafe: bool) -> float:
-    """Return b [1/s] of a row, as the engine makes it of solref and solimp (documentation, "Solver parameters")."""
+    """Return b of a row [1/s] (MuJoCo documentation, "Solver parameters")."""
     dmax = wp.clamp(solimp[1], MIN_IMPEDANCE, MAX_IMPEDANCE)
     result = -solref[1] / dmax
     if solref[1] > 0.0:
@@ -170,16 +182,16 @@ def damping(solref: wp.vec2, solimp: vec5, timestep: float, refsafe: bool) -> fl
 
 @wp.func
 def is_solved(rows: Rows, worlds: wp.array[bool], contact: int) -> bool:
-    """Tell whether a contact is between bodies, in a world that is chosen, and in the solver."""
+    """Return whether a contact is in a chosen world, between bodies and solved."""
     if contact >= rows.nacon[0] or rows.efc_address[contact, 0] < 0:
         return False
-    geoms = rows.geom[contact]  # negative for a flex
+    geoms = rows.geom[contact]  # A flex has a negative number.
     return geoms[0] >= 0 and geoms[1] >= 0 and worlds[rows.worldid[contact]]
 
 
 @wp.func
 def subtract(rows: Rows, contact: int, linear: wp.vec3, angular: wp.vec3):
-    """Subtract from what the rows of a contact ask for what they lack along and about the axes of its frame."""
+    """Subtract accelerations along and about the axes of the frame from the rows."""
     world, dim, frame = rows.worldid[contact], rows.dim[contact], rows.frame[contact]
     h = rows.timestep[world % rows.timestep.shape[0]]
     part = float(1.0)
@@ -195,7 +207,7 @@ def subtract(rows: Rows, contact: int, linear: wp.vec3, angular: wp.vec3):
     own = rows.solreffriction[contact]
     if rows.centred and rows.elliptic and (own[0] != 0.0 or own[1] != 0.0):
         part = 1.0 - 0.5 * h * damping(own, rows.solimp[contact], h, rows.refsafe)
-    for direction in range(1, dim):  # two of sliding, one of spin, two of rolling
+    for direction in range(1, dim):  # Two axes slide, one spins and two roll.
         value = (
             wp.dot(frame[direction % 3], wp.where(direction < 3, linear, angular))
             * part
@@ -205,7 +217,7 @@ def subtract(rows: Rows, contact: int, linear: wp.vec3, angular: wp.vec3):
             if row >= 0:
                 rows.aref[world, row] -= value
         else:
-            # Two edges of the pyramid, which lean to either side of the normal by the friction.
+            # The two edges of the pyramid lean to either side of the normal.
             value *= rows.friction[contact][direction - 1]
             row = rows.efc_address[contact, 2 * direction - 2]
             opposite = rows.efc_address[contact, 2 * direction - 1]
@@ -230,8 +242,8 @@ def subtract_bias(
         return
     world, place = rows.worldid[contact], rows.pos[contact]
     one, other = geom_body[rows.geom[contact][0]], geom_body[rows.geom[contact][1]]
-    # Velocities and accelerations of a body refer to the centre of mass of its tree. Gravity is in all accelerations,
-    # those of what does not move included, and drops out of the difference.
+    # Velocities and accelerations of a body refer to the centre of mass of its tree.
+    # All accelerations contain gravity, even those of fixed bodies, so it cancels out.
     linear = material_acceleration(
         velocity[world, other],
         acceleration[world, other],

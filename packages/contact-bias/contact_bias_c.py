@@ -1,4 +1,4 @@
-"""The left-out term of ``contact_bias`` in MuJoCo's C engine and double precision."""
+"""Adds the missing term of ``contact_bias`` in MuJoCo's C engine."""
 
 from __future__ import annotations
 
@@ -18,27 +18,28 @@ ELLIPTIC = int(mujoco.mjtCone.mjCONE_ELLIPTIC)
 def install(
     solver: SolverMuJoCo, *, centred: bool = False, normal: bool = False
 ) -> None:
-    """Give the friction rows of a solver's contacts J̇ q̇ back, in every step; ``centred`` and ``normal`` as in Warp."""
+    """Add J̇ q̇ to the friction rows of a solver's contacts in every step.
+
+    See ``contact_bias.install`` for ``centred`` and ``normal``.
+    """
 
     def control(engine: mujoco.MjModel, data: mujoco.MjData) -> None:
         subtract_bias(engine, data, centred=centred, normal=normal)
 
     def step(engine: mujoco.MjModel, data: mujoco.MjData) -> None:
-        mujoco.set_mjcb_control(
-            control
-        )  # one for all models, so only as long as this one is stepped
+        # The callback applies to all models, so it is only set during this step.
+        mujoco.set_mjcb_control(control)
         try:
             mujoco.mj_step(engine, data)
         finally:
             mujoco.set_mjcb_control(None)
 
-    solver._mujoco = SimpleNamespace(
-        mj_step=step
-    )  # what Newton calls to step the engine
+    # Newton steps the engine with this function.
+    solver._mujoco = SimpleNamespace(mj_step=step)
 
 
 def watch_steps(solver: SolverMuJoCo, around: Callable[..., None]) -> None:
-    """Have ``around`` make a solver's steps: it is given what made them so far, and the engine's model and data."""
+    """Replace the step of a solver by ``around(old_step, engine, data)``."""
     step = solver._mujoco.mj_step
     solver._mujoco = SimpleNamespace(
         mj_step=lambda engine, data: around(step, engine, data)
@@ -52,7 +53,10 @@ def subtract_bias(
     centred: bool = False,
     normal: bool = False,
 ) -> None:
-    """Subtract J̇ q̇ from what the rows ask for, where MuJoCo calls ``mjcb_control``: rows are made, not yet solved."""
+    """Subtract J̇ q̇ from the accelerations that the rows ask for.
+
+    MuJoCo calls ``mjcb_control`` after it has made the rows and before it solves them.
+    """
     for contact in data.contact:
         if contact.efc_address >= 0:
             linear, angular = velocity_product(engine, data, contact)
@@ -70,7 +74,11 @@ def subtract(
     centred: bool,
     normal: bool,
 ) -> None:
-    """Subtract from the rows of a contact what they lack along and about the axes of its frame, shape [6]."""
+    """Subtract the missing accelerations of a contact from its rows.
+
+    Args:
+        missing: Linear, then angular accelerations in the contact frame, shape [6].
+    """
     row, dim, is_elliptic = (
         contact.efc_address,
         contact.dim,
@@ -99,7 +107,11 @@ def subtract(
 def velocity_product(
     engine: mujoco.MjModel, data: mujoco.MjData, contact: mujoco.MjContact
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Return J̇ q̇ of a contact's second geom against its first, linear [m/s²] and angular [rad/s²], shape [3]."""
+    """Return J̇ q̇ of the second geom relative to the first, at a contact.
+
+    Returns:
+        The linear [m/s²] and the angular part [rad/s²], each of shape [3].
+    """
     of_geom = np.zeros((2, 2, 3, engine.nv))
     for (linear, angular), geom in zip(of_geom, contact.geom, strict=True):
         mujoco.mj_jacDot(
@@ -110,7 +122,7 @@ def velocity_product(
 
 
 def damping(engine: mujoco.MjModel, solref: np.ndarray, solimp: np.ndarray) -> float:
-    """Return b [1/s] of a row (MuJoCo documentation, "Solver parameters")."""
+    """Return b of a row [1/s] (MuJoCo documentation, "Solver parameters")."""
     timeconst, second = solref
     dmax = np.clip(solimp[1], mujoco.mjMINIMP, mujoco.mjMAXIMP)
     if second <= 0.0:

@@ -1,27 +1,36 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The acceleration that contacts leave out, exact for bodies that roll, spin and slide, without a patch.
+"""Adds the acceleration that contacts leave out, also for rolling and spinning bodies.
 
-    import contact_place                         # contact_bias.py lies beside it
-    contact_place.install(solver, normal=True)   # in place of contact_bias.install, with the same options
+    import contact_place    # needs contact_bias.py in the same folder
+    contact_place.install(solver, normal=True)    # instead of contact_bias.install
 
-``contact_bias`` takes the material points of both bodies at the contact. A contact of curved bodies moves against these
-points, and its frame turns. With p the place of the contact, v and ω the velocity there and the angular velocity of the
-second body against the first, and Ω that of the frame, the rate of a row f · v for q̈ = 0 lacks
+``contact_bias`` uses the material points of both bodies at the contact. The contact of
+curved bodies moves relative to these points, and its frame turns. Let p be the position
+of the contact, v and ω the linear and angular velocity of the second body relative to
+the first, and Ω the angular velocity of the frame. Then the rate of a row f · v, for
+q̈ = 0, lacks
 
-    f · (ω₂ × (ṗ - v₂) - ω₁ × (ṗ - v₁) + v × Ω),   of a row f · ω    f · (ω × Ω).
+    f · (ω₂ × (ṗ - v₂) - ω₁ × (ṗ - v₁) + v × Ω),
 
-ṗ and ṅ follow from the curvatures of both surfaces, since the normal that each of them carries along stays the same
-(D. Montana, "The kinematics of contact and grasp", International Journal of Robotics Research 7, 1988). With this added
-a row gets the rate of itself, J̇ q̇. Where flat bodies stick it adds nothing.
+and the rate of a row f · ω lacks f · (ω × Ω).
 
-Curvatures are those of the engine's geoms where the contact lies: of spheres, capsules, ellipsoids, sides and rims of
-cylinders; boxes have faces, edges and corners. Meshes and height fields count as flat; what lies along a flat side
-touches it with corners of its own. One more launch, no memory; it can be part of a captured graph.
+ṗ and ṅ follow from the curvatures of both surfaces, because the two surfaces have the
+same normal at the contact at all times (D. Montana, "The kinematics of contact and
+grasp", International Journal of Robotics Research 7, 1988). With this addition a row
+gets its own rate, J̇ q̇. For flat bodies that stick the addition is zero.
 
-A rate holds for the moment. It is given for a step h, and a soft contact takes 2/b to settle. Until then the bodies
-turn against each other, and the place runs round a rim or the frame with a capsule that nearly stands, by φ together:
-the rate may have changed by φ of itself, and what is no longer there would put energy into the bodies. So a row gets
-the 1 - φ of it that is left in any case, and from a radian on nothing, as without the term.
+The curvatures are those of the engine's geoms at the contact: spheres, capsules,
+ellipsoids, and the sides and rims of cylinders. Boxes have faces, edges and corners.
+Meshes and height fields count as flat. A body on a flat side touches it with its own
+corners. The module needs one more kernel launch and allocates no memory. The launch can
+be part of a captured graph.
+
+A rate is only valid for a moment, but it acts over a step h, and a soft contact takes
+2/b to settle. During this time the bodies turn relative to each other, the contact runs
+around a rim, or the frame turns with a capsule that nearly stands. If φ is the sum of
+these angles, the rate may change by φ times itself, and an outdated rate would add
+energy to the bodies. So a row gets the share 1 - φ, which remains in any case. From
+φ = 1 on it gets nothing.
 """
 
 from collections.abc import Sequence
@@ -31,7 +40,7 @@ import mujoco_warp
 import warp as wp
 
 try:
-    from . import contact_bias  # if both are part of a package
+    from . import contact_bias  # Both modules may be part of a package.
 except ImportError:
     import contact_bias
 
@@ -46,11 +55,14 @@ CAPSULE, BOX = (
 CYLINDER = wp.constant(int(mujoco.mjtGeom.mjGEOM_CYLINDER))
 ELLIPSOID = wp.constant(int(mujoco.mjtGeom.mjGEOM_ELLIPSOID))
 NEAR = wp.constant(1e-3)
-"""Share of a geom's size: so near to an end, a rim or a face a contact lies on it."""
+"""A contact lies on an end, a rim or a face within this share of the geom's size."""
 UPRIGHT = wp.constant(0.02)
-"""Sine of the tilt below which a cylinder or capsule stands upright: which way it leans is noise then."""
+"""A cylinder or capsule is upright if the sine of its tilt is below this value.
+
+The direction in which it leans is then only noise.
+"""
 ALONG = wp.constant(1e-4)
-"""Share of the other curvature, below which two surfaces lie along each other."""
+"""Two surfaces lie along each other below this ratio of their curvatures."""
 UNIT = wp.constant(wp.mat22(1.0, 0.0, 0.0, 1.0))
 
 
@@ -61,16 +73,16 @@ def install(
     normal: bool = False,
     worlds: Sequence[bool] | None = None,
 ) -> None:
-    """Give the rows of all contacts the acceleration that they leave out.
+    """Add the missing acceleration to the rows of all contacts.
 
     Args:
-        solver: As for ``contact_bias.install``, which is called with it.
-        centred: As there.
-        normal: Whether normal rows get it too. It is right for bodies that roll.
-        worlds: For each world whether it is given to its contacts; all when left out.
+        solver: See ``contact_bias.install``, which this function calls.
+        centred: See ``contact_bias.install``.
+        normal: Whether to add it to normal rows too. It is correct for rolling bodies.
+        worlds: For each world, whether to apply it there; by default to all.
 
     Raises:
-        ValueError: As there.
+        ValueError: See ``contact_bias.install``.
     """
     contact_bias.install(solver, centred=centred, normal=normal, worlds=worlds)
     model, data = solver.mjw_model, solver.mjw_data
@@ -96,7 +108,7 @@ def apply(
     centred: bool,
     normal: bool,
 ) -> None:
-    """Subtract from what the rows ask for what ``contact_bias.apply`` lacks; where that is called."""
+    """Subtract the part that ``contact_bias.apply`` does not subtract."""
     wp.launch(
         subtract_place,
         dim=d.naconmax,
@@ -121,32 +133,32 @@ def apply(
 
 @wp.struct
 class Surface:
-    """A geom where a contact lies on it, in the contact's two tangents."""
+    """A geom at a contact, in the two tangents of the contact."""
 
     bend: wp.mat22
-    """Turn of the outward normal for a way along the surface [1/m]."""
+    """Rotation of the outward normal per distance along the surface [1/m]."""
     sharp: wp.mat22
-    """Projection on the ways across an edge, along which the place cannot move."""
+    """Projection onto directions across an edge, in which the contact cannot move."""
     varying: float
-    """Part of itself by which the bend turns or changes, for a way along the surface [1/m]."""
+    """Relative change of the curvature per distance along the surface [1/m]."""
 
 
 @wp.func
 def velocity_at(velocity: wp.spatial_vector, offset: wp.vec3) -> wp.vec3:
-    """Return the velocity of a body's point [m/s], ``offset`` from where its spatial velocity refers to."""
+    """Return the velocity of a body's point at an offset from its reference [m/s]."""
     return wp.spatial_bottom(velocity) + wp.cross(wp.spatial_top(velocity), offset)
 
 
 @wp.func
 def along(way: wp.vec3, x: wp.vec3, y: wp.vec3) -> wp.mat22:
-    """Return w wᵀ of a vector w in the plane of x and y."""
+    """Return w wᵀ of a vector w that is projected onto the plane of x and y."""
     part = wp.vec2(wp.dot(way, x), wp.dot(way, y))
     return wp.outer(part, part)
 
 
 @wp.func
 def flatness(part: float) -> float:
-    """Return 1 where a part of a normal is none, else 0."""
+    """Return 1 if a component of a normal is zero, otherwise 0."""
     return wp.where(wp.abs(part) < NEAR, 1.0, 0.0)
 
 
@@ -154,7 +166,12 @@ def flatness(part: float) -> float:
 def surface_of(
     kind: int, size: wp.vec3, at: wp.vec3, out: wp.vec3, x: wp.vec3, y: wp.vec3
 ) -> Surface:
-    """Find how a geom is bent at ``at``, where its outward normal is ``out``; all in the geom's frame."""
+    """Return the surface of a geom at a point, with all vectors in the geom's frame.
+
+    Args:
+        at: The point.
+        out: The outward normal at the point.
+    """
     surface = Surface()
     axis = wp.vec3(0.0, 0.0, 1.0)
     lean = wp.vec3(out[0], out[1], 0.0)
@@ -183,7 +200,8 @@ def surface_of(
         ) / wp.length(across)
         surface.varying = 1.0 / wp.max(size)
     elif kind == CYLINDER:
-        # The engine's place is rounded; a normal that leans to the axis is none of the side.
+        # The engine's contact position is rounded. A normal that leans towards the axis
+        # does not belong to the side.
         is_end = (
             wp.abs(at[2]) > size[1] - NEAR * wp.min(size[0], size[1])
             or wp.abs(out[2]) > UPRIGHT
@@ -196,16 +214,14 @@ def surface_of(
             surface.sharp = UNIT
         elif is_side:
             tangent = wp.cross(axis, lean) / sine
-            surface.bend = along(tangent, x, y) * (
-                sine / size[0]
-            )  # by Meusnier's theorem
+            # Meusnier's theorem
+            surface.bend = along(tangent, x, y) * (sine / size[0])
             if is_end:
                 surface.sharp = along(wp.cross(out, tangent), x, y)
                 surface.varying = 1.0 / size[0]
     elif kind == BOX:
-        edge = wp.vec3(
-            flatness(out[0]), flatness(out[1]), flatness(out[2])
-        )  # along no face's normal
+        # Along these axes, the normal has no component.
+        edge = wp.vec3(flatness(out[0]), flatness(out[1]), flatness(out[2]))
         if edge[0] + edge[1] + edge[2] == 1.0:
             surface.sharp = along(wp.normalize(wp.cross(out, edge)), x, y)
         elif edge[0] + edge[1] + edge[2] == 0.0:
@@ -217,16 +233,19 @@ def surface_of(
 def place_on(
     first: Surface, second: Surface, gap: float, turning: wp.vec2, sliding: wp.vec2
 ) -> wp.vec2:
-    """Find how fast the place of a contact moves over the first surface, which has no edge.
+    """Return the velocity of a contact over the first surface, which has no edge.
 
-    What the first normal turns by, ω₁ × n + S₁ u₁, is what the second one does, ω₂ × n - S₂ u₂, and the two places stay
-    one above the other, u₂ = (1 + gap S₁) u₁ - v. Across an edge of the second geom u₂ is zero.
+    Both normals turn at the same rate, ω₁ × n + S₁ u₁ = ω₂ × n - S₂ u₂, and the two
+    contact points stay opposite each other, u₂ = (1 + gap S₁) u₁ - v. Across an edge of
+    the second geom, u₂ is zero.
 
     Args:
-        first, second: Surfaces.
-        gap: Between them [m].
+        first: The surface of the first geom.
+        second: The surface of the second geom.
+        gap: Distance between the surfaces [m].
         turning: (ω₂ - ω₁) × n [rad/s].
-        sliding: v, velocity of the second body against the first at its own surface [m/s].
+        sliding: v, the velocity of the second body at its surface relative to the first
+            one [m/s].
     """
     carried = UNIT + gap * first.bend
     bend = first.bend + second.bend * carried
@@ -246,9 +265,10 @@ def place_on(
 
 @wp.func
 def round_the_rim(radius: float, at: wp.vec3, out: wp.vec3, over: wp.vec3) -> wp.vec3:
-    """Find by how much more than the lowest place of a rim, which moves at ``over``, a contact at ``at`` moves [m/s].
+    """Return the velocity of a contact on a rim minus that of the lowest point [m/s].
 
-    MuJoCo puts up to four contacts between a cylinder and a plane, which all go round with the lowest place.
+    MuJoCo makes up to four contacts between a cylinder and a plane. All of them run
+    around the rim with its lowest point, which moves at ``over``.
     """
     axis = wp.vec3(0.0, 0.0, 1.0)
     lowest = wp.normalize(wp.vec3(out[0], out[1], 0.0)) * radius
@@ -258,7 +278,11 @@ def round_the_rim(radius: float, at: wp.vec3, out: wp.vec3, over: wp.vec3) -> wp
 
 @wp.func
 def lasting_part(rows: contact_bias.Rows, contact: int, turning: float) -> float:
-    """Return the part of a row's rate that is left once it has settled, of a rate that turns at ``turning`` [rad/s]."""
+    """Return the share of a row's rate that remains until the row has settled.
+
+    Args:
+        turning: Rate at which the row's rate turns [rad/s].
+    """
     step = rows.timestep[rows.worldid[contact] % rows.timestep.shape[0]]
     settled = step + 2.0 / contact_bias.damping(
         rows.solref[contact], rows.solimp[contact], step, rows.refsafe
@@ -268,7 +292,7 @@ def lasting_part(rows: contact_bias.Rows, contact: int, turning: float) -> float
 
 @wp.func
 def is_made_of(way: wp.vec3, normal: wp.vec3, tangent: wp.vec3) -> bool:
-    """Tell whether the engine made a tangent of ``way``, less what of it is along the normal."""
+    """Return whether a tangent is the part of ``way`` across the normal."""
     upright, level = wp.dot(way, normal), wp.dot(way, tangent)
     return (
         level * level > UPRIGHT * UPRIGHT
@@ -296,9 +320,8 @@ def subtract_place(
     world, position = rows.worldid[contact], rows.pos[contact]
     one, two = rows.geom[contact][0], rows.geom[contact][1]
     n, x = rows.frame[contact][0], rows.frame[contact][1]
-    if (
-        wp.length_sq(n) < 0.5
-    ):  # MuJoCo Warp 4.0.0 has contacts with no normal, between a box and a cylinder's rim
+    # MuJoCo Warp 4.0.0 makes contacts without a normal between a box and a rim.
+    if wp.length_sq(n) < 0.5:
         return
     y = wp.cross(n, x)
     twist_1, twist_2 = velocity[world, geom_body[one]], velocity[world, geom_body[two]]
@@ -308,7 +331,7 @@ def subtract_place(
     v_1, v_2 = velocity_at(twist_1, arm_1), velocity_at(twist_2, arm_2)
     w_1, w_2 = wp.spatial_top(twist_1), wp.spatial_top(twist_2)
     v, w = v_2 - v_1, w_2 - w_1
-    # Where the two surfaces are: half of their distance to either side.
+    # The surfaces are half of their distance away on either side.
     gap = rows.dist[contact]
     half = 0.5 * gap * n
     mat_1, mat_2 = (
@@ -327,21 +350,21 @@ def subtract_place(
     )
     turn, slide = wp.cross(w, n), wp.cross(w, half)
     turning = wp.vec2(wp.dot(turn, x), wp.dot(turn, y))
-    if (
-        wp.trace(first.sharp) > 0.5 and wp.trace(second.sharp) > 0.5
-    ):  # side by side, a corner of the second one
+    # The geoms touch side by side: treat it as a corner of the second geom on a plane.
+    if wp.trace(first.sharp) > 0.5 and wp.trace(second.sharp) > 0.5:
         first.bend = 0.0 * UNIT
         first.sharp = 0.0 * UNIT
         second.sharp = UNIT
-    over_1, over_2 = wp.vec2(), wp.vec2()  # velocity of the place over both surfaces
-    bent = wp.vec2()  # what its way bends the normal by
+    # The contact moves over both surfaces, which turns the normal by ``bent``.
+    over_1, over_2 = wp.vec2(), wp.vec2()
+    bent = wp.vec2()
     carrying = w_1
     if wp.trace(first.sharp) < 0.5:
         sliding = wp.vec2(wp.dot(v + slide, x), wp.dot(v + slide, y))
         over_1 = place_on(first, second, gap, turning, sliding)
         bent = first.bend * over_1
         over_2 = over_1 + gap * bent - sliding
-    else:  # the same from the other side, from where the normal is -n
+    else:  # The same from the other side, where the normal is -n.
         sliding = wp.vec2(wp.dot(slide - v, x), wp.dot(slide - v, y))
         over_2 = place_on(second, first, gap, turning, sliding)
         bent = -(second.bend * over_2)
@@ -373,7 +396,7 @@ def subtract_place(
         place += ahead - 0.5 * wp.dot(ahead, n) * n
     linear = wp.cross(w, place) + wp.cross(v, turning_frame + 0.5 * (w_1 + w_2))
     angular = wp.cross(w, turning_frame)
-    # The rate of the material points is there already; of that too, what does not last goes.
+    # The rate of the material points is already included. Remove its outdated share.
     running = wp.length(over_1) * first.varying + wp.length(over_2) * second.varying
     part = lasting_part(rows, contact, wp.length(w) + running + wp.abs(with_axis))
     rate_1, rate_2 = (

@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The benchmark: does the exact term put energy into bodies that wobble, spin, roll on an edge or tumble?
+"""Measures whether the exact term adds energy to bodies that tumble.
 
     python -m contact_tumbles            # 24,000 pairs of worlds, for a GPU
     python -m contact_tumbles --quick    # 192 pairs, for a CPU
 
-Each world is run with the term and without. Judged are the most energy that a world ever has, over that of a body which
-lies still, and how high a body rises. Spins are so slow that the term is on. A tumble is chaos, and a step has an error
-of its own, which makes some gain without the term: what the term adds is what pairs have differently, either way.
+Each world is run with and without the term. For both, the benchmark records the largest
+energy relative to that of the body at rest, and the largest height. Spins are slow
+enough for the term to act. Tumbling is chaotic, and the time step has an error of its
+own, so some worlds gain energy without the term. To see the effect of the term, compare
+the pairs in which only one of the two worlds gains energy or rises higher.
 """
 
 import argparse
@@ -24,20 +26,22 @@ import warp as wp
 import contact_place
 
 STEPS_S = {"full": (0.0005, 0.001, 0.002, 0.005, 0.01), "quick": (0.005,)}
+# Number per body, step and start: 12 bodies, 5 steps and 4 starts make 24,000 pairs.
 PAIR_COUNT = {
     "full": 100,
     "quick": 4,
-}  # of each body, step and start: 12 bodies, 5 steps and 4 starts are 24,000 pairs
+}
 SECONDS = wp.constant(1.0)
 RADIUS_M, HELD_M, FRICTION, GAIN, RISE_M = 0.03, 0.2, 0.8, 1.01, 1e-3
-BROKEN = 1e3  # times its energy at the start: what stands for more, and for a world that has no number
-STARTS = {  # tilt [rad], spin [rad/s] and height above what is below [m]
+# Larger ratios of energy, and worlds without a finite energy, count as this ratio.
+BROKEN = 1e3
+STARTS = {  # Tilt [rad], spin [rad/s] and height above the body or ground below [m].
     "wobbles": ((0.03, 0.3), (2.0, 30.0), (0.0, 0.0)),
     "spins": ((0.03, 0.3), (10.0, 40.0), (0.0, 0.0)),
     "rolls": ((0.8, 1.5), (5.0, 30.0), (0.0, 0.0)),
     "falls": ((0.0, np.pi), (0.0, 40.0), (0.05, 0.5)),
 }
-AT_RANDOM = ("wobbles", "falls")  # the others spin about the body's own axis
+AT_RANDOM = ("wobbles", "falls")  # The other starts spin about the body's own axis.
 CORNERS = " ".join(
     f"{x} {y} {z}"
     for x, y, z in np.random.default_rng(7).normal(scale=0.03, size=(14, 3)).round(4)
@@ -58,7 +62,7 @@ PADS = "".join(
     <geom type="box" size="0.01 0.04 0.04" mass="0.2" friction="{FRICTION}"/></body>"""
     for sign in (-1, 1)
 )
-BODIES = {  # its geom, and what is there beside the ground
+BODIES = {  # The geom of the body, and further bodies beside the ground.
     "box": (f'type="box" size="{RADIUS_M} 0.02 0.045"', ""),
     "can": (CAN, ""),
     "coin": (COIN, ""),
@@ -75,12 +79,12 @@ BODIES = {  # its geom, and what is there beside the ground
 
 
 def measure(body: str, profile: str, device: str) -> list[dict]:
-    """Make a row for each step: in how many pairs of worlds the energy or the height differs.
+    """Return a row for each time step with the pairs that differ in energy or height.
 
     Args:
         body: One of ``BODIES``.
         profile: ``full`` or ``quick``.
-        device: Warp device, as ``cuda:0``.
+        device: Warp device, such as ``cuda:0``.
     """
     steps_s = STEPS_S[profile]
     energies, heights_m = peaks(body, steps_s, PAIR_COUNT[profile], device)
@@ -93,11 +97,12 @@ def measure(body: str, profile: str, device: str) -> list[dict]:
 def row_of(
     body: str, step_s: float, energies: np.ndarray, heights_m: np.ndarray
 ) -> dict[str, object]:
-    """Count the pairs in which either world gains over 1 %, and those in which either rises higher by 1 mm.
+    """Count pairs in which a world gains over 1 % energy, or rises higher by 1 mm.
 
     Args:
-        energies: The most that a world ever had, by that at the start; shape [2, worlds], without the term and with it.
-        heights_m: The highest that its body ever was.
+        energies: Largest energy of each world relative to its start, of shape
+            [2, worlds]: first without the term, then with it.
+        heights_m: Largest height of the body, of the same shape.
     """
     (plain, exact), (plain_m, exact_m) = np.minimum(energies, BROKEN), heights_m
     counts = {
@@ -138,9 +143,13 @@ def model_of(body: str) -> mujoco.MjModel:
 def starts_of(
     model: mujoco.MjModel, count: int
 ) -> Iterator[tuple[np.ndarray, np.ndarray]]:
-    """Draw positions and velocities, ``count`` of each start, alike for all steps; what pads hold is not tilted."""
+    """Yield positions and velocities, the same for all steps.
+
+    Args:
+        count: Number of draws for each start. Bodies between pads are not tilted.
+    """
     random, data, near = np.random.default_rng(0), mujoco.MjData(model), copy(model)
-    near.geom_margin[:] = 1.0  # so that there is a distance to the ground
+    near.geom_margin[:] = 1.0  # With this margin there is a distance to the ground.
     is_free = model.jnt_type[0] == mujoco.mjtJoint.mjJNT_FREE
     block_m = 2.0 * model.geom_size[1:-1, 2].sum()
     for start, (tilts, spins, heights_m) in STARTS.items():
@@ -193,7 +202,7 @@ def keep_peaks(
 
 
 def captured(queue: Callable[[], None]) -> Callable[[], None]:
-    """Return what replays ``queue`` as a graph on the current stream."""
+    """Return a function that replays ``queue`` as a graph on the current stream."""
     with wp.ScopedCapture() as capture:
         queue()
     return partial(wp.capture_launch, capture.graph)
@@ -202,9 +211,10 @@ def captured(queue: Callable[[], None]) -> Callable[[], None]:
 def peaks(
     body: str, steps_s: Sequence[float], count: int, device: str
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Return the most energy of each world, by that at the start, and the highest place of its body [m].
+    """Return the largest relative energy of each world, and the height of its body [m].
 
-    Shapes [steps, 2, worlds]. All steps are worlds of one batch; one that is done goes on and is no longer looked at.
+    Both have the shape [steps, 2, worlds]. All steps are worlds of one batch. A world
+    that has reached its end time continues, but is no longer recorded.
     """
     model = model_of(body)
     data = mujoco.MjData(model)
@@ -224,14 +234,14 @@ def peaks(
         last, most, highest = (wp.empty(d.nworld, dtype=float) for _ in range(3))
 
         def step() -> None:
-            mjw.step(m, d)  # energy and places are those before it
+            mjw.step(m, d)  # It computes energy and positions before the step.
             wp.launch(
                 keep_peaks,
                 dim=d.nworld,
                 inputs=[d.energy, d.xipos, m.opt.timestep, d.time, last, most, highest],
             )
 
-        step()  # compiles, which must not happen inside a capture
+        step()  # This compiles the kernels, which is not possible inside a capture.
         advance = captured(step)
         d.qpos.assign(np.tile(qpos, (d.nworld // len(qpos), 1)).astype(np.float32))
         d.qvel.assign(np.tile(qvel, (d.nworld // len(qpos), 1)).astype(np.float32))
@@ -250,9 +260,11 @@ def peaks(
 
 
 def relative(start: np.ndarray, most: np.ndarray, last: np.ndarray) -> np.ndarray:
-    """Divide the most energy by that at the start, both over the least that a world without the term ends with.
+    """Return the largest energy relative to that at the start.
 
-    Worlds that end without a number do not count for the least. Shapes [steps, 2, worlds].
+    Both are taken above the lowest energy with which a world without the term ends.
+    Worlds that end without a finite energy do not count there. Shapes [steps, 2,
+    worlds].
     """
     floor = np.nanmin(last[:, :1], axis=-1, keepdims=True)
     return (most - floor) / (start - floor)

@@ -1,4 +1,4 @@
-"""Scenes in which something creeps, each predicted by the lint from the scene alone and measured in MuJoCo C."""
+"""Scenes with creep that the lint predicts and that MuJoCo C simulates."""
 
 import math
 from collections.abc import Iterator
@@ -69,7 +69,7 @@ PAIR = '<contact><pair geom1="{one}" geom2="box" {more}/></contact>'
 
 @dataclass(frozen=True)
 class Case:
-    """A scene and what differs in it from the usual one."""
+    """A kind of scene, and its differences from the usual settings."""
 
     kind: str
     changes: tuple[tuple[str, object], ...]
@@ -91,7 +91,7 @@ class Case:
         return Target(str(self), mujoco.MjModel.from_xml_string(self.text))
 
     def predicted_mm_s(self) -> float:
-        """By ``--hold``, of a table that turns at half a radian a second with ``--turn``."""
+        """Return the prediction of ``--hold``, with ``--turn 0.5`` for a turning table."""
         target = self.target
         return settled_hold(
             scene_of(target),
@@ -100,15 +100,14 @@ class Case:
         ).mm_s
 
     def measured_mm_s(self) -> float:
-        """How fast it moves relative to what it stands on, or is held by."""
+        """Return the simulated speed of the body relative to its support."""
         model = self.target.model
         data = started(model)
-        body, support = model.body("held").id, 1 if self.kind == "turn" else 0
+        body = model.body("held").id
+        support = 1 if self.kind == "turn" else 0
         if self.kind == "turn":
-            data.qvel[0], data.qvel[2] = (
-                0.5,
-                0.5 * dict(self.changes).get("radius", 1.0),
-            )
+            data.qvel[0] = 0.5
+            data.qvel[2] = 0.5 * dict(self.changes).get("radius", 1.0)
         start = _within(model, settled(model, data, 0.5), body, support)
         time = 0.3
         end = _within(model, settled(model, data, time), body, support)
@@ -118,14 +117,14 @@ class Case:
 def _within(
     model: mujoco.MjModel, data: mujoco.MjData, body: int, support: int
 ) -> np.ndarray:
-    """Where a body is in another's frame; of a body that turns only how far from its axis."""
+    """Return a position in another body's frame, or the distance from a turning axis."""
     mujoco.mj_kinematics(model, data)
     place = data.xmat[support].reshape(3, 3).T @ (data.xpos[body] - data.xpos[support])
     return np.array([math.hypot(*place[:2])]) if support else place
 
 
 def cases() -> Iterator[Case]:
-    """All of them, by what they vary."""
+    """Yield all cases, kind by kind."""
     for kind in ("incline", "pinch", "turn"):
         yield from (Case(kind, changes) for changes in _settings(kind))
 

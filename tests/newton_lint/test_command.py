@@ -1,4 +1,4 @@
-"""The lint as a program: what it reads, prints, and ends with."""
+"""Tests of the command: its targets, its output and its exit status."""
 
 import json
 import os
@@ -69,18 +69,18 @@ def scene(tmp_path):
 
 
 def spec() -> mujoco.MjSpec:
-    """A target of the lint."""
+    """Return a target of the lint."""
     return mujoco.MjSpec.from_string(SCENE.format(skin="", rest=""))
 
 
 def env() -> tuple[mujoco.MjModel, mujoco.MjData]:
-    """A target of the lint."""
+    """Return a target of the lint."""
     model = spec().compile()
     return model, mujoco.MjData(model)
 
 
 def built() -> newton.Model:
-    """A target of the lint."""
+    """Return a target of the lint."""
     builder = newton.ModelBuilder()
     builder.add_shape_sphere(builder.add_body(label="ball"))
     builder.add_ground_plane()
@@ -92,7 +92,7 @@ def test_a_clean_scene(scene, capsys):
     out = capsys.readouterr().out
     assert ": 2 shapes, 1 pair, dt 0.002 s: nothing found" in out.splitlines()[0]
     assert (
-        "timeconst 0.02 s; 8.5 mm/s for each m/s²" in out
+        "timeconst 0.02 s; 8.5 mm/s per m/s²" in out
     )  # 0.95 · 20 ms / 2 less half a step
     texture = '<asset><texture name="a" type="2d" file="no.png"/><material name="b" texture="a"/></asset>'
     assert (
@@ -145,7 +145,7 @@ def test_what_mujoco_refuses_is_refused_with_its_words(skin, rest, said, scene, 
 
 
 def test_places_are_those_of_the_files(scene, tmp_path, capsys):
-    """An included file's, a default's, and that of an attribute that nobody says."""
+    """Findings are located in an included file, in a default, or at the geom itself."""
     (tmp_path / "pads.xml").write_text(
         '<mujoco>\n<default>\n<geom priority="1"\n solref="0.001 1"/></default></mujoco>'
     )
@@ -232,7 +232,7 @@ def test_folders_and_several_files(scene, tmp_path, capsys):
 
 
 def test_installed_by_itself_it_needs_no_checkout(scene, tmp_path):
-    """With the files of the wheel and nothing else of the project."""
+    """The files of the wheel suffice, without the rest of the project."""
     package = ROOT / "packages/newton-lint"
     project = read_toml(package / "pyproject.toml")
     for name in project["tool"]["hatch"]["build"]["targets"]["wheel"]["packages"]:
@@ -349,9 +349,7 @@ def test_json_and_rules_are_as_documented(scene, capsys):
         path.read_text(encoding="utf-8")
         for path in (ROOT / "packages/newton-lint/newton_lint").rglob("*.py")
     ]
-    named = re.compile(
-        r'(?:Wording|Finding|_scene_finding)\(\s*(?:scene, )?"([a-z-]+)"'
-    )
+    named = re.compile(r'(?i:wording|finding)\(\s*(?:scene,\s*)?"([a-z-]+)"')
     rules = {rule for source in sources for rule in named.findall(source)}
     table = (ROOT / "packages/newton-lint/newton_lint/rules.md").read_text(
         encoding="utf-8"

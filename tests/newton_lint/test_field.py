@@ -1,4 +1,4 @@
-"""Scenes of public questions: what the lint names in each, with the number that MuJoCo C comes to and what mends it."""
+"""Scenes from public questions: the finding, its number and the advice for each."""
 
 import json
 
@@ -20,7 +20,7 @@ SCENES = {  # bodies, options, what is said, what is not
     "a servo too stiff for the step": (
         KNEE + SERVO.format('kp="4000"', 'qpos="0"'),
         'timestep=".005" integrator="implicitfast"',
-        ("error unstable", 'kv="20" on j calms it', "kp·h²/m of 17.4"),
+        ("error unstable", 'kv="20" on j: this calms it', "kp·h²/m of 17.4"),
         "timestep=",
     ),
     "an arm that sags": (
@@ -31,7 +31,11 @@ SCENES = {  # bodies, options, what is said, what is not
         )
         + SERVO.format('kp="40"', 'qpos="0"'),
         "",
-        ("warning servo: j: error 8.", "gravcomp=", 'kp="360" on it: 8.'),
+        (
+            "warning servo: j is 8.",
+            "gravcomp=",
+            'kp="360" on it: this reduces it to 0.9',
+        ),
         "unstable",
     ),
     "a joint driven past its limit": (
@@ -43,8 +47,8 @@ SCENES = {  # bodies, options, what is said, what is not
         + SERVO.format('kp="100" ctrlrange="-1 12.2"', 'qpos="1.5" ctrl="12"'),
         "",
         (
-            "warning limit: j: position",
-            'ctrlrange="0 1.571" on its actuator, which asks for 12',
+            "warning limit: j is",
+            'ctrlrange="0 1.571" on its actuator, whose target is 12',
         ),
         "servo",
     ),
@@ -54,7 +58,10 @@ SCENES = {  # bodies, options, what is said, what is not
         'solreflimit=".1 1"><site site="a"/><site site="b"/></spatial><spatial name="other"><site site="a"/>'
         '<site site="b"/></spatial></tendon><actuator><motor tendon="other"/></actuator><worldbody>',
         "",
-        ("warning limit: rope: length 4.", 'solreflimit="0.005 1" on it: 4.'),
+        (
+            "warning limit: rope is 4.",
+            'solreflimit="0.005 1" on it: this reduces it to 0.0',
+        ),
         "error",
     ),
     "a mimic joint that stays open": (
@@ -67,7 +74,7 @@ SCENES = {  # bodies, options, what is said, what is not
         + SERVO.format('kp="1000" kv="10"', 'qpos="0 0" ctrl=".03"'),
         'gravity="-3 0 0"',
         (
-            "warning equality: mirror: gap",
+            "warning equality: mirror is",
             'solref="0.004 1" solimp="0.999 0.999 0.001" on it',
         ),
         "error",
@@ -75,7 +82,10 @@ SCENES = {  # bodies, options, what is said, what is not
     "a keyframe without ctrl": (
         KNEE + SERVO.format('kp="300" kv="10"', 'name="home" qpos="-.8"'),
         'integrator="implicitfast"',
-        ("warning keyframe: keyframe home: speed", 'ctrl="-0.8" in the <key>'),
+        (
+            "warning keyframe: keyframe home sets the scene in motion",
+            'Add ctrl="-0.8" to the <key>',
+        ),
         "unstable",
     ),
     "a tool through a plate": (
@@ -87,14 +97,20 @@ SCENES = {  # bodies, options, what is said, what is not
         )
         + SERVO.format('kp="6000" kv="100"', 'qpos="-.2" ctrl="-.4"'),
         'timestep=".004"',
-        ("error tunnel: body_1/link against plate: wall 4 mm", "stops it, measured"),
+        (
+            "error tunnel: body_1/link passes through plate, which is only 4 mm",
+            "stops it (m",
+        ),
         "unstable",
     ),
     "a bullet through a disc": (
         '<geom name="disc" type="cylinder" size=".2 .002" pos="0 0 .2"/><geom size=".01" pos="9 0 0"/>'
         '<body pos="0 0 3"><freejoint/><geom name="ball" size=".01"/></body>',
         'timestep=".004"',
-        ("error tunnel: body_1/ball against disc: wall 4 mm", "stops it, measured"),
+        (
+            "error tunnel: body_1/ball passes through disc, which is only 4 mm",
+            "stops it (m",
+        ),
         "unstable",
     ),
     "a bullet through a mesh": (
@@ -102,7 +118,10 @@ SCENES = {  # bodies, options, what is said, what is not
         '<body pos="0 0 3"><freejoint/><geom name="ball" size=".01"/></body></worldbody><asset><mesh name="m" '
         'scale=".2 .2 .002" vertex="-1 -1 -1 -1 -1 1 -1 1 -1 -1 1 1 1 -1 -1 1 -1 1 1 1 -1 1 1 1"/></asset><worldbody>',
         'timestep=".004"',
-        ("error tunnel: body_1/ball against slab: wall 4 mm", "stops it, measured"),
+        (
+            "error tunnel: body_1/ball passes through slab, which is only 4 mm",
+            "stops it (m",
+        ),
         "unstable",
     ),
     "a wheel that is soft on its own side": (
@@ -110,8 +129,8 @@ SCENES = {  # bodies, options, what is said, what is not
         + '<body pos="0 0 .2"><freejoint/><geom name="wheel" size=".1" solref=".1 1"/></body>',
         "",
         (
-            "note one-sided: body_1/wheel: solref 0.1 s is soft on this side only",
-            "used: 0.06",
+            "note one-sided: solref 0.1 s of body_1/wheel is soft only on this side",
+            "at most 0.06 s",
             'priority="1" on body_1/wheel',
         ),
         "warning",
@@ -119,7 +138,7 @@ SCENES = {  # bodies, options, what is said, what is not
     "a body without a joint": (
         BOX + '<body name="box" pos="0 0 1"><geom size=".1" mass="1"/></body>',
         "",
-        ("note fixed: box: mass 1 kg has no joint", "<freejoint/>"),
+        ("note fixed: box has a mass of 1 kg but no joint", "<freejoint/>"),
         "warning",
     ),
     "masks that leave no pairs": (
@@ -129,7 +148,7 @@ SCENES = {  # bodies, options, what is said, what is not
         .replace('"plane"', '"plane" conaffinity="0"'),
         "",
         (
-            "warning lost: ball: contype 0 meets no geom",
+            "warning lost: ball falls through every other body",
             'contype="1" conaffinity="1" on floor',
         ),
         "error",
@@ -139,7 +158,7 @@ SCENES = {  # bodies, options, what is said, what is not
         + '<body name="cup" pos="0 0 .1"><freejoint/><geom size=".1"/><geom size=".1" contype="0" conaffinity="0"/>'
         "</body>",
         "",
-        ("warning visual: cup: mass 8.378 kg", 'mass="0" on them', "8.38 → 4.19 kg"),
+        ("visual: cup weighs 8.378 kg", 'mass="0" on the', "8.38 to 4.19 kg"),
         "error",
     ),
     "a mesh that is its hull": (
@@ -147,7 +166,10 @@ SCENES = {  # bodies, options, what is said, what is not
         '-1 1 1 0 0 1 1 1 1 0 .4 1" face="4 5 7 5 6 7 0 3 1 1 3 2 0 1 5 0 5 4 1 2 6 1 6 5 2 3 7 2 7 6 3 0 4 3 4 7"/>'
         "</asset><worldbody>",
         "",
-        ("note closed: dart: hull 2.5 times its volume", "several convex geoms"),
+        (
+            "note closed: dart collides as its convex hull, which has 2.5 times",
+            "several convex geoms",
+        ),
         "warning",
     ),
     "more cells than contacts": (
@@ -156,7 +178,7 @@ SCENES = {  # bodies, options, what is said, what is not
         '<asset><hfield name="g" nrow="400" ncol="400" size="1 1 .02 .1"/></asset><worldbody>',
         "",
         (
-            "warning hfield: body_1/sole against terrain: 50 contacts",
+            "warning hfield: body_1/sole sinks through terrain",
             'nrow="21" ncol="21"',
         ),
         "unstable",
@@ -183,7 +205,10 @@ WELD = """<mujoco><worldbody><body name="a" pos="0 0 1"><geom size=".03"/></body
 
 
 def test_what_swings_is_read_where_it_comes_to_rest(tmp_path, capsys):
-    """After 0.2 s the upper weld is 83 mm open and after 12 s 196; a mocap weld on its way is open nowhere."""
+    """The upper weld is 83 mm open after 0.2 s and 196 mm after 12 s.
+
+    A weld that follows a mocap body is not reported.
+    """
     model = mujoco.MjModel.from_xml_string(WELD)
     data = mujoco.MjData(model)
     for _ in range(6000):
@@ -191,7 +216,7 @@ def test_what_swings_is_read_where_it_comes_to_rest(tmp_path, capsys):
     (tmp_path / "weld.xml").write_text(WELD)
     main([str(tmp_path / "weld.xml")])
     out = capsys.readouterr().out
-    gap = float(out.partition("top: gap ")[2].split()[0])
+    gap = float(out.partition("top is ")[2].split()[0])
     assert (
         gap == pytest.approx(1e3 * float(np.linalg.norm(data.efc_pos[:3])), rel=0.01)
         and "still moving" in out
@@ -223,10 +248,8 @@ def test_what_no_longer_falls_through_is_mended(tmp_path, capsys):
 def test_a_change_without_effect_is_told_as_such_and_what_touches_nothing_is_a_note(
     tmp_path, capsys
 ):
-    path, ball = (
-        tmp_path / "scene.xml",
-        '<body pos="0 0 {}"><freejoint/><geom size=".1" solref="1e-4 1"/></body>',
-    )
+    path = tmp_path / "scene.xml"
+    ball = '<body pos="0 0 {}"><freejoint/><geom size=".1" solref="1e-4 1"/></body>'
     for z, severity in ((0.1, "warning"), (5, "note")):
         path.write_text(
             f"<mujoco><worldbody>{BOX}{ball.format(z)}</worldbody></mujoco>".replace(
@@ -236,15 +259,15 @@ def test_a_change_without_effect_is_told_as_such_and_what_touches_nothing_is_a_n
         main([str(path), "--dry-run"])
         out, err = capsys.readouterr()
         assert f"{severity} timeconst" in out and (
-            "which changes no motion: can be written" in err
+            "(no effect on the motion): can be written" in err
         ) == (z < 1)
 
 
 OPTIONS = [
     (["--version"], 0, "newton-lint "),
-    (["--explain", "limit"], 0, "limit (warning): a joint or tendon"),
-    (["--explain", "limits"], 2, "there is no rule limits"),
-    (["{}", "--ignore", "limits"], 2, "there is no rule limits to ignore"),
+    (["--explain", "limit"], 0, "limit (warning): A joint or tendon"),
+    (["--explain", "limits"], 2, "unknown rule limits"),
+    (["{}", "--ignore", "limits"], 2, "cannot ignore unknown rule limits"),
 ]
 
 
@@ -301,7 +324,7 @@ def test_what_mujoco_stops_at_and_numbers_without_squares_are_one_line(
     ],
 )
 def test_a_load_creeps_as_a_grip_does(flag, contact, least, most, tmp_path, capsys):
-    """--load says the same as --hold on a slope of 0.2, whose weight is the load of four points."""
+    """--load agrees with --hold on a slope of 0.2 with a quarter of the load per point."""
     path = tmp_path / "scene.xml"
     path.write_text(
         f'<mujoco><option cone="elliptic" gravity="1.924 0 -9.62">{flag}</option><worldbody>{BOX}<body name="held" '
@@ -310,7 +333,8 @@ def test_a_load_creeps_as_a_grip_does(flag, contact, least, most, tmp_path, caps
     )
     main([str(path), "--hold", "held", "--load", str(0.5 * 1.924 / 4.0), "--json"])
     report = json.loads(capsys.readouterr().out)
-    [creep], hold = report["creep"], report["hold"]["mm_s"]
+    [creep] = report["creep"]
+    hold = report["hold"]["mm_s"]
     assert (
         least * hold
         < creep["load_deep_mm_s"]

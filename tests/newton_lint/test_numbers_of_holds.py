@@ -1,6 +1,7 @@
-"""What a hold bears and how it creeps, worked by hand on a slope and in a pinch, and the thresholds of grips.
+"""Loads and creep of held bodies, computed by hand, and thresholds of grips.
 
-With solimp 0.9 at each depth a box of mass m on four points creeps by g sin θ / 4 · (1 - d) timeconst / 2, as w is 1/m.
+With a solimp of 0.9 at each depth, a box of mass m on four points creeps at
+g sin θ / 4 · (1 - d) timeconst / 2, because w is 1/m.
 """
 
 import math
@@ -26,7 +27,7 @@ from newton_lint.prescribe import (
 from newton_lint.report import scene_of
 from newton_lint.scene import changed
 from newton_lint.settle import Hold, Work, _reading, predicted_hold, settled_hold
-from newton_lint.stepped import runs_of
+from newton_lint.stepped import Start, runs_of
 from newton_lint.target import Target
 from tests.newton_lint.cases import Case
 
@@ -35,7 +36,7 @@ SOFT = "0.1 0.1 0.001 0.5 2"
 SIN = 0.2 / math.hypot(1.0, 0.2)
 COS = 1.0 / math.hypot(1.0, 0.2)
 CREEP = 1e3 * 9.81 * SIN / 4.0 * 0.1 * 0.01
-"""Of a slope of 0.2 with 20 ms [mm/s]."""
+"""Creep on a slope of 0.2 with a timeconst of 20 ms [mm/s]."""
 
 
 def hold_of(kind: str = "incline", work: Work | None = None, **changes) -> tuple:
@@ -93,7 +94,7 @@ def test_a_cone_is_used_by_the_length_of_friction_and_a_pyramid_by_the_sum_of_it
 
 
 def test_of_two_frictions_the_lower_gives_way_by_the_square():
-    """R along it is (0.8 / 0.4)² times the first axis's: the diagonal of both has (1 + 4) / 2."""
+    """R along the second axis is (0.8 / 0.4)² times as large as along the first one."""
     rest = '<contact><pair geom1="floor" geom2="box" friction="0.8 0.4" {}/></contact>'.format(
         f'solimp="{FLAT}"'
     )
@@ -125,7 +126,7 @@ def test_what_turns_leaves_its_centripetal_acceleration_out():
 
 
 def test_what_turns_is_as_far_out_as_from_the_root_of_what_holds_it():
-    """An axis at 0.4 m leaves 0.6 m of it."""
+    """An axis at 0.4 m leaves a radius of 0.6 m."""
     text = Case("turn", (("solimp", FLAT),)).text.replace(
         '<body name="table">', '<body name="table" pos="0.4 0 0">'
     )
@@ -136,7 +137,7 @@ def test_what_turns_is_as_far_out_as_from_the_root_of_what_holds_it():
 
 
 def test_friction_is_what_acts_on_what_is_held_whichever_of_both_geoms_comes_first():
-    """A box that comes before the box on which it lies, in a lift of twice the gravity: 3 m g sin θ."""
+    """A box precedes its support in the file, and is lifted with 2 g: 3 m g sin θ."""
     text = Case("incline", (("solimp", FLAT),)).text
     floor = next(line for line in text.splitlines() if 'name="floor"' in line)
     below = f"<body>{floor.replace('plane', 'box')}</body>".replace(
@@ -151,7 +152,7 @@ def test_friction_is_what_acts_on_what_is_held_whichever_of_both_geoms_comes_fir
 
 
 def test_a_touch_counts_by_its_share_of_the_last_fifth():
-    """What falls for 0.45 s touches in the second half of 0.4 to 0.5 s."""
+    """A body that falls for 0.45 s touches in the second half of 0.4 to 0.5 s."""
     fall = 0.5 * 9.81 * 0.45**2
     changes = {"slope": 0.0, "shape": "sphere", "solref": "0.02 3"}
     target = Case("incline", tuple(changes.items())).target
@@ -171,13 +172,14 @@ def test_a_touch_counts_by_its_share_of_the_last_fifth():
 def test_what_was_touched_within_a_tenth_or_a_hundredth_of_the_time_is_lost(
     above, speed, is_held
 ):
-    """After 40 to 50 ms of 0.5 s, after 4 to 5 ms, and never."""
+    """The body touches 40 to 50 ms after the start, after 4 to 5 ms, or never."""
     target = Case(
         "incline", (("slope", 0.0), ("shape", "sphere"), ("solref", "0.02 0.25"))
     ).target
     target.model.opt.gravity[:] = 0.0
     data = mujoco.MjData(target.model)
-    data.qpos[2], data.qvel[2] = 0.05 + above, speed
+    data.qpos[2] = 0.05 + above
+    data.qvel[2] = speed
     hold = settled_hold(scene_of(target), replace(target, data=data), Work("held"))
     assert (hold is not None and hold.slides) == is_held
 
@@ -280,7 +282,7 @@ def test_what_moves_by_less_than_three_tenths_of_its_creep_does_not_slip(share, 
         bool(
             list(
                 _grip_findings(
-                    scene, hold.body, list(hold.touches), hold.data, "the start"
+                    scene, hold.body, list(hold.touches), hold.data, Start("the start")
                 )
             )
         )
@@ -289,7 +291,7 @@ def test_what_moves_by_less_than_three_tenths_of_its_creep_does_not_slip(share, 
 
 
 def test_discrete_weighs_what_a_row_says_of_itself():
-    """By 1 + b h + h² k d, with b = 2 / 18 ms and k = 1 / 18² ms²."""
+    """The factor is 1 + b h + h² k d, with b = 2 / 18 ms and k = 1 / 18² ms²."""
     scene, _, hold = hold_of()
     discrete = replace(scene, model=changed(scene.model, integrator=DISCRETE))
     one, other = (
@@ -329,7 +331,7 @@ def test_candidates_creep_as_the_law_says():
         'solref="0.005 1"': 0.25,
     }
     shares |= {'noslip_iterations="10"': 0.0}
-    model = with_setting(scene, Setting(0.005, (("impratio", 10.0),)), hold)
+    model = with_setting(scene, Setting(0.005, {"impratio": 10.0}), hold)
     assert (
         model.geom_solref.tolist() == [[0.005, 1.0]] * 2 and model.opt.impratio == 10.0
     )
@@ -350,7 +352,7 @@ def test_the_cheap_that_are_good_by_a_fifth_are_tried_first_and_five_of_them():
     scene, target, hold = hold_of()
     kinds = {
         "plain": (Setting(0.01), 0.079),
-        "noslip": (Setting(None, (("noslip_iterations", 10.0),)), 0.01),  # counts twice
+        "noslip": (Setting(None, {"noslip_iterations": 10.0}), 0.01),  # counts twice
         "over": (Setting(0.01), 0.081),
         "far": (Setting(0.01), 3.0),
     }
@@ -368,8 +370,10 @@ def test_the_cheap_that_are_good_by_a_fifth_are_tried_first_and_five_of_them():
 
 def test_a_motion_is_told_in_the_frame_of_what_holds_and_without_sinking_in():
     scene, _, hold = hold_of("turn", slope=0.0)
-    model, data = scene.model, mujoco.MjData(scene.model)
-    data.qpos[0], data.qpos[1] = math.radians(90.0), 0.5
+    model = scene.model
+    data = mujoco.MjData(scene.model)
+    data.qpos[0] = math.radians(90.0)
+    data.qpos[1] = 0.5
     mujoco.mj_kinematics(model, data)
     assert within(data, hold.body, hold.touches[0].support) == pytest.approx(
         [0.0, -1.5, 0.099]
@@ -377,7 +381,8 @@ def test_a_motion_is_told_in_the_frame_of_what_holds_and_without_sinking_in():
     model.opt.disableflags |= int(mujoco.mjtDisableBit.mjDSBL_CONSTRAINT) | int(
         mujoco.mjtDisableBit.mjDSBL_GRAVITY
     )
-    data.qpos[:], data.qvel[:] = 0.0, (0.0, 0.3, 0.4, -0.9)
+    data.qpos[:] = 0.0
+    data.qvel[:] = (0.0, 0.3, 0.4, -0.9)
     mujoco.mj_step(model, data)
     assert along(model, data, hold, 0.1) == pytest.approx(0.05)  # 0.5 m/s for 0.1 s
 
@@ -394,7 +399,7 @@ def test_a_motion_is_told_in_the_frame_of_what_holds_and_without_sinking_in():
 def test_ke_and_kd_are_those_of_the_normal(
     integrator, solref, friction, kes, tmp_path, capsys
 ):
-    """1 / timeconst² and 2 / timeconst, whatever the integrator and the friction; w is 1 / 0.5 kg."""
+    """ke is 1 / timeconst² and kd is 2 / timeconst for any integrator; w is 1 / 0.5 kg."""
     path = tmp_path / "scene.xml"
     own = f'<contact><pair geom1="floor" geom2="box" solref="{solref}" solimp="{FLAT}" solreffriction="{{}}"/></contact>'
     changes = {
@@ -423,13 +428,13 @@ def test_ke_and_kd_are_those_of_the_normal(
         (
             {"rest": '<worldbody><geom name="wall" size="1"/></worldbody>'},
             ["floor", "wall"],
-            "do not move against",
+            "cannot move relative to",
         ),
         ({"box": 'contype="4"', "floor": 'conaffinity="2"'}, ["floor", "box"], None),
         (
             {"box": 'contype="4" conaffinity="4"'},
             ["floor", "box"],
-            "[1, 4] and conaffinity [1, 4] have no bit",
+            "[1 4] and conaffinity [1 4] have no bit",
         ),
         (
             {"rest": '<contact><exclude body1="world" body2="held"/></contact>'},

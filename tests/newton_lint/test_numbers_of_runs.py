@@ -1,4 +1,4 @@
-"""What a run is said to show, worked by hand, and the thresholds of what is found in it and of what does harm."""
+"""Numbers of runs, computed by hand, and thresholds of findings and of harm."""
 
 import math
 from dataclasses import dataclass, replace
@@ -43,7 +43,7 @@ def of(**changes) -> Target:
 
 @dataclass(frozen=True)
 class Pushed(Start):
-    """A start at which the ball has a speed, and is pushed or turned."""
+    """Return a start at which the ball has a speed and a force acts on it."""
 
     force: tuple = (0.0, 0.0, 0.0)
     torque: tuple = (0.0, 0.0, 0.0)
@@ -70,7 +70,10 @@ def rules(target: Target, seen: Run) -> dict[str, object]:
 
 @pytest.mark.parametrize("speed", [0.0, 1.5])
 def test_what_a_force_gives_a_body_is_energy_that_it_gained(speed):
-    """6 N on 2 kg for 0.2 s: 0.6 m/s more, and (v + 0.6)²/2 - v²/2 of energy; a body that falls gains none."""
+    """6 N on 2 kg for 0.2 s add 0.6 m/s, so the energy grows by (v + 0.6)²/2 - v²/2.
+
+    A falling body gains no energy.
+    """
     seen = ran(of(), force=6.0, speed=(speed, 0, 0))
     assert seen.rise_m2_s2[0] == pytest.approx(
         0.5 * (speed + 0.6) ** 2 - 0.5 * speed**2
@@ -92,7 +95,7 @@ def test_what_a_force_gives_a_body_is_energy_that_it_gained(speed):
 
 
 def test_overlaps_count_from_the_margin_on_and_depths_do_not():
-    """0.095 m over a plane with a margin of 0.01 a ball of 0.1 m is 5 mm deep, and pressed from 15 mm on."""
+    """At a height of 0.095 m, a ball of 0.1 m is 5 mm deep, or 15 mm with its margin."""
     seen = ran(of(z=0.095, floor='margin="0.01"'), 0.002)
     assert (seen.first, seen.deepest_m) == (
         {(0, 1): pytest.approx(0.015)},
@@ -103,7 +106,7 @@ def test_overlaps_count_from_the_margin_on_and_depths_do_not():
 
 @pytest.mark.parametrize(("time_s", "late"), [(0.024, True), (0.045, False)])
 def test_late_is_after_the_first_third(time_s, late):
-    """10 mm deep and upward with 1 m/s it is out after 10 ms at the latest: later than 8 ms, before 15."""
+    """From a depth of 10 mm, 1 m/s upward ends the contact within 8 to 15 ms."""
     seen = ran(of(z=0.09, floor='solref="1 1"'), time_s, speed=(0, 0, 1.0))
     assert seen.deepest_m == pytest.approx(0.01) and (seen.late_m > 0.0) == late
 
@@ -111,7 +114,9 @@ def test_late_is_after_the_first_third(time_s, late):
 @pytest.mark.parametrize(("iterations", "share"), [(1, 1.0), (100, 0.0)])
 def test_effort_is_steps_and_half_the_iterations(iterations, share):
     target = of(g=-9.81, z=0.1, type="box", option=f'iterations="{iterations}"')
-    seen, data, count = ran(target), mujoco.MjData(target.model), 0
+    seen = ran(target)
+    data = mujoco.MjData(target.model)
+    count = 0
     for _ in range(100):
         mujoco.mj_step(target.model, data)
         count += int(data.solver_niter.sum())
@@ -127,7 +132,7 @@ PUSHED = '<actuator><motor joint="free" gear="1"/></actuator><keyframe><key qpos
 
 @pytest.mark.parametrize(("thrown", "said"), [(0.0, False), (1.1, False), (1.3, True)])
 def test_it_is_thrown_where_a_change_leaves_less_than_half(thrown, said):
-    """6 N give 2 kg 0.6 m/s in 0.2 s, whatever the time step: half of 1.2 m/s."""
+    """6 N accelerate 2 kg to 0.6 m/s in 0.2 s at any time step, half of 1.2 m/s."""
     target = of(rest=PUSHED)
     still, seen = runs_of(target.model, target)
     seen = replace(seen, rise_m2_s2=np.array([0.5 * thrown**2]))
@@ -159,7 +164,7 @@ def test_from_half_a_metre_a_second_on_contacts_throw(thrown, said):
 def test_iterations_are_too_few_where_more_make_a_millimetre(
     share, deeper_m, faster, said
 ):
-    """In half of the steps, a millimetre of depth, or 0.1 m/s; ten times as many are tried."""
+    """The limits are half of the steps, 1 mm of depth or 0.1 m/s, with ten times as many."""
     target = of(g=-9.81, z=0.1)
     seen = ran(target)
     seen = replace(
@@ -173,7 +178,7 @@ def test_iterations_are_too_few_where_more_make_a_millimetre(
     assert not said or 'iterations="1000"' in str(found["solver"].advice)
     assert (
         not said
-        or f"{1e3 * seen.deepest_m:.3g} → {1e3 * (seen.deepest_m - deeper_m):.3g} mm"
+        or f"{1e3 * seen.deepest_m:.3g} to {1e3 * (seen.deepest_m - deeper_m):.3g} mm"
         in str(found["solver"].advice)
     )
 
@@ -192,7 +197,7 @@ def test_iterations_are_too_few_where_more_make_a_millimetre(
 def test_an_overlap_is_a_warning_where_it_presses_or_throws(
     depth, scale, thrown, severity
 ):
-    """The floor bears the ball's weight; it is a share of it where gravity is scaled after that."""
+    """The contact force is the ball's weight before gravity is scaled."""
     target = of(g=-9.81, z=0.1)
     seen = replace(
         ran(target, 1.0), first={(0, 1): depth}, rise_m2_s2=np.array([0.5 * thrown**2])
@@ -206,12 +211,17 @@ def test_an_overlap_is_a_warning_where_it_presses_or_throws(
         or "19.6 N press them apart, 101 times the weight" in found.message
     )
     assert not found or found.value == pytest.approx(1e3 * depth)
-    assert not found or str(found.advice) == f"move one by {1e3 * depth:.3g} mm"
+    assert not found or str(found.advice) == (
+        f"Move one of them by {1e3 * depth:.3g} mm"
+    )
 
 
 @pytest.mark.parametrize(("depth_mm", "said"), [(0.9, False), (1.1, True), (5, True)])
 def test_what_lies_is_pressed_in_from_a_millimetre_on(depth_mm, said):
-    """A box of 0.1 m by g (1 - d) timeconst² / 4; to a millimetre, or two fifths, with the timeconst that is named."""
+    """A box of 0.1 m sinks by g (1 - d) timeconst² / 4.
+
+    The recommended timeconst reduces this to a millimetre, or to two fifths.
+    """
     timeconst = math.sqrt(1e-3 * depth_mm / (9.81 * 0.1 / 4.0))
     floor = f'priority="1" solref="{timeconst} 1" solimp="0.9 0.9 0.001" friction="1"'
     found = rules(
@@ -219,7 +229,11 @@ def test_what_lies_is_pressed_in_from_a_millimetre_on(depth_mm, said):
     ).get("depth")
     assert bool(found) == said
     assert not found or found.value == pytest.approx(depth_mm, rel=0.04)
-    after = float(str(found.advice).partition(" → ")[2].split()[0]) if found else 0.0
+    after = (
+        float(str(found.advice).partition("reduces it to ")[2].split()[0])
+        if found
+        else 0.0
+    )
     assert not found or after == pytest.approx(min(1.0, 0.4 * depth_mm), rel=0.04)
 
 
@@ -230,7 +244,7 @@ def test_what_lies_is_pressed_in_from_a_millimetre_on(depth_mm, said):
 def test_what_flies_through_a_wall_is_followed_and_what_flies_past_is_not(
     y, joint, said
 ):
-    """20 m/s take it through 20 mm in half a step; 80 mm are more than 20 · 19 / e ms, as a damped spring yields."""
+    """At 20 m/s the ball passes 20 mm in half a step; a damped spring stops it in 80 mm."""
     wall = f'<body pos="-1 0 1">{joint}<geom name="wall" type="box" size="0.01 1 1"/></body>'
     more = " 0" if joint else ""
     key = f'<keyframe><key qpos="-2 {y} 1 1 0 0 0{more}" qvel="20 0 0 0 0 0{more}"/></keyframe>'
@@ -238,12 +252,14 @@ def test_what_flies_through_a_wall_is_followed_and_what_flies_past_is_not(
     runs = runs_of(target.model, target)
     found = [each for each in stepped(scene_of(target), runs) if each.rule == "tunnel"]
     assert [each.value for each in found] == ([pytest.approx(20.0)] if said else [])
-    assert not said or "a thickness of 80 mm stops it, measured" in str(found[0].advice)
+    assert not said or "a thickness of 80 mm, which stops it (measured)" in str(
+        found[0].advice
+    )
 
 
 @pytest.mark.parametrize(("timeconst", "said"), [(0.043, False), (0.047, True)])
 def test_a_weld_is_open_from_a_millimetre_on(timeconst, said):
-    """By (1 - d) g timeconst², as a contact is pressed in."""
+    """The gap is (1 - d) g timeconst², like the depth of a contact."""
     weld = f'<equality><weld body1="ball" solref="{timeconst} 1" solimp="0.95 0.95 0.001"/></equality>'
     target = of(g=-9.81, rest=weld)
     found = rules(target, ran(target, 1.0)).get("equality")
@@ -270,7 +286,10 @@ ARM = """
     ],
 )
 def test_a_joint_sags_by_its_row_as_a_contact_creeps(timeconst, share, kind, said):
-    """R f / b = (1 - d)/d g dmax timeconst / 2, d 0.9 and dmax 0.95; a hinge by as much over its arm of 0.3 m."""
+    """The speed is R f / b = (1 - d)/d g dmax timeconst / 2, with d 0.9 and dmax 0.95.
+
+    A hinge turns at this speed over its arm of 0.3 m.
+    """
     arm, axis = (0.3, "0 1 0") if kind == "hinge" else (0, "0 0 1")
     joint = f'type="{kind}" axis="{axis}"'
     target = of(
@@ -287,18 +306,18 @@ def test_a_joint_sags_by_its_row_as_a_contact_creeps(timeconst, share, kind, sai
     assert not found or found.value == pytest.approx(
         1e3 * speed if kind == "slide" else turned, rel=0.01
     )
-    assert not found or f"{found.value:.3g} → 0 {found.unit}, in MuJoCo C" in str(
+    assert not found or f"reduces it to 0 {found.unit} in MuJoCo C" in str(
         found.advice
     )  # noslip leaves R out
 
 
 HARM = [
     ({}, {"deepest_m": 0.01104}, ""),  # 1.1 times 10 mm and 0.05 mm
-    ({}, {"deepest_m": 0.01106}, "deepest contact 10 → 11.1 mm"),
+    ({}, {"deepest_m": 0.01106}, "deepest contact goes from 10 to 11.1 mm"),
     ({}, {"late_m": 0.00554}, ""),
-    ({}, {"late_m": 0.00556}, "deepest contact at the end 5 → 5.56 mm"),
+    ({}, {"late_m": 0.00556}, "deepest contact at the end goes from 5 to 5.56 mm"),
     ({}, {"speed": 1.051}, ""),  # 1.05 times 1 m/s and 2 mm/s
-    ({}, {"speed": -1.053}, "what moves fastest"),
+    ({}, {"speed": -1.053}, "the fastest speed"),
     ({}, {"effort": 1790.0}, ""),
     ({}, {"effort": 1810.0}, "1.8 times as much"),
     ({}, {"cost_s": 5.9}, ""),
@@ -320,7 +339,8 @@ HARM = [
 
 @pytest.mark.parametrize(("old", "new", "said"), HARM)
 def test_a_change_does_harm_from_its_thresholds_on(old, new, said):
-    runs, seen = [], ran(of())
+    runs = []
+    seen = ran(of())
     for given in (old, new):
         given = {
             "deepest_m": 0.01,
@@ -347,4 +367,6 @@ def test_what_was_measured_is_told_in_millimetres_and_as_a_mean():
         replace(seen, deepest_m=0.01, cost_s=2.0),
         replace(seen, deepest_m=0.002, cost_s=1.0),
     ]
-    assert _measures(runs) == "deepest contact 10 mm, 1.5 s a simulated second"
+    assert _measures(runs) == (
+        "the deepest contact is 10 mm and a simulated second takes 1.5 s"
+    )

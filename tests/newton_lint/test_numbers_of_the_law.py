@@ -1,7 +1,9 @@
-"""The law's numbers, worked by hand from MuJoCo's documentation ("Modeling", solver parameters; "Computation").
+"""Numbers of the law, computed by hand from MuJoCo's documentation.
 
-b = 2 / (dmax timeconst) and k = 1 / (dmax timeconst dampratio)², or, of a direct solref, b = damping / dmax and
-k = stiffness / dmax²; R = (1 - d) / d · w / impratio. With ``refsafe`` no timeconst is below two steps.
+See "Modeling", solver parameters, and "Computation". A timeconst gives
+b = 2 / (dmax timeconst) and k = 1 / (dmax timeconst dampratio)². A direct solref gives
+b = damping / dmax and k = stiffness / dmax². R is (1 - d) / d · w / impratio. With
+``refsafe`` a timeconst is at least two steps.
 """
 
 import math
@@ -20,10 +22,10 @@ from newton_lint.target import Target
 from tests.newton_lint.cases import Case
 
 CONTACT = Contact((0.02, 1.0), (0.9, 0.95, 0.001, 0.5, 2.0), 0.8, 2.0)
-"""1/b = 0.95 · 20 ms / 2 = 9.5 ms, R = 0.05 / 0.95 · 2 = 2/19 per kg, and R/b = 1 mm/s for each newton."""
+"""1/b = 0.95 · 20 ms / 2 = 9.5 ms and R = 0.05 / 0.95 · 2 = 2/19 per kg give R/b = 1 mm/s/N."""
 ELLIPTIC = Option(0.002, cone="elliptic")
 STEEP = 1.0 + 0.8**2
-"""What an edge of the pyramid has more of w."""
+"""Factor of w for an edge of the pyramid."""
 
 
 @pytest.mark.parametrize(
@@ -218,8 +220,10 @@ def test_a_pyramid_has_two_edges_for_each_axis_of_friction(condim, cone, edges):
 @pytest.mark.parametrize("slide", [0.001, 0.0015, 0.003, 0.008, 0.02])
 @pytest.mark.parametrize("edge_count", [4, 6])
 def test_a_pyramids_edges_bear_what_minimizes_their_energy(slide, edge_count):
-    """With the least Σ R f²/2 - J f of edges that only press, as MuJoCo's dual problem has it, here by SciPy."""
-    mu, normal, compliance = 0.5, 10.0, 0.001
+    """SciPy minimizes Σ R f²/2 - J f over non-negative forces, as in MuJoCo's dual."""
+    mu = 0.5
+    normal = 10.0
+    compliance = 0.001
     pulls = np.zeros(edge_count)
     pulls[:2] = 1.0, -1.0
     r = 2.0 * mu**2 * compliance
@@ -409,7 +413,10 @@ FEW = """
     ],
 )
 def test_alike_pairs_are_predicted_together_the_free_and_the_fastest_first(load, order):
-    """Under a load what weighs a tenth creeps ten times as fast; of an acceleration it is the timeconst alone."""
+    """A tenth of the mass creeps ten times as fast under a load.
+
+    Under an acceleration only the timeconst matters.
+    """
     model = mujoco.MjModel.from_xml_string(
         FEW.format(rest='size="0.1" contype="0" conaffinity="1"')
     )

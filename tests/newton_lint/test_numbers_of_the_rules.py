@@ -1,7 +1,8 @@
-"""Every threshold of the rules from both sides, and every number that they advise, worked by hand.
+"""Checks each threshold of the rules from both sides, and each recommended number.
 
-The step is 2 ms and dmax 0.95 where nothing else is said; the formulas are those of MuJoCo's documentation, "Modeling",
-solver parameters: b = damping / dmax, k = stiffness / dmax², timeconst and dampratio otherwise, and two steps at least.
+By default the step is 2 ms and dmax is 0.95. The formulas are from MuJoCo's
+documentation, "Modeling", solver parameters: b = damping / dmax and
+k = stiffness / dmax², or timeconst and dampratio, with at least two steps.
 """
 
 import math
@@ -51,7 +52,7 @@ def found(rule: str, **changes) -> list[Finding]:
 
 
 def alone(solref: str, **more) -> dict:
-    """A floor whose solref counts alone."""
+    """Return settings of a floor whose solref counts alone."""
     return {"floor": f'priority="1" solref="{solref}"', **more}
 
 
@@ -67,14 +68,14 @@ FOUND = [
     ),  # critical: 2 √100
     ("solref-format", alone("0 1"), 1.0, 1.0, "error", 'solref="0.02 1"'),
     ("timeconst", alone("0.0039 1"), 0.0039, 0.004, "warning", 'solref="0.004 1"'),
-    ("timeconst", alone("0.003 1"), 0.003, 0.004, "warning", "1.3 times the steps"),
+    ("timeconst", alone("0.003 1"), 0.003, 0.004, "warning", "1.3 times as many steps"),
     (
         "timeconst",
         alone("0.001 1"),
         0.001,
         0.004,
         "warning",
-        'or timestep="0.0005": ',
+        'Or set timestep="0.0005": ',
     ),  # 4 times
     (
         "timeconst",
@@ -131,7 +132,7 @@ FOUND = [
         0.004,
         0.012,
         "warning",
-        "down by up to 3;",
+        "by a factor of up to 3 (",
     ),
     ("one-sided", {"part": 'solref="0.005 2"'}, 0.005, 0.0125, "warning", "up to 2.5"),
     (
@@ -178,7 +179,7 @@ FOUND = [
         2.0,
         None,
         "warning",
-        "goes down by 2 where μ is 1",
+        "by a factor of 2 at a friction of 1",
     ),
     (
         "pyramid",
@@ -186,7 +187,7 @@ FOUND = [
         4.0,
         None,
         "warning",
-        "goes down by 17 where",
+        "by a factor of 17 at",
     ),  # 1 + μ²
     (
         "pyramid",
@@ -194,7 +195,7 @@ FOUND = [
         4.0,
         None,
         "warning",
-        "goes down by 170 where",
+        "by a factor of 170 at",
     ),
     (
         "pyramid",
@@ -202,7 +203,7 @@ FOUND = [
         4.0,
         None,
         "warning",
-        "goes down by 340 where",
+        "by a factor of 340 at",
     ),
     (
         "pyramid",
@@ -210,7 +211,7 @@ FOUND = [
         4.0,
         None,
         "warning",
-        "where μ is 4",
+        "at a friction of 4",
     ),
     (
         "pyramid",
@@ -294,26 +295,27 @@ def test_short_of_a_threshold_nothing_is_said(rule, changes):
 
 
 def test_dmin_is_no_more_than_dmax_as_the_engine_clips_both():
-    """(1 - 0.5) / (1 - 0.95) of the creep is left; 2 and 1 are both clipped to 0.9999."""
+    """Creep decreases by (1 - 0.5) / (1 - 0.95); 2 and 1 are both clipped to 0.9999."""
     [finding] = found("solimp", floor='solimp="0.95 0.5 0.001 0.5 2"')
     assert (finding.value, finding.used) == (0.95, 0.5)
     assert 'solimp="0.95 0.95 0.001 0.5 2"' in str(
         finding.advice
-    ) and "goes down by 10" in str(finding.advice)
+    ) and "by a factor of 10" in str(finding.advice)
     assert not found("solimp", floor='solimp="2 1 0.001 0.5 2"') + found(
         "solimp", floor='solimp="0.9 0.9 0.001 0 1"'
     )
 
 
 def test_a_pyramid_is_said_to_be_as_soft_as_it_is():
-    """136 times at μ 4: (1 + μ²) μ² / 2."""
+    """(1 + μ²) μ² / 2 is 136 for a μ of 4."""
     [finding] = found("pyramid", floor='friction="4"')
     assert "contacts 136 times softer" in finding.message
 
 
 def test_of_a_pair_whose_parameters_mix_the_stiffer_side_is_named():
-    """By solmix 3 to 1: 0.75 · 2 ms + 0.25 · 8 ms."""
-    floor, part = 'solref="0.008 1"', 'solref="0.002 1" solmix="3"'
+    """A solmix of 3 to 1 gives 0.75 · 2 ms + 0.25 · 8 ms."""
+    floor = 'solref="0.008 1"'
+    part = 'solref="0.002 1" solmix="3"'
     [finding] = found("timeconst", floor=floor, part=part)
     assert (finding.shape, finding.against) == ("part", ("floor",))
     assert finding.value == pytest.approx(0.0035) and math.isclose(finding.used, 0.004)

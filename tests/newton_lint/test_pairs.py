@@ -1,4 +1,4 @@
-"""The pairs, held against those that MuJoCo's collision asks for."""
+"""Compares the pairs with those that MuJoCo's collision detection checks."""
 
 import copy
 
@@ -30,10 +30,11 @@ BODIES = """
 
 
 def asked_for(model: mujoco.MjModel) -> set[tuple[int, int]]:
-    """Pairs that the engine's collision asks for where nothing is too far apart, and those that the scene names."""
+    """Return the pairs that the engine checks if all geoms are near, and the named ones."""
     if model.opt.disableflags & OFF:
         return set()
-    near, found = copy.copy(model), set()
+    near = copy.copy(model)
+    found = set()
     near.opt.disableflags |= int(mujoco.mjtDisableBit.mjDSBL_MIDPHASE)
     near.geom_margin[:] = near.pair_margin[:] = near.body_margin[:] = 1e4
 
@@ -104,7 +105,8 @@ def test_parameters_are_those_of_the_engines_contacts(floor, ball, flag):
     )
     data = mujoco.MjData(model)
     mujoco.mj_forward(model, data)
-    ours, contact = contacts_of(model), data.contact[0]
+    ours = contacts_of(model)
+    contact = data.contact[0]
     for mine, theirs in (
         *(
             (ours.solref, contact.solref),

@@ -1,4 +1,4 @@
-"""Holds, prescriptions and pages of a pinch and an incline."""
+"""Tests of ``--hold``, prescribe and page on a pinch and an incline."""
 
 import json
 import re
@@ -35,7 +35,7 @@ def test_a_hold_is_said_and_is_a_finding_above_its_bound(written, capsys):
     assert main([pinch, "--hold", "held", "--below", "5"]) == 0
     assert main([pinch, "--hold", "held", "--below", "1"]) == 1
     assert (
-        "held creeps at 3.68 mm/s, by 4.9 N on 8 contact points"
+        "held creeps at 3.68 mm/s under 4.9 N on 8 contact points"
         in capsys.readouterr().out
     )
     assert main([pinch, "--hold", "held", "--lift", "9.81", "--json"]) == 1
@@ -47,7 +47,7 @@ def test_a_hold_is_said_and_is_a_finding_above_its_bound(written, capsys):
     assert (
         main([written("pinch", grip=0.5), "--hold", "held", "--settle", "3"]) == 1
     )  # and is far away by then
-    assert "slides: what it has to bear" in capsys.readouterr().out
+    assert "slides: held slides because its load" in capsys.readouterr().out
     assert (
         main([pinch, "--hold", "cube"]) == 2
         and "has no body cube" in capsys.readouterr().err
@@ -71,7 +71,7 @@ def test_a_prescription_reaches_its_bound_and_is_written(
 
 
 def test_what_is_asked_for_is_simulated_too(written, capsys):
-    """An impratio in place of the scene's."""
+    """``--impratio`` replaces that of the scene."""
     assert (
         main(["prescribe", written("pinch"), "--hold", "held", "--impratio", "10"]) == 0
     )
@@ -82,7 +82,7 @@ def test_what_is_asked_for_is_simulated_too(written, capsys):
 
 
 def test_what_slips_by_its_own_weight_is_a_finding(written, capsys):
-    """As fast as it is simulated to, where all points bear alike, between fingers and on a slope."""
+    """The creep agrees with the simulation, between fingers and on a slope."""
     for kind, changes in (
         ("pinch", {"grip": 60}),
         ("incline", {"cone": "pyramidal", "solref": "0.05 1"}),
@@ -108,7 +108,7 @@ def test_what_slips_by_its_own_weight_is_a_finding(written, capsys):
 
 def test_what_nothing_holds_is_said(written, capsys):
     assert main(["prescribe", written("incline", slope=1.3), "--hold", "held"]) == 1
-    assert "larger μ or a firmer grip" in capsys.readouterr().out
+    assert "increase μ or the grip force" in capsys.readouterr().out
     with pytest.raises(SystemExit):
         main(["prescribe", written("pinch")])
 

@@ -1,4 +1,4 @@
-"""Questions of issue trackers: what the lint names, and whether the first change that it says cures it in MuJoCo C."""
+"""Questions from issue trackers: the finding, and the effect of its first change."""
 
 import mujoco
 import numpy as np
@@ -63,7 +63,8 @@ BESIDE = {
     "geom": "",
     "slope": 0,
 }
-SETTLE_S, MEASURED_S = 1.0, 0.4
+SETTLE_S = 1.0
+MEASURED_S = 0.4
 QUESTIONS = {
     "creeps-out-of-the-grip": (PINCH, {}, "slip", "creep", 0.1),
     "impratio-does-not-help": (
@@ -107,13 +108,14 @@ QUESTIONS = {
         1.001,
     ),
 }
-"""Scene, what is in it, the rule that names it, what is measured, and which share of it the change leaves at most."""
+"""Scene, its settings, the rule, the measured quantity, and the share that may remain."""
 
 
 def measured(path: str, what: str) -> float:
-    """How fast the body creeps [mm/s], how far it turns [rad], or how deep it is below where it started [mm]."""
+    """Return the creep [mm/s], rotation [rad] or depth [mm] of the body."""
     model = mujoco.MjModel.from_xml_path(path)
-    data, body = mujoco.MjData(model), model.body("body").id
+    data = mujoco.MjData(model)
+    body = model.body("body").id
     if model.nkey:
         mujoco.mj_resetDataKeyframe(model, data, 0)
     places = []
@@ -149,13 +151,18 @@ SIDES = {
     "depth": (
         'solref="0.2 1" solimp="0.5 0.5 0.001" priority="1"',
         "",
-        "depth 48.",
-        "→ 1 mm at rest",
+        "part sinks 48.",
+        "reduces it to 1 mm (measured at rest)",
     ),
-    "friction": ("", 'friction="0.05"', "friction 0.05 counts nowhere", 'priority="1"'),
+    "friction": (
+        "",
+        'friction="0.05"',
+        "friction 0.05 of part counts nowhere",
+        'priority="1"',
+    ),
     "pyramid": ("", 'friction="5"', "friction 5 makes", 'cone="elliptic"'),
 }
-"""Floor and what lies on it, what is said of them, and the advice."""
+"""Attributes of the floor and of the part, parts of the message, and of the advice."""
 
 
 @pytest.mark.parametrize("rule", SIDES)
@@ -177,11 +184,9 @@ def test_what_only_one_side_says_is_answered(rule, tmp_path, capsys):
     model = mujoco.MjModel.from_xml_path(str(path))
     data = mujoco.MjData(model)
     mujoco.mj_forward(model, data)
-    contact, rows = (
-        data.contact[0],
-        dict(
-            line.split(maxsplit=1) for line in capsys.readouterr().out.splitlines()[1:8]
-        ),
+    contact = data.contact[0]
+    rows = dict(
+        line.split(maxsplit=1) for line in capsys.readouterr().out.splitlines()[1:8]
     )
     assert f"  {' '.join(f'{each:.4g}' for each in contact.solref)}  " in rows["solref"]
     assert (
@@ -214,24 +219,24 @@ STARTS = {
     ),
     "a margin presses": (
         PART.format(z=0.12, geom='margin="0.1"'),
-        "overlap 80 mm is how deep they overlap with",
-        "move",
+        "overlap by 80 mm including their margin",
+        "or move",
     ),
     "of a direct solref": (
         PART.format(z=0.1, geom='solref="-25 -10" priority="1"'),
-        "depth: part against",
-        "→ 0.961 mm at rest",
+        "depth: part sinks",
+        "reduces it to 0.961 mm (measured at rest)",
     ),
     "of the heavy on the light": (
         PART.format(z=0.1, geom='mass="0.01"')
         + PART.replace("part", "load").format(z=0.3, geom='mass="100"'),
-        "as stiff as its lighter body",
+        "with the mass of the lighter body",
         'solimp="0.999 0.999 0.001"',
     ),
     "a heap of loose bodies": (
         "".join(PART.replace("part", name).format(z=1, geom="") for name in "abc"),
-        "(the fastest of 3 pairs): it throws them apart",
-        "move one by 200 mm",
+        "(the fastest of 3 pairs); this throws them apart",
+        "Move one of them by 200 mm",
     ),
     "a servo stiffer than the step": (
         SERVO,
@@ -240,11 +245,11 @@ STARTS = {
     ),
     "a weld that is soft": (
         WELDED,
-        "warning equality: equality_0: gap",
+        "warning equality: equality_0 is",
         'solref="0.01 1"',
     ),
 }
-"""Bodies over a floor, what is said of them, and the advice."""
+"""Bodies over a floor, part of the message, and part of the advice."""
 
 
 @pytest.mark.parametrize("question", STARTS)
@@ -264,7 +269,8 @@ def test_what_stands_and_starts_wrong_is_said_with_what_mends_it(
 
 
 def test_the_thickness_that_is_named_stops_a_fall(tmp_path, capsys):
-    path, thick_mm = tmp_path / "scene.xml", "20"
+    path = tmp_path / "scene.xml"
+    thick_mm = "20"
     for status in (1, 0):
         wall = f'<geom type="box" size="1 1 {float(thick_mm) / 2e3}"/><body pos="0 0 6"><freejoint/><geom size="0.01"/>'
         path.write_text(f"<mujoco><worldbody>{wall}</body></worldbody></mujoco>")
@@ -283,13 +289,13 @@ NOTES = {
     "a piece by itself": (
         TORSO,
         "note overlap",
-        "on a base that moves MuJoCo leaves this contact out",
+        "MuJoCo ignores this contact if the base can move",
     ),
     "a start beside a keyframe": (FOOT + KEY, "note overlap", "1 note"),
     "a start that is out of range": (
         LINK.format('range="60 90" damping="1e5"'),
         "note limit",
-        "60 ° is how far it is beyond its range at the start,",
+        "j is 60 ° beyond its range at the start,",
     ),
     "a keyframe that says its ctrl": (LINK.format("") + HOME, "nothing found", ""),
     "a joint that a motor moves": (

@@ -1,4 +1,4 @@
-"""The term that friction rows leave out: the kernel and its twin in C against differences of the contact velocity."""
+"""Compares both kernels with numerical differences of the contact velocity."""
 
 from copy import copy
 from itertools import product
@@ -15,7 +15,7 @@ import contact_bias_c
 
 STATE_COUNT = 8
 DIFFERENCE_S = 1e-5
-"""Half of the time between two states of which the contact velocities are taken."""
+"""Half of the time between the two states of a difference."""
 TUMBLE = """
 <mujoco>
   <option cone="{cone}" timestep="0.001"/>
@@ -42,12 +42,12 @@ TUMBLE = """
 
 @pytest.fixture(scope="module", params=["elliptic", "pyramidal"])
 def tumble(request) -> mujoco.MjModel:
-    """Bodies on joints of all kinds that overlap in contacts of all dimensions."""
+    """Return bodies on joints of all types, with contacts of all dimensions."""
     return mujoco.MjModel.from_xml_string(TUMBLE.format(cone=request.param))
 
 
 def states(model: mujoco.MjModel):
-    """Random states near the model's own, with velocities of some rad/s and m/s."""
+    """Yield random states near the default one, with speeds of a few rad/s and m/s."""
     random = np.random.default_rng(0)
     for _ in range(STATE_COUNT):
         data = mujoco.MjData(model)
@@ -59,7 +59,10 @@ def states(model: mujoco.MjModel):
 
 
 def differenced(model: mujoco.MjModel, data: mujoco.MjData, contact) -> np.ndarray:
-    """d(J q̇)/dt of the second body's point at the contact against the first's: linear and angular, shape [2, 3]."""
+    """Return d(J q̇)/dt of the second body relative to the first, linear then angular.
+
+    The shape is [2, 3], and the point is the contact.
+    """
     bodies = model.geom_bodyid[np.asarray(contact.geom)]
     points = [
         data.xmat[body].reshape(3, 3).T @ (contact.pos - data.xpos[body])
@@ -83,7 +86,7 @@ def differenced(model: mujoco.MjModel, data: mujoco.MjData, contact) -> np.ndarr
 def expected_rows(
     model: mujoco.MjModel, data: mujoco.MjData, contact, normal: bool
 ) -> np.ndarray:
-    """What each of a contact's rows is to be given, in the engine's order (documentation, "Computation")."""
+    """Return the expected value for each row of a contact, in the engine's order."""
     axes = np.asarray(contact.frame).reshape(3, 3)
     linear, angular = differenced(model, data, contact)
     missing = np.concatenate([axes @ linear, axes @ angular])[: contact.dim]
@@ -175,7 +178,7 @@ def test_a_solver_that_cannot_have_it_is_refused_in_a_line(solver, options, word
     ],
 )
 def test_damping_is_as_the_engine_documents_it(solref, dmax, refsafe, expected):
-    """b = 2 / (dmax timeconst), or damping / dmax; timeconst ≥ 2 · 2 ms under refsafe, 1e-4 ≤ dmax ≤ 0.9999."""
+    """b is 2 / (dmax timeconst) or damping / dmax, with clamped timeconst and dmax."""
     solimp = (0.1, dmax, 0.001, 0.5, 2.0)
     engine = SimpleNamespace(
         opt=SimpleNamespace(
@@ -187,7 +190,7 @@ def test_damping_is_as_the_engine_documents_it(solref, dmax, refsafe, expected):
 
 @pytest.mark.parametrize("own", [(0.0, 0.0), (0.01, 1.0)])
 def test_centred_the_term_is_less_by_what_a_step_damps(own):
-    """1 − h b / 2 of it, with b of each row: 2 / (0.95 · 20 ms), and of friction rows that have their own 10 ms."""
+    """The share is 1 − h b / 2, with b = 2 / (0.95 · 20 ms), or 10 ms for friction rows."""
     engine = SimpleNamespace(
         opt=SimpleNamespace(timestep=0.002, disableflags=0, cone=contact_bias.ELLIPTIC)
     )
@@ -199,10 +202,8 @@ def test_centred_the_term_is_less_by_what_a_step_damps(own):
     contact_bias_c.subtract(
         engine, data, contact, np.arange(1.0, 7.0), centred=True, normal=True
     )
-    normal, friction = (
-        1.0 - 0.002 / 0.019,
-        1.0 - 0.002 / (0.0095 if any(own) else 0.019),
-    )
+    normal = 1.0 - 0.002 / 0.019
+    friction = 1.0 - 0.002 / (0.0095 if any(own) else 0.019)
     assert data.efc_aref == pytest.approx(
         [0.0, -normal, -2.0 * friction, -3.0 * friction, -4.0 * friction, 0.0]
     )
@@ -210,13 +211,12 @@ def test_centred_the_term_is_less_by_what_a_step_damps(own):
 
 @pytest.mark.parametrize("refsafe", [True, False])
 def test_centred_the_kernel_is_its_twin_in_c(tumble, refsafe):
-    """With timeconsts about two steps of 1 ms, a solref of stiffness and damping, and impedances up to 1."""
+    """Timeconsts are near two steps of 1 ms, one solref is direct, impedances reach 1."""
     tumble = copy(tumble)
-    tumble.geom_solref[:, 0], tumble.geom_solimp[:, 1] = (
-        np.geomspace(0.001, 0.01, tumble.ngeom),
-        1.0,
-    )
-    tumble.geom_solref[-1], tumble.geom_solimp[::2, 1] = (-500.0, -20.0), 0.8
+    tumble.geom_solref[:, 0] = np.geomspace(0.001, 0.01, tumble.ngeom)
+    tumble.geom_solimp[:, 1] = 1.0
+    tumble.geom_solref[-1] = (-500.0, -20.0)
+    tumble.geom_solimp[::2, 1] = 0.8
     tumble.opt.disableflags |= 0 if refsafe else contact_bias.NO_REFSAFE
     with wp.ScopedDevice("cpu"):
         m = mjw.put_model(tumble)

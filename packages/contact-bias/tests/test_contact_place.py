@@ -1,4 +1,4 @@
-"""The exact term against differences of the rows that MuJoCo C makes, and on a ball that rolls and spins."""
+"""Compares the exact term with numerical differences of the rows of MuJoCo C."""
 
 from collections.abc import Iterator
 from copy import copy
@@ -18,7 +18,7 @@ import contact_place
 from contact_tumbles import captured
 
 STATES_OF_A_KIND = 1
-"""For each cone and dimension, so that there are 8 of each pair."""
+"""States for each cone and dimension, which make 8 for each pair."""
 DEPTH_M = 1e-4
 GEOMS = {
     "plane": 'type="plane" size="5 5 1"',
@@ -41,12 +41,12 @@ BY_FORMULA += [("capsule", "capsule"), ("capsule", "box")]
 BY_FORMULA += [("box", "box")]
 STEP_S = 1e-5
 NOTHING_M_S2 = 1e-6
-"""A ball's distance from a plane has no rate at all."""
+"""A pair whose rate is zero."""
 KINDS = [(cone, dim) for cone in ("elliptic", "pyramidal") for dim in (1, 3, 4, 6)]
 
 
 def pair(first: str, second: str, cone: str, dim: int) -> mujoco.MjModel:
-    """Two bodies in space, or one at a tilted plane."""
+    """Return a model of two free bodies, or of one body and a tilted plane."""
     joint, tilt = ("", 'euler="20 30 10"') if first == "plane" else ("<freejoint/>", "")
     return mujoco.MjModel.from_xml_string(f"""<mujoco>
       <option timestep="1e-6" cone="{cone}" gravity="0 0 0" ccd_tolerance="1e-12" ccd_iterations="500">
@@ -64,8 +64,9 @@ def pair(first: str, second: str, cone: str, dim: int) -> mujoco.MjModel:
 
 
 def states(model: mujoco.MjModel, seed: int) -> Iterator[mujoco.MjData]:
-    """Random orientations of two bodies that just touch, with velocities of some rad/s and m/s."""
-    random, data = np.random.default_rng(seed), mujoco.MjData(model)
+    """Yield random states of two bodies that barely touch, with moderate velocities."""
+    random = np.random.default_rng(seed)
+    data = mujoco.MjData(model)
     for _ in range(200):
         for joint in range(model.njnt):
             quaternion = random.normal(size=4)
@@ -77,7 +78,8 @@ def states(model: mujoco.MjModel, seed: int) -> Iterator[mujoco.MjData]:
             mujoco.mj_kinematics(model, data)
             way = data.geom_xmat[0].reshape(3, 3) @ (0.1 * way[0], 0.1 * way[1], 1.0)
         way /= np.linalg.norm(way)
-        near, far = 0.0, 3.0
+        near = 0.0
+        far = 3.0
         for _ in range(40):
             data.qpos[-7:-4] = 0.5 * (near + far) * way
             mujoco.mj_fwdPosition(model, data)
@@ -97,9 +99,13 @@ def states(model: mujoco.MjModel, seed: int) -> Iterator[mujoco.MjData]:
 def velocities(
     model: mujoco.MjModel, data: mujoco.MjData, time_s: float
 ) -> np.ndarray | None:
-    """J q̇ of the first contact's rows a time later, at the same velocity; None where contacts come or go."""
+    """Return J q̇ of the first contact's rows after a time at constant velocity.
+
+    The result is None if the contacts change.
+    """
     moved = mujoco.MjData(model)
-    moved.qpos[:], moved.qvel[:] = data.qpos, data.qvel
+    moved.qpos[:] = data.qpos
+    moved.qvel[:] = data.qvel
     mujoco.mj_integratePos(model, moved.qpos, data.qvel, time_s)
     mujoco.mj_fwdPosition(model, moved)
     if moved.ncon != data.ncon:
@@ -120,7 +126,7 @@ def rows_of(model: mujoco.MjModel, contact) -> slice:
 def rates(
     model: mujoco.MjModel, data: mujoco.MjData, step_s: float
 ) -> np.ndarray | None:
-    """d(J q̇)/dt of the first contact's rows by central differences of fourth order."""
+    """Return d(J q̇)/dt of the first contact's rows, by fourth-order differences."""
     found = [velocities(model, data, factor * step_s) for factor in (1, -1, 2, -2)]
     if any(each is None for each in found):
         return None
@@ -128,7 +134,7 @@ def rates(
 
 
 def is_corner(kind: int, out: np.ndarray) -> bool:
-    """Tell whether a geom with this normal, in its own frame, is touched at an edge or a corner."""
+    """Return whether a geom is touched at an edge or corner, by its local normal."""
     if kind == mujoco.mjtGeom.mjGEOM_CYLINDER:
         return 1e-6 < abs(out[2]) < 1.0 - 1e-6
     return (
@@ -138,7 +144,10 @@ def is_corner(kind: int, out: np.ndarray) -> bool:
 
 
 def is_smooth(model: mujoco.MjModel, data: mujoco.MjData) -> bool:
-    """Tell whether the nearest contact is at most at one edge or corner, of no mesh but by a plane."""
+    """Return whether the nearest contact involves at most one edge or corner.
+
+    A mesh may only touch a plane.
+    """
     contact = data.contact[0]
     normals = [
         data.geom_xmat[geom].reshape(3, 3).T @ contact.frame[:3]
@@ -156,9 +165,10 @@ def is_smooth(model: mujoco.MjModel, data: mujoco.MjData) -> bool:
 def smooth_states(
     model: mujoco.MjModel, seed: int
 ) -> Iterator[tuple[mujoco.MjData, np.ndarray]]:
-    """States whose rows have a rate, which differences over two steps agree on, and that rate."""
+    """Yield states with a rate on which differences over two steps agree, and the rate."""
     for data in states(model, seed):
-        coarse, fine = rates(model, data, STEP_S), rates(model, data, 0.5 * STEP_S)
+        coarse = rates(model, data, STEP_S)
+        fine = rates(model, data, 0.5 * STEP_S)
         if coarse is None or fine is None or not is_smooth(model, data):
             continue
         if np.linalg.norm(coarse - fine) <= 3e-4 * np.linalg.norm(fine) + NOTHING_M_S2:
@@ -166,13 +176,13 @@ def smooth_states(
 
 
 def subtracted(model: mujoco.MjModel, data: mujoco.MjData) -> np.ndarray:
-    """What the exact term subtracts from the first contact's rows in MuJoCo Warp."""
-    chosen, without_margin = wp.array([True], dtype=bool), copy(model)
-    without_margin.geom_margin[:] = 0.0  # which MuJoCo Warp has none of between boxes
-    m, d = (
-        mjw.put_model(without_margin),
-        mjw.put_data(model, data, nconmax=20, njmax=100),
-    )
+    """Return the values that MuJoCo Warp subtracts from the first contact's rows."""
+    chosen = wp.array([True], dtype=bool)
+    without_margin = copy(model)
+    # MuJoCo Warp ignores the margin between boxes.
+    without_margin.geom_margin[:] = 0.0
+    m = mjw.put_model(without_margin)
+    d = mjw.put_data(model, data, nconmax=20, njmax=100)
     mjw.rne(m, d)
     d.efc.aref.zero_()
     contact_bias.apply(m, d, chosen, centred=False, normal=True)
@@ -185,7 +195,8 @@ def test_what_is_subtracted_is_the_rate_of_the_row(first, second):
     with wp.ScopedDevice("cpu"):
         for number, (cone, dim) in enumerate(KINDS):
             model = pair(first, second, cone, dim)
-            found, held = smooth_states(model, number), 0
+            found = smooth_states(model, number)
+            held = 0
             for data, wanted in islice(found, STATES_OF_A_KIND):
                 missed = np.linalg.norm(subtracted(model, data) - wanted)
                 assert missed <= 1e-3 * np.linalg.norm(wanted) + NOTHING_M_S2
@@ -194,7 +205,7 @@ def test_what_is_subtracted_is_the_rate_of_the_row(first, second):
 
 
 def place_on_second(data: mujoco.MjData) -> np.ndarray:
-    """Return where the first contact lies on the second geom, in that one's frame [m]."""
+    """Return the position of the first contact in the frame of the second geom [m]."""
     contact = data.contact[0]
     at = contact.pos + 0.5 * contact.dist * contact.frame[:3] - data.geom_xpos[1]
     return data.geom_xmat[1].reshape(3, 3).T @ at
@@ -206,7 +217,7 @@ def place_on_second(data: mujoco.MjData) -> np.ndarray:
 def test_of_a_rate_that_turns_while_its_contact_settles_a_row_gets_what_is_left(
     second, length_m
 ):
-    """By the angle of the bodies and of the place, which differences have run over the body, up to a radian."""
+    """The share decreases with the angle of the bodies and the contact, up to a radian."""
     model = pair("plane", second, "elliptic", 3)
     with wp.ScopedDevice("cpu"):
         data, rate = next(smooth_states(model, 0))
@@ -221,7 +232,7 @@ def test_of_a_rate_that_turns_while_its_contact_settles_a_row_gets_what_is_left(
         for angle, left in ((0.3, 0.7), (0.8, 0.2), (1.1, 0.0)):
             model.opt.timestep = (
                 angle / turning / 2.9
-            )  # 2 / b is dmax = 0.95 of the shortest timeconst, two steps
+            )  # 2 / b is 0.95 (dmax) of the shortest timeconst, which is two steps.
             assert subtracted(model, data) == pytest.approx(
                 left * rate, abs=5e-3 * np.linalg.norm(rate)
             )
@@ -243,7 +254,8 @@ def test_a_capsule_that_nearly_stands_whose_frame_runs_round_with_its_lean_gets_
 def test_a_contact_without_a_normal_as_boxes_and_cylinders_have_in_the_engine_gets_nothing():
     model = pair("plane", "capsule", "elliptic", 3)
     data = next(states(model, 0))
-    data.contact.frame[:], data.contact.pos[:] = 0.0, data.geom_xpos[1]
+    data.contact.frame[:] = 0.0
+    data.contact.pos[:] = data.geom_xpos[1]
     with wp.ScopedDevice("cpu"):
         assert not subtracted(model, data).any()
 
@@ -271,7 +283,7 @@ BALL = """<mujoco><option timestep="0.002" cone="elliptic" integrator="implicitf
 
 
 def ball() -> tuple[mujoco.MjModel, mujoco.MjData]:
-    """A ball that rolls at 1 m/s and spins at 20 rad/s."""
+    """The ball rolls at 1 m/s and spins at 20 rad/s."""
     model = mujoco.MjModel.from_xml_string(BALL)
     data = mujoco.MjData(model)
     data.qvel[:] = 1.0, 0.0, 0.0, 0.0, 1.0 / 0.03, 20.0
@@ -290,7 +302,7 @@ def in_c(control) -> np.ndarray:
 
 
 def in_warp(*installed: bool, **options) -> np.ndarray:
-    """Position of the ball in two worlds, of which some have the term; shape [2, 7]."""
+    """Return the pose of the ball in two worlds with or without the term, shape [2, 7]."""
     model, data = ball()
     with wp.ScopedDevice("cpu"):
         m = mjw.put_model(model)
@@ -299,7 +311,7 @@ def in_warp(*installed: bool, **options) -> np.ndarray:
             contact_place.install(
                 SimpleNamespace(mjw_model=m, mjw_data=d), worlds=installed, **options
             )
-        mjw.step(m, d)  # compiles, which must not happen inside a capture
+        mjw.step(m, d)  # This compiles the kernels, which a capture does not permit.
         step = captured(partial(mjw.step, m, d))
         for _ in range(STEP_COUNT - 1):
             step()

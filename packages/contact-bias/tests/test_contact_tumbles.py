@@ -1,4 +1,4 @@
-"""Bodies that tumble: how they start, and how pairs of worlds are counted."""
+"""Tests of the benchmark: the starts of the bodies, and the counts of pairs."""
 
 import mujoco
 import numpy as np
@@ -26,15 +26,11 @@ def test_pairs_are_counted_by_which_of_them_gains_or_rises_and_a_world_that_brea
 
 
 def test_a_world_that_ends_without_a_number_voids_no_other():
-    start, most, last = (
-        np.array([[[3.0, 2.0], [3.0, 2.0]]]),
-        np.array([[[3.0, np.inf], [5.0, 2.0]]]),
-        np.ones((1, 2, 2)),
-    )
-    last[0, 0, 1], last[0, 1, 0] = (
-        np.nan,
-        0.5,
-    )  # nor does a world with the term say what the least is
+    start = np.array([[[3.0, 2.0], [3.0, 2.0]]])
+    most = np.array([[[3.0, np.inf], [5.0, 2.0]]])
+    last = np.ones((1, 2, 2))
+    last[0, 0, 1] = np.nan
+    last[0, 1, 0] = 0.5
     assert np.array_equal(
         contact_tumbles.relative(start, most, last), [[[1.0, np.inf], [2.0, 1.0]]]
     )

@@ -1,4 +1,4 @@
-"""The patches for upstream apply to the released packages, and upstream.md says what came of it."""
+"""Checks that the patches apply, and that upstream.md states their results."""
 
 import hashlib
 import json

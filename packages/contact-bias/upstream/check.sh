@@ -1,7 +1,7 @@
 #!/bin/sh
-# check.sh [MUJOCO_WARP [NEWTON]]: from nothing, apply the patches to the released packages, run what upstream's
-# pre-commit runs on the files they touch, the tests before and after, and the engine's own scenes; write checked.json.
-# MUJOCO_WARP and NEWTON are checkouts to clone in place of GitHub's.
+# check.sh [MUJOCO_WARP [NEWTON]]: apply the patches to the released packages and write the results to checked.json.
+# The script runs upstream's pre-commit hooks on the changed files, the tests before and after, and the engine's scenes.
+# MUJOCO_WARP and NEWTON are checkouts to clone instead of those on GitHub.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 work=$(mktemp -d)
@@ -11,8 +11,8 @@ git clone -q --depth 1 "${1:-https://github.com/google-deepmind/mujoco_warp}" wa
 git clone -q --depth 1 "${2:-https://github.com/newton-physics/newton}" newton_repo
 python3 -m venv env
 env/bin/pip install -q newton==1.8.0 mujoco==4.0.0 mujoco-warp==4.0.0 warp-lang==1.19.0 absl-py etils pytest towncrier typos
-env/bin/pip install -q --target ruff-0.14.14 ruff==0.14.14  # as MuJoCo Warp's pre-commit has it
-env/bin/pip install -q --target ruff-0.15.20 ruff==0.15.20  # Newton's
+env/bin/pip install -q --target ruff-0.14.14 ruff==0.14.14  # the version of MuJoCo Warp's pre-commit
+env/bin/pip install -q --target ruff-0.15.20 ruff==0.15.20  # the version of Newton's pre-commit
 python="$work/env/bin/python"
 site=$("$python" -c "import sysconfig; print(sysconfig.get_path('purelib'))")
 for tree in before after; do
@@ -40,7 +40,7 @@ PYTHONPATH=../ruff-0.15.20 "$python" -m ruff format --check $own
 ../env/bin/towncrier build --draft --version 1.9.0 --date 2026-01-01 | grep use_contact_jdotv
 
 cd "$work"
-run() {  # run TREE NAME PYTEST-ARGUMENTS: keep what passed and failed; --pyargs takes the tree's package
+run() {  # run TREE NAME PYTEST-ARGUMENTS: write the results to NAME.xml; --pyargs finds the tree's package
   PYTHONPATH="$work/$1" "$python" -m pytest -q -p no:cacheprovider --junitxml="$2.xml" --pyargs $3 || echo "$2: failed"
 }
 for tree in before after; do
@@ -51,7 +51,7 @@ run after new.constraint_test.test_contact_jdotv "mujoco_warp._src.constraint_te
 run after new.test_mujoco_contact_jdotv newton.tests.test_mujoco_contact_jdotv
 
 cat >scenes.py <<'END'
-"""Step the scenes of the engine's benchmarks that its package has, on what mjwarp-testspeed refuses: a CPU."""
+"""Step the scenes of the engine's benchmarks that its package has, on a CPU, which mjwarp-testspeed refuses."""
 import json, sys
 import mujoco, mujoco_warp
 from mujoco_warp._src.io import override_model

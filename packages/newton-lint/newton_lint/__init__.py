@@ -1,1 +1,1 @@
-"""The lint: which contact parameters of a model do not do what they say, and how fast its contacts will slide."""
+"""Finds contact parameters that MuJoCo ignores, and predicts how contacts creep."""

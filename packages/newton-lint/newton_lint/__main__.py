@@ -1,4 +1,4 @@
-"""Lints a scene: ``python -m newton_lint TARGET``."""
+"""Lets ``python -m newton_lint TARGET`` run the lint."""
 
 import sys
 

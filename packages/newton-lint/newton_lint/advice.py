@@ -1,35 +1,39 @@
-"""What to change: the attribute, its value and its place, with what it gains and costs by the law."""
+"""Makes advice: the attributes to change, their values and places, and the effect."""
 
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 
+import numpy as np
+
 from newton_lint.findings import Advice, Change, distinct
 from newton_lint.law import clamped
 from newton_lint.scene import Scene
 
-# Times another damping ratio or timeconst from which one is far, and iterations that solve an elliptic cone.
+# A damping ratio or timeconst is far from another one at this ratio.
 FAR = 4.0
+# An elliptic cone needs at least this many solver iterations.
 FEW = 10
 
 
 def for_geom(
     scene: Scene, geom: int, attributes: Mapping[str, str], gain: str
 ) -> Advice:
-    """Return attributes of a geom, at the tag that says the first of them, or its own where none does."""
+    """Return advice to set attributes of a geom, at the tag that sets the first one."""
     element = scene.source.geom(geom)
     authored = scene.source.authored(geom, next(iter(attributes)))
     items = tuple(attributes.items())
     single = Change(scene.names[geom], items, element)
     if authored in (None, element):
         return Advice(gain, (single,))
-    # The class is where it was meant to stand. That may harm another geom of the class: then this one alone.
+    # The default is probably the right place. If the change harms another geom of the
+    # class, the geom itself is the alternative.
     shared = Change(f"the default of {scene.names[geom]}", items, authored)
     return either(Advice(gain, (shared,)), Advice("", (single,)))
 
 
 def for_option(scene: Scene, attributes: Mapping[str, str], gain: str) -> Advice:
-    """Return attributes of ``<option>``; a scene without one gets it."""
+    """Return advice to set attributes of ``<option>``, which is added if necessary."""
     if not attributes:
         return Advice(gain)
     return Advice(
@@ -45,7 +49,7 @@ def for_option(scene: Scene, attributes: Mapping[str, str], gain: str) -> Advice
 
 
 def ways_of(advice: Advice | None) -> tuple[Advice, ...]:
-    """Return each way of an advice that changes something."""
+    """Return the alternatives of an advice that have changes."""
     return (
         tuple(way for way in (advice, *advice.alternatives) if way.changes)
         if advice
@@ -60,7 +64,11 @@ def either(first: Advice, *alternatives: Advice) -> Advice:
 def for_contact(
     scene: Scene, pair: int, solref: Callable[[Sequence[float]], str | None], gain: str
 ) -> Advice:
-    """Return a solref, made of the old one, for the ``<pair>`` of a contact or for the geoms that count in it."""
+    """Return advice to set the solref of a contact.
+
+    Args:
+        solref: Computes the new solref from the old one, or None to keep it.
+    """
     contacts = scene.contacts
     model = scene.model
     first = int(contacts.first[pair])
@@ -92,9 +100,9 @@ def longer_solref(
     scene: Scene,
     pair: int,
     timeconst_s: float,
-    gain: str = "says what is used, and changes nothing",
+    gain: str = "writes down the value that is used, and changes nothing else",
 ) -> Advice:
-    """Return a timeconst for what is authored shorter, by itself the one that is used."""
+    """Return advice to lengthen shorter timeconsts to a given one."""
 
     def longer(solref: Sequence[float]) -> str | None:
         return (
@@ -107,33 +115,37 @@ def longer_solref(
 
 
 def softer_solref(scene: Scene, pair: int, dmax: float) -> Advice:
-    """Return a direct solref that the time step bears: b h is 1, and the damping no more than critical."""
+    """Return advice to use a direct solref that the time step can bear."""
     damping = dmax / scene.option.timestep_s
 
     def softer(solref: Sequence[float]) -> str | None:
-        # Of a pair with one direct solref the minimum of both counts, and a timeconst is above any -stiffness.
+        # The minimum of both solrefs counts, so a timeconst never does.
         if solref[0] > 0.0 or solref[1] > 0.0:
             return None
         return (
             f"{-min(-solref[0], 0.25 * damping**2):.4g} {-min(-solref[1], damping):.4g}"
         )
 
-    return for_contact(scene, pair, softer, "as stiff as the time step bears")
+    return for_contact(
+        scene, pair, softer, "is the stiffest that the time step permits"
+    )
 
 
 def elliptic(scene: Scene, steepest: float) -> Advice:
-    """Return an elliptic cone, then one with an impratio of 10 where none above 1 is said; with enough iterations."""
+    """Return advice to use an elliptic cone, alone or with an impratio of 10."""
     impratio = scene.option.impratio
     more = {"iterations": f"{FEW}"} if scene.model.opt.iterations < FEW else {}
-    ways = [
-        (more, 1.0 + steepest**2)
-    ]  # mj_diagApprox: a pyramid's edge has (1 + μ²) times the weight
+    # mj_diagApprox: an edge of a pyramid has (1 + μ²) times the weight.
+    ways = [(more, 1.0 + steepest**2)]
     ways += (
         [({"impratio": "10", **more}, 10.0 * (1.0 + steepest**2) / impratio)]
         if impratio <= 1.0
         else []
     )
-    gain = "creep under load goes down by {:.3g} where μ is {:g}"
+    gain = (
+        "reduces creep under load by a factor of {:.3g} at a friction of {:g}"
+        " (predicted)"
+    )
     cone = {"cone": "elliptic"}
     return either(
         *(
@@ -144,64 +156,56 @@ def elliptic(scene: Scene, steepest: float) -> Advice:
 
 
 def rank(scene: Scene) -> dict[str, str]:
-    """Return a priority that is higher than any."""
+    """Return the attribute of a priority above all priorities of the scene."""
     return {"priority": str(int(scene.model.geom_priority.max(initial=0)) + 1)}
 
 
-def of_higher_priority(scene: Scene, geom: int, mixed_s: float) -> Advice:
+def of_higher_priority(scene: Scene, geom: int, mixed_s: np.ndarray) -> Advice:
+    """Return advice to give a geom a higher priority than all others.
+
+    Args:
+        mixed_s: For each geom, the timeconst that comes out without a priority.
+    """
     option = scene.option
     authored, ratio = scene.model.geom_solref[geom].tolist()
     timeconst = max(authored, 2.0 * option.timestep_s if option.refsafe else 0.0)
     attributes = rank(scene)
-    if (
-        timeconst > authored
-    ):  # or the next run would find the clamped timeconst in its place
+    # Otherwise the next run would report the clamped timeconst.
+    if timeconst > authored:
         attributes["solref"] = f"{timeconst:g} {ratio:g}"
-    less = f"creep goes down by up to {mixed_s / timeconst:.2g}"
-    return for_geom(
-        scene,
-        geom,
-        attributes,
-        f"its solref alone counts, and {less}; its friction, condim and solimp as well",
+    gain = (
+        "makes its solref, friction, condim and solimp count alone, and reduces creep"
+        f" by a factor of up to {mixed_s[geom] / timeconst:.2g} (predicted)"
     )
+    return for_geom(scene, geom, attributes, gain)
 
 
 def whole_solref(scene: Scene, pair: int) -> Advice:
-    """Return a solref of one form and critically damped, for one that mixes both or is far from it."""
+    """Return advice to use a solref of one form with critical damping."""
 
     def sound(solref: Sequence[float]) -> str | None:
         first, second = solref
-        ratio = (
-            second
-            if first > 0.0
-            else -second / (2.0 * math.sqrt(-first))
-            if first < 0.0
-            else 0.0
-        )
-        if (first > 0.0) == (second > 0.0) and 0.25 <= ratio <= FAR:
+        if first == 0.0:
+            return "0.02 1"
+        critical = 1.0 if first > 0.0 else -2.0 * math.sqrt(-first)
+        if 0.25 <= second / critical <= FAR:
             return None
-        return (
-            f"{first:g} 1"
-            if first > 0.0
-            else f"{first:g} {-2.0 * math.sqrt(-first):.3g}"
-            if first
-            else "0.02 1"
-        )
+        return f"{first:g} {critical:.3g}"
 
-    return for_contact(scene, pair, sound, "as stiff as it says, and critically damped")
+    return for_contact(scene, pair, sound, "keeps the stiffness, with critical damping")
 
 
 def in_order(scene: Scene, geom: int) -> Advice:
-    """Return a solimp whose dmax is no less than its dmin, softer at no depth."""
+    """Return advice to raise dmax to dmin, so that contacts become stiffer."""
     dmin, dmax, *shape = scene.model.geom_solimp[geom].tolist()
     high = min(max(dmin, dmax), 1.0)
-    less = (1.0 - clamped(dmax)) / (
-        1.0 - clamped(high)
-    )  # R/b of a deep contact has (1 - dmax) / dmax · dmax
+    # R/b of a deep contact contains (1 - dmax) / dmax · dmax.
+    less = (1.0 - clamped(dmax)) / (1.0 - clamped(high))
     entries = " ".join(f"{entry:g}" for entry in (min(dmin, 1.0), high, *shape))
     return for_geom(
         scene,
         geom,
         {"solimp": entries},
-        f"creep of a deep contact under load goes down by {less:.3g}",
+        f"reduces creep of a deep contact under load by a factor of {less:.3g}"
+        " (predicted)",
     )

@@ -1,4 +1,4 @@
-"""What MuJoCo makes of two geoms' parameters where they touch, as ``mj_contactParam`` does; arrays over pairs."""
+"""Combines the parameters of touching geoms as ``mj_contactParam`` does."""
 
 from dataclasses import dataclass
 
@@ -9,7 +9,7 @@ from newton_lint.law import Contact, Option
 from newton_lint.pairs import pairs_of
 
 MIN_MU = 1e-5
-"""Least friction that the engine takes."""
+"""Least friction coefficient that the engine uses."""
 OVERRIDE = int(mujoco.mjtEnableBit.mjENBL_OVERRIDE)
 REFSAFE_OFF = int(mujoco.mjtDisableBit.mjDSBL_REFSAFE)
 CONES = ("pyramidal", "elliptic")
@@ -17,21 +17,21 @@ CONES = ("pyramidal", "elliptic")
 
 @dataclass(frozen=True)
 class Contacts:
-    """Pairs that may touch, and the parameters of their contacts; arrays of shape [pair_count, …]."""
+    """The pairs that may touch, with their parameters; arrays [pair_count, …]."""
 
     first: np.ndarray
-    """Geom of higher priority, if one has it."""
+    """The geom with the higher priority, if the priorities differ."""
     second: np.ndarray
     named: np.ndarray
-    """Index of the ``<pair>`` that names it, whose parameters it has; -1 of others."""
+    """Index of the ``<pair>`` that sets the parameters; -1 for other pairs."""
     outranked: np.ndarray
-    """Whether the first geom's priority leaves the second's parameters out."""
+    """Whether the parameters of the second geom are ignored because of the priority."""
     solref: np.ndarray
     solreffriction: np.ndarray
     solimp: np.ndarray
     condim: np.ndarray
     friction: np.ndarray
-    """Sliding, spinning and rolling."""
+    """Coefficients of sliding, spinning and rolling friction."""
     weight: np.ndarray
     """Sum of the bodies' translational body_invweight0 [1/kg]."""
 
@@ -39,7 +39,7 @@ class Contacts:
         return len(self.first)
 
     def contact(self, index: int) -> Contact:
-        """Return one pair's, for the law."""
+        """Return the contact of one pair, as input for the law."""
         return Contact(
             solref=tuple(self.solref[index].tolist()),
             solimp=tuple(self.solimp[index].tolist()),
@@ -51,7 +51,7 @@ class Contacts:
 
 
 def option_of(model: mujoco.MjModel) -> Option:
-    """Return what the engine is told of all contacts."""
+    """Return the options that affect all contacts."""
     opt = model.opt
     return Option(
         timestep_s=opt.timestep,
@@ -64,7 +64,10 @@ def option_of(model: mujoco.MjModel) -> Option:
 
 
 def contacts_of(model: mujoco.MjModel, engine: str = "mujoco") -> Contacts:
-    """Return all pairs that may touch. MuJoCo Warp takes the least of direct solrefs whatever their priority."""
+    """Return all pairs that may touch.
+
+    MuJoCo Warp uses the minimum of direct solrefs whatever their priorities are.
+    """
     pairs, named = pairs_of(model)
     priority = model.geom_priority[pairs]
     swap = priority[:, 0] < priority[:, 1]
@@ -72,46 +75,56 @@ def contacts_of(model: mujoco.MjModel, engine: str = "mujoco") -> Contacts:
     plain = named < 0
     outranked = (priority[:, 0] != priority[:, 1]) & plain
     weights = share(model.geom_solmix[first], model.geom_solmix[second], outranked)
-    solrefs = model.geom_solref[first], model.geom_solref[second]
-    mixed = weights * solrefs[0] + (1.0 - weights) * solrefs[1]
-    # Taken from a higher priority it stays direct; MuJoCo Warp looks at the minimum first.
+    solref1 = model.geom_solref[first]
+    solref2 = model.geom_solref[second]
+    mixed = weights * solref1 + (1.0 - weights) * solref2
+    # In MuJoCo C a direct solref with priority counts; MuJoCo Warp uses the minimum.
     unranked = ~outranked[:, None] if engine == "mujoco" else True
-    direct = (np.minimum(solrefs[0][:, :1], solrefs[1][:, :1]) <= 0.0) & unranked
-    solref = np.where(direct, np.minimum(*solrefs), mixed)
+    direct = (np.minimum(solref1[:, :1], solref2[:, :1]) <= 0.0) & unranked
+    solref = np.where(direct, np.minimum(solref1, solref2), mixed)
     solimp = (
         weights * model.geom_solimp[first] + (1.0 - weights) * model.geom_solimp[second]
     )
     larger = np.maximum(model.geom_friction[first], model.geom_friction[second])
     friction = np.where(outranked[:, None], model.geom_friction[first], larger)
-    condims = model.geom_condim[first], model.geom_condim[second]
-    condim = np.where(outranked, condims[0], np.maximum(*condims))
+    condim1 = model.geom_condim[first]
+    condim = np.where(
+        outranked, condim1, np.maximum(condim1, model.geom_condim[second])
+    )
     solreffriction = np.zeros((len(pairs), 2))
     indices = named[~plain]
     solref[~plain] = model.pair_solref[indices]
     solimp[~plain] = model.pair_solimp[indices]
-    friction[~plain] = model.pair_friction[indices][
-        :, (0, 2, 3)
-    ]  # two sliding, one spinning, two rolling
+    # A <pair> has two coefficients of sliding, one of spinning and two of rolling.
+    friction[~plain] = model.pair_friction[indices][:, (0, 2, 3)]
     condim[~plain] = model.pair_dim[indices]
     solreffriction[~plain] = model.pair_solreffriction[indices]
-    if (
-        model.opt.enableflags & OVERRIDE
-    ):  # mj_assignRef: in a <pair> as well; condim has no override
-        solref[:] = solreffriction[:] = model.opt.o_solref
+    # mj_assignRef: the override applies to each <pair> too, but not to condim.
+    if model.opt.enableflags & OVERRIDE:
+        solref[:] = model.opt.o_solref
+        solreffriction[:] = model.opt.o_solref
         solimp[:] = model.opt.o_solimp
         friction[:] = model.opt.o_friction[[0, 2, 3]]
     weight = model.body_invweight0[model.geom_bodyid, 0]
     return Contacts(
-        first, second, named, outranked, solref, solreffriction, solimp, condim, np.maximum(friction, MIN_MU),
-        weight[first] + weight[second],
-    )  # fmt: skip
+        first=first,
+        second=second,
+        named=named,
+        outranked=outranked,
+        solref=solref,
+        solreffriction=solreffriction,
+        solimp=solimp,
+        condim=condim,
+        friction=np.maximum(friction, MIN_MU),
+        weight=weight[first] + weight[second],
+    )
 
 
 def share(mix1: np.ndarray, mix2: np.ndarray, outranked: np.ndarray) -> np.ndarray:
-    """Return what the first geom of each pair counts by solmix, all where it outranks the second."""
-    mix1, mix2 = (np.where(mix < mujoco.mjMINVAL, 0.0, mix) for mix in (mix1, mix2))
+    """Return the weight of the first geom by solmix; 1 if it outranks the second."""
+    mix1 = np.where(mix1 < mujoco.mjMINVAL, 0.0, mix1)
+    mix2 = np.where(mix2 < mujoco.mjMINVAL, 0.0, mix2)
     total = mix1 + mix2
-    share = np.where(
-        total > 0.0, mix1 / np.where(total > 0.0, total, 1.0), 0.5
-    )  # mj_contactParam: two of 0 are even
+    # mj_contactParam: two weights of 0 count as equal.
+    share = np.where(total > 0.0, mix1 / np.where(total > 0.0, total, 1.0), 0.5)
     return np.where(outranked, 1.0, share)[:, None]

@@ -1,6 +1,6 @@
-"""The lint as a program: ``newton-lint TARGET…``, or ``newton-lint prescribe``, ``pair`` and ``page``.
+"""Runs the lint as a program: ``newton-lint TARGET…`` and its subcommands.
 
-See docs/lint.md.
+docs/lint.md documents the options.
 """
 
 import argparse
@@ -14,7 +14,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any, NoReturn
 
-# Exit status.
+# Exit statuses.
 CLEAN = 0
 FOUND = 1
 UNFIT = 2
@@ -22,36 +22,34 @@ BROKEN = 3
 STOPPED = 130
 PROGRAM = "newton-lint"
 SUBCOMMANDS = ("prescribe", "page", "pair")
-"""Commands besides the lint itself, each a module."""
+"""Subcommands; each of them is a module."""
 SEVERITIES = ("note", "warning", "error")
 RULE = re.compile(r"^\| `([\w-]+)` \| (\w+) \| (.+) \| .+ \|$", re.MULTILINE)
-"""A row of rules.md."""
+"""Matches a row of rules.md."""
 
 
 class Parser(argparse.ArgumentParser):
     def error(self, message: str) -> NoReturn:
-        """Return what was asked for can't be: one line, as for a target that can't be read."""
-        self.exit(UNFIT, f"{message}; {PROGRAM} --help says what there is\n")
+        """Print the error as one line and exit."""
+        self.exit(UNFIT, f"{message}; see {PROGRAM} --help\n")
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
     arguments = list(sys.argv[1:] if arguments is None else arguments)
     for stream in (sys.stdout, sys.stderr):
-        if hasattr(
-            stream, "reconfigure"
-        ):  # a StringIO of a test has none; a terminal in Latin-1 has no ²
+        # A terminal in Latin-1 has no ². A StringIO in a test cannot be reconfigured.
+        if hasattr(stream, "reconfigure"):
             stream.reconfigure(errors="backslashreplace")
     try:
-        # What a function of the user's imports may render, or count on NumPy's threads.
+        # The user's function may render or compute with NumPy's threads.
         if arguments[:1] != ["page"] and not any(
             ".py:" in argument for argument in arguments
         ):
             _import_mujoco()
         from newton_lint.target import TargetError, mujoco
 
-        mujoco.set_mju_user_warning(
-            lambda _: None
-        )  # which else writes MUJOCO_LOG.TXT where the user stands
+        # By default MuJoCo writes warnings to MUJOCO_LOG.TXT in the current folder.
+        mujoco.set_mju_user_warning(lambda _: None)
         try:
             if arguments and arguments[0] in SUBCOMMANDS:
                 return importlib.import_module(f"newton_lint.{arguments[0]}").main(
@@ -61,19 +59,19 @@ def main(arguments: Sequence[str] | None = None) -> int:
         except TargetError as error:
             print(error, file=sys.stderr)
             return UNFIT
-        except OSError as error:  # a full disk, or nobody who reads
+        except OSError as error:  # The disk is full, or the output is closed.
             with contextlib.suppress(OSError, ValueError):
                 print(f"{PROGRAM}: {error}", file=sys.stderr)
             return UNFIT
     except KeyboardInterrupt:
         return STOPPED
-    except Exception:  # a fault of the lint itself, which Python would end with the status of a finding
+    except Exception:  # Python would exit with 1, which means findings.
         traceback.print_exc()
         return BROKEN
 
 
 def _import_mujoco() -> None:
-    """Import MuJoCo without windows, and NumPy without threads: each takes a quarter of the time, and none is used."""
+    """Import MuJoCo without rendering and NumPy without threads, to start faster."""
     unused = {"MUJOCO_GL": "disable", "OPENBLAS_NUM_THREADS": "1"}
     if "mujoco" not in sys.modules and not unused.keys() & os.environ.keys():
         os.environ.update(unused)
@@ -83,26 +81,23 @@ def _import_mujoco() -> None:
 
 
 def rules() -> dict[str, str]:
-    """Return what each rule finds, and with which severity."""
+    """Return the description and severity of each rule."""
     text = Path(__file__).with_name("rules.md").read_text(encoding="utf-8")
     return {
-        name: f"{name} ({severity}): {what}"
-        for name, severity, what in RULE.findall(text)
+        name: f"{name} ({severity}): {description}"
+        for name, severity, description in RULE.findall(text)
     }
 
 
 class Tell(argparse.Action):
     def __call__(self, parser, namespace, rule, option_string=None) -> None:
-        """Print the version, or what a rule finds."""
+        """Print the version or the description of a rule, and exit."""
         if option_string == "--version":
             print(PROGRAM, version())
         else:
-            print(
-                rules().get(rule)
-                or parser.error(
-                    f"there is no rule {rule}: there are {', '.join(rules())}"
-                )
-            )
+            if rule not in rules():
+                parser.error(f"unknown rule {rule}: choose from {', '.join(rules())}")
+            print(rules()[rule])
         parser.exit(CLEAN)
 
 
@@ -144,12 +139,9 @@ def _linted(options: argparse.Namespace) -> int:
     try:
         if reports or form in ("json", "sarif"):
             print(written(reports, form, unread), flush=True)
-    except (
-        BrokenPipeError
-    ):  # who reads the output may stop before its end, as head does
-        os.dup2(
-            os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno()
-        )  # Python flushes once more when it ends
+    except BrokenPipeError:
+        # The reader, for example head, has stopped. Python flushes again at its end.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
     for line in (*unread, *fixes):
         print(printable(line), file=sys.stderr)
     if unread:
@@ -163,7 +155,7 @@ def _linted(options: argparse.Namespace) -> int:
 
 
 def request_of(options: argparse.Namespace, table: dict[str, Any]):
-    """Return what is asked for, of the command before the project's table."""
+    """Return the request of the command line, with defaults from pyproject.toml."""
     from newton_lint.prediction import Load
     from newton_lint.report import Request
     from newton_lint.target import TargetError
@@ -173,16 +165,17 @@ def request_of(options: argparse.Namespace, table: dict[str, Any]):
         *map(str.strip, options.ignore.split(",") if options.ignore else []),
     ]
     if unknown := [rule for rule in ignore if rule not in rules()]:
+        known = ", ".join(rules())
         raise TargetError(
-            f"there is no rule {', '.join(unknown)} to ignore: there are {', '.join(rules())}"
+            f"cannot ignore unknown rule {', '.join(unknown)}: choose from {known}"
         )
     return Request(
-        engine_of(options, table),
-        Load(options.acceleration, options.load),
-        work_of(options),
-        options.below or table.get("below"),
-        frozenset(ignore),
-        not options.no_step,
+        engine=engine_of(options, table),
+        load=Load(options.acceleration, options.load),
+        work=work_of(options),
+        below_mm_s=options.below or table.get("below"),
+        ignore=frozenset(ignore),
+        step=not options.no_step,
     )
 
 
@@ -208,51 +201,49 @@ def work_of(options: argparse.Namespace):
 
 
 def version() -> str:
-    metadata = importlib.import_module(
-        "importlib.metadata"
-    )  # which takes as long as all that a rule does
+    # This import takes as long as all the rules.
+    metadata = importlib.import_module("importlib.metadata")
     with contextlib.suppress(metadata.PackageNotFoundError):
         return metadata.version(PROGRAM)
-    return "of a checkout"
+    return "(not installed)"
 
 
 def lint_parser() -> Parser:
-    """Make the parser of the lint's own options."""
+    """Return the parser of the main command."""
     parser = Parser(
         prog=PROGRAM,
-        description="Names contact parameters that MuJoCo does not use as they are written, predicts creep, says what"
-        " to do.",
-        epilog="Also: newton-lint prescribe searches settings for a grasp, page writes a page, pair tells of a"
-        " contact.",
+        description="Find contact parameters that MuJoCo does not use as they are"
+        " written, predict creep, and recommend changes.",
+        epilog="Subcommands: newton-lint prescribe searches settings for a grasp, page"
+        " writes an HTML page, pair explains the contact of two geoms.",
     )
     add = parser.add_argument
     add(
         "target",
         metavar="TARGET",
         nargs="+",
-        help="FILE.xml, FILE.urdf, FILE.usd, a folder, FILE.py:function, or module:function",
+        help="FILE.xml, FILE.urdf, FILE.usd, a folder, FILE.py:function or"
+        " module:function",
     )
     add("--format", choices=("text", "json", "sarif", "github"), help="default: text")
     add("--json", action="store_true", help="the same as --format json")
     add(
         "--fail-on",
         choices=(*SEVERITIES, "never"),
-        help="least severity that ends with status 1; default: warning",
+        help="lowest severity that gives exit status 1; default: warning",
     )
-    add("--version", action=Tell, nargs=0, help="say which release it is")
-    add("--explain", action=Tell, metavar="RULE", help="say what a rule finds")
-    add(
-        "--ignore", metavar="RULES", help="rules that do not count, with commas between"
-    )
+    add("--version", action=Tell, nargs=0, help="print the version")
+    add("--explain", action=Tell, metavar="RULE", help="describe a rule")
+    add("--ignore", metavar="RULES", help="rules to ignore, separated by commas")
     add(
         "--fix",
         action="store_true",
-        help="write changes that were measured to do no harm into the files",
+        help="write the changes that do no harm, as measured, into the files",
     )
     add(
         "--dry-run",
         action="store_true",
-        help="the same, and print the patch in place of writing it",
+        help="like --fix, but print the patch instead of writing it",
     )
     add("--no-step", action="store_true", help="do not simulate the scene")
     add(
@@ -260,7 +251,7 @@ def lint_parser() -> Parser:
         action="append",
         default=[],
         metavar="PATTERN",
-        help="files of folders that are left out",
+        help="leave out files that match this pattern when reading folders",
     )
     add_work(parser)
     add(
@@ -268,60 +259,60 @@ def lint_parser() -> Parser:
         type=positive,
         default=0.0,
         metavar="N",
-        help="tangential force on each contact point",
+        help="tangential force on each contact point [N]",
     )
     add(
         "--turn",
         type=positive,
         default=0.0,
         metavar="RAD/S",
-        help="what holds it turns about the vertical",
+        help="rate at which the support of the held body turns about the vertical",
     )
     add(
         "--acceleration",
         type=positive,
         default=0.0,
         metavar="M/S²",
-        help="ω² r of a support that turns",
+        help="acceleration ω² r of a turning support",
     )
     return parser
 
 
 def add_work(parser: argparse.ArgumentParser) -> None:
-    """Add options of the engine, and of a body that is held."""
+    """Add options for the engine and for a held body."""
     add = parser.add_argument
-    default = "default: what the scene says"
+    default = "default: that of the scene"
     add(
         "--engine",
         choices=("mujoco", "warp", "newton"),
-        help="whose rules count; default: mujoco",
+        help="engine whose rules apply; default: mujoco",
     )
-    add("--dt", type=positive, metavar="S", help=f"the solver's step; {default}")
-    add("--cone", choices=("pyramidal", "elliptic"), help=default)
-    add("--impratio", type=positive, metavar="X", help=default)
+    add("--dt", type=positive, metavar="S", help=f"time step [s]; {default}")
+    add("--cone", choices=("pyramidal", "elliptic"), help=f"friction cone; {default}")
+    add("--impratio", type=positive, metavar="X", help=f"impratio; {default}")
     add(
         "--hold",
         metavar="BODY",
-        help="predict how this body creeps, gripped in the first keyframe or at the start",
+        help="body whose creep is predicted; the first keyframe or the start grips it",
     )
     add(
         "--settle",
         type=positive,
         metavar="S",
-        help="time that its grip gets to settle; default: 0.5",
+        help="time for the grip to settle [s]; default: 0.5",
     )
     add(
         "--lift",
         type=positive,
         default=0.0,
         metavar="M/S²",
-        help="what holds it accelerates upward",
+        help="upward acceleration of the support of the held body",
     )
     add(
         "--below",
         type=positive,
         metavar="MM/S",
-        help="creep that is not too fast; prescribe's default: 0.1",
+        help="largest acceptable creep; default of prescribe: 0.1",
     )
 
 
@@ -331,5 +322,5 @@ def positive(text: str) -> float:
     except ValueError:
         value = 0.0
     if not 0.0 < value < float("inf"):
-        raise argparse.ArgumentTypeError(f"{text} is no positive number")
+        raise argparse.ArgumentTypeError(f"expected a positive number, got {text}")
     return value

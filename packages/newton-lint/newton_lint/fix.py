@@ -1,4 +1,4 @@
-"""Writing changes into the files of a scene: a minimal edit of their text, beside which the old one stays."""
+"""Edits the files of a scene: changes only the affected tags and keeps a copy."""
 
 import contextlib
 import itertools
@@ -14,63 +14,63 @@ from newton_lint.findings import Change
 from newton_lint.source import Element, Source, Texts
 
 TAG = re.compile(rb"""<([^\s/>]+)(?:[^>"']|"[^"]*"|'[^']*')*?(?=\s*/?>)""")
-"""A tag from its start, without its end."""
+"""Matches a tag from its start to before its closing bracket."""
 ATTRIBUTE = re.compile(rb"""(\s)([^\s="'/<>]+)(\s*=\s*)("[^"]*"|'[^']*')""")
 NEW = {"option": "<option {}/>", "exclude": "<contact><exclude {}/></contact>"}
-"""What a change without an element adds to the root, by its subject."""
+"""Maps the subject of a change without an element to the tag to add to the root."""
 
 
 class Unwritable(Exception):
-    """A change that cannot be written, said in words that follow it."""
+    """A change cannot be written. The message is a clause that gives the reason."""
 
 
 def edited(
     changes: Iterable[Change], source: Source | None, texts: Texts
 ) -> dict[Path, bytes]:
-    """Return the texts of the files that changes alter, or raise Unwritable; ``texts`` stand for what files hold."""
-    edits: dict[Path, dict[int, tuple[Element, list[Change]]]] = {}
+    """Return the new text of each file that the changes alter.
+
+    Args:
+        texts: Contents that replace those of the files on disk.
+
+    Raises:
+        Unwritable: A change has no place in the files.
+    """
+    placed = []
     for change in changes:
-        element = change.element or (
-            source.root if source and change.subject in NEW else None
-        )
+        element = change.element
+        if element is None and source and change.subject in NEW:
+            element = source.root
         if element is None or not change.attributes:
-            raise Unwritable("no file is known to say it")
-        edits.setdefault(element.file, {}).setdefault(element.start, (element, []))[
-            1
-        ].append(change)
-    return {
-        file: _edited(texts.get(file) or file.read_bytes(), tags)
-        for file, tags in edits.items()
-    }
+            raise Unwritable("no file defines this attribute")
+        placed.append((element, change))
+    new: dict[Path, bytes] = {}
+    # Later tags come first, so that the positions of earlier ones stay valid.
+    for element, change in sorted(placed, key=lambda item: -item[0].start):
+        file = element.file
+        text = new.get(file) or texts.get(file) or file.read_bytes()
+        new[file] = _edited(text, element, change)
+    return new
 
 
-def _edited(text: bytes, tags: dict[int, tuple[Element, list[Change]]]) -> bytes:
-    for start, (element, changes) in sorted(
-        tags.items(), reverse=True
-    ):  # from the end, so that no start moves
-        for change in changes:
-            tag = TAG.match(text, start)
-            if tag is None or tag[1].decode(errors="replace") != element.tag:
-                raise Unwritable("its text is not where it is looked for")
-            if change.element is None:
-                end = text.index(b">", tag.end()) + 1
-                line = b"\r\n" if b"\r\n" in text else b"\n"
-                attributes = " ".join(
-                    f'{name}="{_escaped(value)}"' for name, value in change.attributes
-                )
-                child = NEW[change.subject].format(attributes).encode()
-                text = text[:end] + line + b"  " + child + text[end:]
-            else:
-                text = (
-                    text[:start]
-                    + _with(tag[0], dict(change.attributes))
-                    + text[tag.end() :]
-                )
-    return text
+def _edited(text: bytes, element: Element, change: Change) -> bytes:
+    """Return a text with one change, in an element or as a new child of the root."""
+    tag = TAG.match(text, element.start)
+    if tag is None or tag[1].decode(errors="replace") != element.tag:
+        raise Unwritable("the file has changed since it was read")
+    if change.element:
+        new = _with(tag[0], dict(change.attributes))
+        return text[: tag.start()] + new + text[tag.end() :]
+    end = text.index(b">", tag.end()) + 1
+    line = b"\r\n" if b"\r\n" in text else b"\n"
+    attributes = " ".join(
+        f'{name}="{_escaped(value)}"' for name, value in change.attributes
+    )
+    child = NEW[change.subject].format(attributes).encode()
+    return text[:end] + line + b"  " + child + text[end:]
 
 
 def _with(tag: bytes, attributes: dict[str, str]) -> bytes:
-    """Return a tag with attributes in place of those of the same names, or behind all: the rest stays as it was."""
+    """Return a tag with new attributes, each in its old place or at the end."""
     missing = dict(attributes)
 
     def replaced(match: re.Match) -> bytes:
@@ -95,17 +95,19 @@ def _escaped(value: str) -> str:
 
 
 def write(texts: Texts) -> list[tuple[Path, Path]]:
-    """Replace files, all or, with an OSError, none; return each, as it was resolved, and where its text is kept."""
+    """Replace all the files, or none if one of them raises OSError.
+
+    Returns:
+        The resolved path of each file, and the path of its backup.
+    """
     replaced: list[tuple[Path, Path]] = []
     try:
         for file, text in texts.items():
-            real = file.resolve(
-                strict=True
-            )  # os.replace would put a file in place of a link
+            # os.replace would replace a link by a file, and would also replace a
+            # read-only file, because it only needs permission for the folder.
+            real = file.resolve(strict=True)
             if not stat.S_IMODE(real.stat().st_mode) & 0o222:
-                raise PermissionError(
-                    f"{file}: is read-only"
-                )  # os.replace asks for the folder's permission alone
+                raise PermissionError(f"{file} is read-only")
             names = (
                 f"{real.name}.orig{number if number > 1 else ''}"
                 for number in itertools.count(1)
@@ -123,26 +125,24 @@ def write(texts: Texts) -> list[tuple[Path, Path]]:
 
 
 def undo(replaced: Iterable[tuple[Path, Path]]) -> None:
-    """Give files back what they held."""
+    """Restore files from their backups."""
     for real, backup in replaced:
         with contextlib.suppress(OSError):
             os.replace(backup, real)
 
 
 def _replace(file: Path, text: bytes) -> None:
-    handle, name = tempfile.mkstemp(
-        prefix=f".{file.name[:60]}.", dir=file.parent
-    )  # os.replace crosses no file system
+    # os.replace does not work across file systems.
+    handle, name = tempfile.mkstemp(prefix=f".{file.name[:60]}.", dir=file.parent)
     try:
         with os.fdopen(handle, "wb") as stream:
             stream.write(text)
             stream.flush()
-            os.fsync(
-                stream.fileno()
-            )  # or a power cut may leave the new name with nothing in it
+            # Without this, a power failure may leave an empty file.
+            os.fsync(stream.fileno())
         status = file.stat()
         shutil.copymode(file, name)
-        with contextlib.suppress(OSError):  # only root gives files away
+        with contextlib.suppress(OSError):  # Only root may change the owner.
             os.chown(name, status.st_uid, status.st_gid)
         os.replace(name, file)
     except BaseException:

@@ -1,4 +1,4 @@
-"""Grips and slopes: bodies that move freely and that friction holds when the scene is stepped, and what slips there."""
+"""Finds free bodies that friction holds in a grip or on a slope, and that slip."""
 
 import copy
 import math
@@ -24,22 +24,28 @@ from newton_lint.settle import (
 from newton_lint.stepped import Run, Start, contact_forces, free_joints
 
 SLIP_MM_S = 1.0
-"""Creep under its own weight from which a body is said to slip."""
-# Least share of predicted creep that a body moves by, and of its weight that friction bears: in a grip, on a slope.
+"""A body slips if it creeps at least this fast under its own weight."""
+# A body must move at this share of its predicted creep to be reported.
 AGREES = 0.3
+# Friction must bear this share of the weight of a body on a slope.
 LEAST = 0.015
-# Cosine of normals up to which a body is held from two sides, and bodies looked at, those with most friction first.
+# Two contacts oppose each other if the cosine of their normals is below this.
 OPPOSE = -0.5
+# At most this many bodies are checked, those with the most friction first.
 MOST_BODIES = 6
 
 
 def gripped(scene: Scene, runs: Sequence[Run], skip: str = "") -> Iterator[Finding]:
-    """Yield what slips out of a grip or down a slope, or turns in it; but one body."""
+    """Yield bodies that slip out of a grip, slip down a slope or turn in a grip.
+
+    Args:
+        skip: A body to leave out.
+    """
     reported: set[int] = set()
     for run in runs:
         for body in () if run.bad else _burdened(scene, run):
             if scene.bodies[body] != skip and body not in reported:
-                data = copy.copy(run.data)  # other rules read the run's own
+                data = copy.copy(run.data)  # Other rules read the original.
                 steps = max(1, round(READ_SHARE * SETTLE_S / scene.model.opt.timestep))
                 if touches := touches_of(scene, data, body, steps):
                     findings = list(
@@ -51,7 +57,7 @@ def gripped(scene: Scene, runs: Sequence[Run], skip: str = "") -> Iterator[Findi
 
 
 def _burdened(scene: Scene, run: Run) -> list[int]:
-    """Return bodies that move freely and alone, and of whose weight friction bears a share."""
+    """Return free, single bodies with a share of their weight borne by friction."""
     model = scene.model
     data = run.data
     friction = np.zeros((model.nbody, 3))
@@ -60,9 +66,8 @@ def _burdened(scene: Scene, run: Run) -> list[int]:
     )
     axes = data.contact.frame[contacts].reshape(-1, 3, 3)[:, 1:]
     acts = np.einsum("ni,nij->nj", contact_forces(model, data, contacts)[:, 1:3], axes)
-    for geoms, sign in zip(
-        data.contact.geom[contacts].T, (-1.0, 1.0), strict=True
-    ):  # it acts on the second geom
+    # The force acts on the second geom.
+    for geoms, sign in zip(data.contact.geom[contacts].T, (-1.0, 1.0), strict=True):
         np.add.at(friction, model.body_weldid[model.geom_bodyid[geoms]], sign * acts)
     free = model.jnt_bodyid[free_joints(model)]
     weight = model.body_mass * np.linalg.norm(model.opt.gravity)
@@ -86,6 +91,7 @@ def _least_cosine(touches: Sequence[Touch]) -> float:
 def _grip_findings(
     scene: Scene, body: int, touches: list[Touch], data: mujoco.MjData, start: Start
 ) -> Iterator[Finding]:
+    """Yield a body that turns in its grip, or slips."""
     hold = predicted_hold(scene, body, touches, Work(scene.bodies[body]), data)
     between = _is_between(touches)
     is_sloped = _least_cosine(touches) > -OPPOSE
@@ -103,64 +109,66 @@ def _grip_findings(
     ):
         return
     if hold.mm_s >= SLIP_MM_S and hold.moves_mm_s >= AGREES * hold.mm_s:
-        where = "between fingers" if between else "down a slope"
+        where = "between" if between else "down a slope on"
         impratio = max(scene.option.impratio, 1.0) * 10.0
         mended = replace(
             scene, model=changed(scene.model, cone=ELLIPTIC, impratio=impratio)
         )
         after = predicted_hold(mended, body, touches, Work(hold.name), data).mm_s
-        gain = f"{hold.mm_s:.2g} → {after:.2g} mm/s for the same time step"
+        gain = (
+            f"reduces the creep from {hold.mm_s:.2g} to {after:.2g} mm/s at the same"
+            " time step (predicted)"
+        )
         holds = math.isfinite(after)
         firmer = for_option(
             scene, {"cone": "elliptic", "impratio": f"{impratio:g}"}, gain
         )
-        ways = [firmer if holds else Advice("more friction, along both of its axes")]
+        friction = Advice("Increase the friction along both of its axes")
+        ways = [firmer if holds else friction]
         if scene.engine.name == "mujoco":
-            ways.append(
-                for_option(
-                    scene,
-                    {"noslip_iterations": "10"},
-                    "MuJoCo C alone has the pass in all releases",
-                )
-            )
+            noslip = {"noslip_iterations": "10"}
+            gain = "removes the creep, but only MuJoCo C has the pass in all releases"
+            ways.append(for_option(scene, noslip, gain))
         yield Finding(
             "slip",
             hold.name,
             "creep",
             hold.mm_s,
-            f"{where}, by {hold.load_n:.3g} N on {hold.point_count:.3g} points, from {start}",
-            _names(scene, hold),
-            after if holds else None,
-            "mm/s",
+            message=f"$shape creeps at $value {where} $against because friction rows"
+            f" yield to its load of {hold.load_n:.3g} N on {hold.point_count:.3g}"
+            f" points (from {start.name})",
+            against=tuple(scene.names[geom] for geom in _supports(scene, hold)),
+            used=after if holds else None,
+            unit="mm/s",
             element=scene.source.option("impratio"),
             advice=either(*ways),
         )
 
 
 def _turns(scene: Scene, hold: Hold, start: Start) -> Iterator[Finding]:
+    """Yield a body that turns in a grip because each side holds it in one point."""
     points: Counter[int] = Counter(touch.support for touch in hold.touches)
     index = scene.pair_indices
     condims = {int(scene.contacts.condim[index[touch.geoms]]) for touch in hold.touches}
     if len(points) == 2 and max(points.values()) == 1 and condims == {3}:
-        pad = _supports(scene, hold)[0]
-        why = "each side holds it in one point, and condim 3 has no row against turning"
+        pads = _supports(scene, hold)
         yield Finding(
             "condim",
             hold.name,
             "condim",
             3.0,
-            f"turns in the grip from {start}: {why}",
-            _names(scene, hold),
-            4.0,
-            element=scene.source.authored(pad, "condim"),
+            message="$shape turns between $against because each side touches it in one"
+            f" point and condim $value has no torsional friction (from {start.name})",
+            against=tuple(scene.names[pad] for pad in pads),
+            used=4.0,
+            element=scene.source.authored(pads[0], "condim"),
             advice=for_geom(
-                scene, pad, {"condim": "4"}, "the grip resists turning, by friction[1]"
+                scene,
+                pads[0],
+                {"condim": "4"},
+                "adds torsional friction, with friction[1] as its coefficient",
             ),
         )
-
-
-def _names(scene: Scene, hold: Hold) -> tuple[str, ...]:
-    return tuple(scene.names[geom] for geom in _supports(scene, hold))
 
 
 def _supports(scene: Scene, hold: Hold) -> list[int]:

@@ -1,13 +1,17 @@
-"""How fast a contact that holds slides: the law under each integrator, cone and flag of MuJoCo C.
+"""Computes how fast a contact creeps under each integrator, cone and flag of MuJoCo C.
 
-A friction row asks for the acceleration -b v and yields R f to its force f (MuJoCo documentation, "Computation",
-constraint model). At a steady rate both balance what the row does not know of, an acceleration a such as J̇·q̇:
+A friction row asks for the acceleration -b v, and yields R f under its force f (MuJoCo
+documentation, "Computation", constraint model). At a steady speed these two balance the
+acceleration a that the row leaves out, such as J̇·q̇:
 
-    b v = a + R f,    b = 2 / (dmax timeconst),    R = (1 - d) / d · w / impratio,
+    b v = a + R f,    b = 2 / (dmax timeconst),    R = (1 - d) / d · w / impratio
 
-with the contact's impedance d and w, the sum of both bodies' body_invweight0; (1 + μ²) w in a row of a pyramid. Besides
-a contact slides by a h/2 less, with the step h, under integrators that move by the new velocity, and by a h/2 more with
-``discrete``, which also weighs rows by 1 + b h + h² k d (numerical integration).
+Here d is the impedance of the contact, and w is the sum of both bodies'
+body_invweight0, or (1 + μ²) times that in a row of a pyramid.
+
+With the time step h, a contact also slides by a h/2 less under integrators that move
+bodies by their new velocity, and by a h/2 more under ``discrete``. This integrator also
+multiplies R by (1 + b h) / (1 + b h + h² k d).
 """
 
 import math
@@ -17,19 +21,19 @@ from dataclasses import dataclass
 import mujoco
 
 M = 1e3
-"""mm in a metre."""
+"""Millimetres per metre."""
 EULER, RK4, IMPLICIT, IMPLICITFAST, DISCRETE = range(5)
-"""``mjtIntegrator``; the last since MuJoCo 3.13."""
+"""Values of ``mjtIntegrator``; the last one exists since MuJoCo 3.13."""
 STEP_SHARE = {EULER: -0.5, RK4: 0.0, IMPLICIT: -0.5, IMPLICITFAST: -0.5, DISCRETE: 0.5}
-"""What of h an acceleration's response has besides 1/b."""
+"""The response to an acceleration is 1/b plus this share of the time step."""
 DEFAULT_SOLREF = (0.02, 1.0)
 MIN_WIDTH = 1e-15
-"""mjMINVAL: a solimp that is narrower has no shape."""
+"""mjMINVAL: a narrower solimp has a constant impedance."""
 
 
 @dataclass(frozen=True)
 class Option:
-    """Options of the engine that count for all contacts."""
+    """Engine options that affect all contacts."""
 
     timestep_s: float
     integrator: int = EULER
@@ -37,7 +41,7 @@ class Option:
     impratio: float = 1.0
     refsafe: bool = True
     noslip: bool = False
-    """Whether a noslip pass follows, which leaves R out."""
+    """Whether a noslip pass follows, which removes R."""
 
     @property
     def discrete(self) -> bool:
@@ -46,33 +50,34 @@ class Option:
 
 @dataclass(frozen=True)
 class Contact:
-    """A contact as the engine combines two geoms."""
+    """The combined parameters of a contact between two geoms."""
 
     solref: tuple[float, float]
     solimp: tuple[float, ...]
     mu: float
     weight_1_kg: float
-    """The diagonal of A along a tangent: the sum of both bodies' translational body_invweight0."""
+    """Diagonal of A along a tangent: the sum of both translational invweight0."""
     solreffriction: tuple[float, float] = (0.0, 0.0)
     condim: int = 3
 
 
 @dataclass(frozen=True)
 class Response:
-    """A response of a contact that holds, at one depth."""
+    """The creep of a contact per unit of load, at one depth."""
 
     acceleration_s: float
-    """m/s for each m/s² that its rows leave out."""
+    """Creep per m/s² of acceleration that the rows leave out."""
     load_m_s_n: float
-    """m/s for each newton of tangential force on one point; up to half the cone where the cone is a pyramid."""
+    """Creep per newton of tangential force; in a pyramid, up to half the cone."""
     edge_count: int = 0
-    """Of the pyramid; 0 where the cone is none."""
+    """Number of edges of the pyramid; 0 for an elliptic cone."""
     mu: float = 1.0
 
     def force_n(self, slide_m_s: float, normal_n: float) -> float:
-        """Return the friction with which a pressed point resists a slide along an axis of the contact [N].
+        """Return the friction of a point that slides along an axis of the contact [N].
 
-        Beyond 2/n of the cone one of a pyramid's n edges lets go, and the others share what is left.
+        Beyond 2/n of the cone, one of the n edges of a pyramid lets go, and the others
+        share the rest of the load.
         """
         most = self.mu * normal_n
         force = slide_m_s / self.load_m_s_n if self.load_m_s_n else math.inf
@@ -83,7 +88,11 @@ class Response:
 
 
 def shared_slide_m_s(points: Sequence[tuple[Response, float]], load_n: float) -> float:
-    """Return the slide in which points with their normal forces bear a load together; infinite beyond their cones."""
+    """Return the speed at which points share a load, infinite beyond their cones [m/s].
+
+    Args:
+        points: The response and the normal force of each point.
+    """
     if load_n >= sum(response.mu * normal for response, normal in points):
         return math.inf
     low, high = 0.0, 1.0
@@ -97,13 +106,17 @@ def shared_slide_m_s(points: Sequence[tuple[Response, float]], load_n: float) ->
 
 
 def solref_taken(solref: Sequence[float]) -> tuple[float, float]:
-    """Return a solref as the engine takes it: the default in place of one that is half timeconst and half stiffness."""
+    """Return a solref as the engine uses it, which is the default if it mixes forms."""
     first, second = solref
     return DEFAULT_SOLREF if (first > 0.0) != (second > 0.0) else (first, second)
 
 
 def response_of(contact: Contact, option: Option, d: float | None = None) -> Response:
-    """Return how a contact gives way at an impedance, by itself that of solimp's full width; infinitely if undamped."""
+    """Return the response of a contact, which is infinite without damping.
+
+    Args:
+        d: Impedance; by default that at the full width of solimp.
+    """
     dmax = clamped(contact.solimp[1])
     d = impedance(contact.solimp, contact.solimp[2]) if d is None else clamped(d)
     h = option.timestep_s
@@ -112,7 +125,7 @@ def response_of(contact: Contact, option: Option, d: float | None = None) -> Res
     stiff, damp = stiffness(contact, option, d), normal_damping(contact, option, d)
     friction_solref = (
         contact.solreffriction
-    )  # mj_makeImpedance reads it in an elliptic cone alone
+    )  # mj_makeImpedance reads solreffriction only with an elliptic cone.
     is_read = (
         not pyramid
         and any(friction_solref)
@@ -143,14 +156,14 @@ def response_of(contact: Contact, option: Option, d: float | None = None) -> Res
 
 
 def impedance(solimp: Sequence[float], depth_m: float) -> float:
-    """Return d at a depth, also of a solimp without width, whose d is the mean."""
+    """Return the impedance at a depth; for a solimp without width, this is the mean."""
     if solimp[2] <= MIN_WIDTH:
         return 0.5 * (clamped(solimp[0]) + clamped(solimp[1]))
     return impedance_at(solimp, depth_m)
 
 
 def stiffness(contact: Contact, option: Option, d: float) -> float:
-    """Return k of a contact's normal row [1/s²]."""
+    """Return k of the normal row of a contact [1/s²]."""
     dmax = clamped(contact.solimp[1])
     first, second = solref_taken(contact.solref)
     if first <= 0.0:
@@ -166,7 +179,10 @@ def stiffness(contact: Contact, option: Option, d: float) -> float:
 
 
 def normal_damping(contact: Contact, option: Option, d: float) -> float:
-    """Return b of a contact's normal row [1/s], which ``discrete`` gives the stiffness that it has under refsafe."""
+    """Return b of the normal row of a contact [1/s].
+
+    Under ``discrete`` with refsafe, b belongs to the clamped stiffness.
+    """
     solref = solref_taken(contact.solref)
     dmax = clamped(contact.solimp[1])
     if solref[0] > 0.0 and option.discrete and option.refsafe:
@@ -182,15 +198,19 @@ def normal_damping(contact: Contact, option: Option, d: float) -> float:
 
 
 def settled_impedance(contact: Contact, option: Option, normal_n: float) -> float:
-    """Return the impedance at the depth to which a normal force presses one contact point."""
+    """Return the impedance at the depth to which a normal force presses a point."""
     return impedance(contact.solimp, settled_depth_m(contact, option, normal_n))
 
 
 def settled_depth_m(contact: Contact, option: Option, normal_n: float) -> float:
-    """Return that depth, at which k d r balances R f whatever the body's mass; d depends on r, so it is halved for."""
+    """Return the depth to which a normal force presses a contact point [m].
+
+    There k d r balances R f, for any mass of the body. As d depends on r, the depth is
+    found by bisection.
+    """
     weight = contact.weight_1_kg
     if option.cone == "pyramidal" and contact.condim > 1:
-        # All edges of the pyramid bear it, each with the R that matches the friction.
+        # All edges of the pyramid bear the force, each with the R for its friction.
         weight *= (
             (1.0 + contact.mu**2)
             * contact.mu**2
@@ -212,11 +232,12 @@ def settled_depth_m(contact: Contact, option: Option, normal_n: float) -> float:
 
 
 def response(solref: Sequence[float], dmax: float, timestep_s: float = 0.0) -> float:
-    """Return 1 / b of a row [s], infinite where it has no damping.
+    """Return 1 / b of a row [s], which is infinite without damping.
 
     Args:
-        solref: Timeconst [s] and dampratio, or, both negative, -stiffness and -damping [1/s].
-        timestep_s: Time step of an engine that takes no timeconst below two of them [s]; 0 where refsafe is off.
+        solref: Timeconst [s] and dampratio or, both negative, -stiffness and -damping.
+        timestep_s: Time step of an engine that clamps the timeconst to two steps [s]; 0
+            if refsafe is off.
     """
     first, second = solref
     if second == 0.0:
@@ -227,12 +248,12 @@ def response(solref: Sequence[float], dmax: float, timestep_s: float = 0.0) -> f
 
 
 def clamped(impedance: float) -> float:
-    """Return an impedance, or solimp's midpoint, as the engine takes it: between 0 and 1, and never either of them."""
+    """Return an impedance or a midpoint of solimp as the engine clamps it."""
     return min(max(impedance, mujoco.mjMINIMP), mujoco.mjMAXIMP)
 
 
 def impedance_at(solimp: Sequence[float], depth_m: float) -> float:
-    """Return d at a depth [m], as MuJoCo interpolates it between dmin and dmax over solimp's width."""
+    """Return the impedance at a depth [m], interpolated from dmin to dmax."""
     dmin, dmax, width, midpoint, power = solimp
     dmin, dmax, midpoint, power = (
         clamped(dmin),

@@ -1,4 +1,4 @@
-"""``--fix``: what findings say to change, tried in MuJoCo C before it is written, and left out where it does harm."""
+"""Implements ``--fix``: tries changes in MuJoCo C and writes those that do no harm."""
 
 import difflib
 from collections import Counter
@@ -20,54 +20,62 @@ from newton_lint.stepped import Run, runs_of
 from newton_lint.target import Target, TargetError, compiled, read_target, tried
 
 MEASURED_S = 2.0
-"""Time that a scene is stepped before and after a change, by each of its starts."""
+"""Time for which a scene is stepped before and after a change, from each start."""
+# Contacts may become this many times as deep, and this much deeper [m].
 DEEPER = 1.1
 DEEPER_M = 5e-5
+# Motions may become this many times as fast, and this much faster [m/s or rad/s].
 FASTER = 1.05
 FASTER_M_S = 2e-3
-# How much deeper contacts may get, what rests may move faster, and how much more effort or time it may take.
+# A simulated second may take this many times the solver's effort.
 SLOWER = 1.8
+# It may take this many times the processor time.
 SLOWEST = 3.0
-# Depth that a body may have which no longer falls through, and the speed of what does.
+# A body whose contacts are below this depth no longer falls through [m].
 SHALLOW_M = 2e-3
+# A body falls if it reaches this speed.
 FALLS_M_S = 3.0
 FREES = ("lost", "stiff", "thrown", "unstable")
-"""Rules of what costs little, and has no contacts, only because it falls or flies."""
-# Changes that are tried in one pass, and times that scenes which share files are gone over.
+"""Rules on bodies that fall or fly, which cost little only because nothing touches."""
+# At most this many changes are tried in one pass.
 MOST_TRIES = 40
+# Scenes that share files are mended in at most this many passes.
 PASSES = 4
 
 
 def measured(target: Target) -> list[Run]:
-    """Step a scene from each of its starts, for as long as changes are judged by."""
+    """Step a scene from each of its starts, long enough to judge a change."""
     return runs_of(target.model, target, MEASURED_S)
 
 
 def harm(before: Sequence[Run], after: Sequence[Run], rules: Collection[str]) -> str:
-    """Say in what changes of these rules' findings made a scene worse; empty where they did in nothing."""
+    """Return the harm that a change for these rules does, or an empty string."""
     for old, new in zip(before, after, strict=True):
         if new.bad:
-            return f"the simulation blows up after {new.time_s:.3g} s from {new.start}"
+            start = new.start.name
+            return f"the simulation blows up after {new.time_s:.3g} s from {start}"
         if not old.bad and (reason := _motion_harm(old, new, rules)):
             return reason
-    for name, most in (
-        () if {*FREES} & {*rules} else (("effort", SLOWER), ("cost_s", SLOWEST))
-    ):
-        old_cost, new_cost = (
-            sum(getattr(run, name) for run in runs) for runs in (before, after)
-        )
+    if {*FREES} & {*rules}:
+        return ""
+    for name, most in (("effort", SLOWER), ("cost_s", SLOWEST)):
+        old_cost = sum(getattr(run, name) for run in before)
+        new_cost = sum(getattr(run, name) for run in after)
         if new_cost > most * old_cost:
-            return f"a simulated second costs {new_cost / max(old_cost, 1e-9):.2g} times as much"
+            ratio = new_cost / max(old_cost, 1e-9)
+            return f"a simulated second costs {ratio:.2g} times as much"
     return ""
 
 
 def _motion_harm(old: Run, new: Run, rules: Collection[str]) -> str:
-    """Say whether contacts are deeper than before, or what rests moves faster."""
-    old_thrown, new_thrown = (run.thrown_m_s.max(initial=0.0) for run in (old, new))
-    # What flew or fell touched nothing: that it lies now is no harm.
+    """Return how contacts get deeper or resting bodies faster, or an empty string."""
+    old_thrown = old.thrown_m_s.max(initial=0.0)
+    new_thrown = new.thrown_m_s.max(initial=0.0)
+    # A body that flew or fell touched nothing, so it may rest in a contact now.
     lies = old_thrown > THROWN_M_S > 2.0 * new_thrown and new.deepest_m <= old.deepest_m
     lies |= "lost" in rules and new.deepest_m < SHALLOW_M
-    old_fall, new_fall = (run.speeds_m_s.max(initial=0.0) for run in (old, new))
+    old_fall = old.speeds_m_s.max(initial=0.0)
+    new_fall = new.speeds_m_s.max(initial=0.0)
     lies |= old_fall > FALLS_M_S > 2.0 * new_fall and new.late_m < SHALLOW_M
     for name, field in (
         ("deepest contact", "deepest_m"),
@@ -77,55 +85,64 @@ def _motion_harm(old: Run, new: Run, rules: Collection[str]) -> str:
         new_depth = getattr(new, field)
         if new_depth > DEEPER * old_depth + DEEPER_M and not lies:
             return (
-                f"{name} {M * old_depth:.3g} → {M * new_depth:.3g} mm from {new.start}"
+                f"the {name} goes from {M * old_depth:.3g} to {M * new_depth:.3g} mm"
+                f" from {new.start.name}"
             )
-    old_speed, new_speed = (
-        np.abs(run.data.qvel).max(initial=0.0) for run in (old, new)
-    )
+    old_speed = np.abs(old.data.qvel).max(initial=0.0)
+    new_speed = np.abs(new.data.qvel).max(initial=0.0)
     if new_speed > FASTER * old_speed + FASTER_M_S:
-        return f"what moves fastest after {new.time_s:.3g} s: {old_speed:.3g} → {new_speed:.3g} m/s or rad/s"
+        return (
+            f"the fastest speed after {new.time_s:.3g} s goes from {old_speed:.3g} to"
+            f" {new_speed:.3g} m/s or rad/s"
+        )
     return ""
 
 
 def _measures(runs: Sequence[Run]) -> str:
     depth = max((run.deepest_m for run in runs), default=0.0)
     cost = sum(run.cost_s for run in runs)
-    return f"deepest contact {M * depth:.3g} mm, {cost / max(len(runs), 1):.2g} s a simulated second"
+    seconds = cost / max(len(runs), 1)
+    return (
+        f"the deepest contact is {M * depth:.3g} mm and a simulated second takes"
+        f" {seconds:.2g} s"
+    )
 
 
 class Mending:
-    """A scene whose findings are mended one after the other, each on top of those before it."""
+    """Tries changes for the findings of a scene, each one on top of those before it."""
 
     def __init__(self, target: Target, request: Request, paths: Sequence[Path]):
         self.target = target
         self.request = request
         self.paths = paths
-        self.report = self.first = report_of(target, request)
-        self.runs = self.first_runs = measured(target)
+        self.first = report_of(target, request)
+        self.report = self.first
+        self.first_runs = measured(target)
+        self.runs = self.first_runs
         self.texts: dict[Path, bytes] = dict(target.texts)
         self.outcomes: dict[str, str] = {}
-        """Of each change that was tried, by its line, why it is not written; empty where it is."""
+        """For each tried change, the reason why it is not written; empty if it is."""
         self.idle: set[str] = set()
-        """Those that change no motion."""
+        """Changes that affect no motion."""
         self.rules: set[str] = set()
         while self._pass():
             pass
-        # Small harms of many changes add up, although none alone was too large.
+        # Each change alone does little harm, but many of them may add up.
         if reason := harm(self.first_runs, self.runs, self.rules):
             self.texts = dict(target.texts)
             self.report = self.first
             self.runs = self.first_runs
             self.outcomes = {
-                line: why or f"with the others {reason}"
+                line: why or f"together with the other changes, {reason}"
                 for line, why in self.outcomes.items()
             }
 
     def _pass(self) -> bool:
-        """Try each change once, and tell whether one did good and no harm: the last pass finds nothing to write."""
-        written = {line: why for line, why in self.outcomes.items() if why == ""}
-        self.outcomes = dict(written)
+        """Try each change once. Return whether any of them was taken over."""
+        self.outcomes = {line: why for line, why in self.outcomes.items() if not why}
+        written = len(self.outcomes)
         for _ in range(MOST_TRIES):
-            # Asked anew after each: what is written changes the findings.
+            # An accepted change alters the findings, so list the candidates again.
             untried = (
                 candidate
                 for candidate in self._candidates()
@@ -139,10 +156,13 @@ class Mending:
             ends = [[run.data.qpos for run in group] for group in (runs, self.runs)]
             if runs is not self.runs and all(map(np.array_equal, *ends)):
                 self.idle.add(line)
-        return list(self.outcomes.values()).count("") > len(written)
+        return list(self.outcomes.values()).count("") > written
 
     def _candidates(self) -> Iterator[tuple[str, list[Finding], Sequence[Change]]]:
-        """Yield findings with changes that may mend them: all of a rule at once, then each by each of its ways."""
+        """Yield the text of changes, the findings that they may mend, and the changes.
+
+        Changes for all findings of a rule come first, then each finding by itself.
+        """
         findings = [
             item
             for item in self.report.findings
@@ -167,7 +187,7 @@ class Mending:
             )
 
     def _outcome(self, findings: Sequence[Finding], changes: Sequence[Change]) -> str:
-        """Take changes over, or say why not."""
+        """Apply changes, or return why they do harm."""
         try:
             return self._harm(
                 findings, self.texts | edited(changes, self.report.source, self.texts)
@@ -178,7 +198,7 @@ class Mending:
             return f"MuJoCo refuses it: {' '.join(str(error).split())[:200]}"
 
     def _harm(self, findings: Sequence[Finding], texts: dict[Path, bytes]) -> str:
-        """Take texts over that mend findings of one rule, or say why not."""
+        """Apply texts that mend findings of one rule, or return why they do harm."""
         rules = [findings[0].rule]
         target = tried(self.target, texts)
         report = report_of(target, self.request)
@@ -186,13 +206,13 @@ class Mending:
         after = _counted(report)
         notes = {_key(finding) for finding in self.report.findings}
         if any(after[_key(finding)] >= before[_key(finding)] for finding in findings):
-            return "it does not change what is found"
+            return "it does not remove the finding"
         if more := [
             key
             for key, count in after.items()
             if key not in notes or 0 < before[key] < count
         ]:
-            return f"another is found then: {' '.join(filter(None, more[0]))}"
+            return f"it causes another finding: {' '.join(filter(None, more[0]))}"
         runs = measured(target)
         if reason := harm(self.runs, runs, rules) or self._harm_elsewhere(texts, rules):
             return reason
@@ -203,8 +223,8 @@ class Mending:
         return ""
 
     def _harm_elsewhere(self, texts: Texts, rules: Collection[str]) -> str:
-        """Say what harm a change of an included file does to other scenes that are mended."""
-        included = {file for file in texts if file != self.target.path}
+        """Return how a change of an included file harms the other scenes."""
+        included = texts.keys() - {self.target.path}
         for path in self.paths if included else ():
             if path != self.target.path and included & {
                 element.file for element in parse(path).walk()
@@ -213,24 +233,24 @@ class Mending:
                 if reason := harm(
                     measured(scene), measured(tried(scene, texts)), rules
                 ):
-                    return f"{path.name}: {reason}"
+                    return f"in {path.name}, {reason}"
         return ""
 
     def lines(self, written: bool) -> Iterator[str]:
         """Yield a line for each change that was tried."""
+        outcome = "written" if written else "can be written"
         for line, why in self.outcomes.items():
-            line += ", which changes no motion" if line in self.idle else ""
-            yield f"{line}: {f'is not written: {why}' if why else 'written' if written else 'can be written'}"
+            line += " (no effect on the motion)" if line in self.idle else ""
+            yield f"{line}: {f'not written because {why}' if why else outcome}"
 
     def patch(self) -> Iterator[str]:
-        """Yield the change of the files as a patch."""
+        """Yield the lines of a patch from the old files to the new ones."""
         for file, text in self.texts.items():
-            old, new = (
-                version.decode(errors="replace").splitlines(keepends=True)
-                for version in (file.read_bytes(), text)
+            old = file.read_bytes().decode(errors="replace").splitlines()
+            new = text.decode(errors="replace").splitlines()
+            yield from difflib.unified_diff(
+                old, new, f"a/{file}", f"b/{file}", lineterm=""
             )
-            for line in difflib.unified_diff(old, new, f"a/{file}", f"b/{file}"):
-                yield line.rstrip("\r\n")
 
 
 def _key(finding: Finding) -> tuple[str, str, str]:
@@ -246,7 +266,15 @@ def _counted(report: Report) -> Counter[tuple[str, str, str]]:
 def fixed(
     target: Target, request: Request, paths: Sequence[Path], dry: bool
 ) -> tuple[Report, list[str], str]:
-    """Mend a scene's files; return its report as it was, lines of what was done, and why files can't be written."""
+    """Mend the files of a scene.
+
+    Args:
+        dry: Whether to print a patch instead of writing the files.
+
+    Returns:
+        The report before the changes, lines on each change, and the reason why the
+        files cannot be written, which is empty if they can.
+    """
     mending = Mending(target, request, paths)
     backups = []
     why = ""
@@ -263,25 +291,24 @@ def fixed(
     if mending.texts:
         before = _measures(mending.first_runs)
         after = _measures(mending.runs)
-        lines.append(f"{target.name}: measured before: {before}; after: {after}")
+        lines.append(
+            f"{target.name}: before the changes, {before}; after them, {after}"
+            " (measured)"
+        )
     return mending.first, lines, why
 
 
 def fixed_again(
     targets: Sequence[str], request: Request, paths: Sequence[Path]
 ) -> list[str]:
-    """Go over scenes that may share files until none has more to write."""
+    """Mend scenes that may share files until no scene changes any more."""
     lines: list[str] = []
     for _ in range(PASSES):
-        scenes = (
-            scene
-            for scene in map(read_target, targets)
-            if scene.path and scene.model is not None
-        )
-        written = [
-            line for scene in scenes for line in fixed(scene, request, paths, False)[1]
-        ]
-        written = [line for line in written if line.endswith(": written")]
+        written = []
+        for scene in map(read_target, targets):
+            if scene.path and scene.model is not None:
+                _, changes, _ = fixed(scene, request, paths, dry=False)
+                written += [line for line in changes if line.endswith(": written")]
         if not written:
             break
         lines += written
@@ -289,21 +316,21 @@ def fixed_again(
 
 
 def fix(changes: Sequence[Change], source: Source, target: Target) -> list[str]:
-    """Write changes that have been measured, and return a line for each."""
+    """Write changes that were measured before. Return a line for each of them."""
     try:
         backups = _written(target, edited(changes, source, {})) if changes else []
     except Unwritable as error:
-        raise TargetError(f"{target.name}: is not written: {error}") from error
+        raise TargetError(f"{target.name}: not written because {error}") from error
     return [*(f"{change}: written" for change in changes), *backups]
 
 
 def _written(target: Target, texts: Texts) -> list[str]:
-    assert target.path is not None  # only what a file describes is changed
+    assert target.path is not None  # Only scenes that come from a file are changed.
     expected = compiled(target.path, texts)
     try:
         replaced = write(texts)
     except OSError as error:
-        raise TargetError(f"{target.name}: is not written: {error}") from error
+        raise TargetError(f"{target.name}: not written: {error}") from error
     try:
         is_expected = are_same(expected, compiled(target.path))
     except ValueError:
@@ -311,16 +338,17 @@ def _written(target: Target, texts: Texts) -> list[str]:
     if not is_expected:
         undo(replaced)
         raise TargetError(
-            f"{target.name}: is not written: MuJoCo makes another model of the file than was tried"
+            f"{target.name}: not written, because MuJoCo compiles the new file to"
+            " another model than the one that was measured"
         )
     return [
-        f"{file}: as it was it is {backup.name}"
+        f"{file}: the old file is kept as {backup.name}"
         for file, (_, backup) in zip(texts, replaced, strict=True)
     ]
 
 
 def are_same(*models: mujoco.MjModel) -> bool:
-    """Tell whether models are the same to the last bit."""
+    """Return whether models are equal to the last bit."""
     buffers = [np.empty(mujoco.mj_sizeModel(model), np.uint8) for model in models]
     for model, buffer in zip(models, buffers, strict=True):
         mujoco.mj_saveModel(model, None, buffer)

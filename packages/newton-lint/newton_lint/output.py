@@ -1,28 +1,21 @@
-"""Reports as text, as JSON, as SARIF and as annotations of GitHub."""
+"""Writes reports as text, JSON, SARIF and GitHub annotations."""
 
 import json
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 
-from newton_lint.findings import SEVERITIES, Finding, grouped
+from newton_lint.findings import SEVERITIES, Finding, grouped, named, sentence
+from newton_lint.law import M
 from newton_lint.prediction import Load, Prediction
 from newton_lint.report import Report, as_json
 
-# Names that a line of text has before it counts the rest, and creeps that are shown.
-SHOWN = 3
+# At most this many predictions of creep are printed.
 WORST = 5
 LEAST_MM_S = 1e-3
-"""Slower creep is told as being below it."""
-USED = {
-    "dampratio": "critical",
-    "slip": "with the change",
-    "creep": "bound",
-    "unsettled": "creep",
-}
-"""What ``used`` is called where it is not what the engine uses."""
+"""Slower creep is printed as being below this speed."""
 
 
 def printable(text: str) -> str:
-    """Return a text whose unprintable characters are escaped: a name with a newline begins no line of a log."""
+    """Return a text on one line, with unprintable characters escaped."""
     return "".join(
         char
         if char.isprintable()
@@ -32,7 +25,12 @@ def printable(text: str) -> str:
 
 
 def written(reports: Sequence[Report], form: str, unread: Sequence[str] = ()) -> str:
-    """Return all reports, and what is said of unfit targets, as ``text``, ``json``, ``sarif`` or ``github``."""
+    """Return reports in a format.
+
+    Args:
+        form: ``text``, ``json``, ``sarif`` or ``github``.
+        unread: Errors of targets that could not be linted.
+    """
     if form == "json":
         objects = [as_json(report) for report in reports]
         return json.dumps(objects[0] if len(objects) == 1 else objects, indent=1)
@@ -45,7 +43,7 @@ def written(reports: Sequence[Report], form: str, unread: Sequence[str] = ()) ->
 
 
 def summary(reports: Sequence[Report]) -> Iterator[str]:
-    """Yield a table of what was found in how many scenes."""
+    """Yield the lines of a table that counts the findings and scenes of each rule."""
     hits = [
         (finding.severity, finding.rule, report.target)
         for report in reports
@@ -63,10 +61,12 @@ def summary(reports: Sequence[Report]) -> Iterator[str]:
 
 
 def text_of(report: Report) -> Iterator[str]:
+    """Yield the lines of a report."""
     groups = grouped(
         sorted(report.findings, key=lambda finding: -SEVERITIES.index(finding.severity))
     )
-    size = f"{_counted(report.shape_count, 'shape')}, {_counted(report.pair_count, 'pair')}, dt {report.dt_s:g} s"
+    shapes = _counted(report.shape_count, "shape")
+    size = f"{shapes}, {_counted(report.pair_count, 'pair')}, dt {report.dt_s:g} s"
     counts = {
         name: sum(group[0].severity == name for group in groups)
         for name in reversed(SEVERITIES)
@@ -85,7 +85,8 @@ def text_of(report: Report) -> Iterator[str]:
             yield f"      {finding.advice}"
     if hold := report.hold:
         rate = "slides" if hold.slides else f"creeps at {rated(hold.mm_s)}"
-        yield f"{hold.name} {rate}, by {hold.load_n:.3g} N on {hold.point_count:.3g} contact points"
+        points = f"{hold.point_count:.3g} contact points"
+        yield f"{hold.name} {rate} under {hold.load_n:.3g} N on {points}"
     if report.creep and any(vars(report.load).values()):
         yield "predicted creep:"
         yield from (
@@ -93,26 +94,7 @@ def text_of(report: Report) -> Iterator[str]:
             for prediction in report.creep[:WORST]
         )
         if len(report.creep) > WORST:
-            yield f"  and {len(report.creep) - WORST} more: --json has them"
-
-
-def sentence(group: Sequence[Finding]) -> str:
-    """Return findings that say the same, as a sentence."""
-    finding = group[0]
-    unit = f" {finding.unit}" if finding.unit != "1" else ""
-    text = (
-        f"{finding.parameter} {finding.value:.4g}{unit} " * bool(finding.parameter)
-        + finding.message
-    )
-    if finding.used is not None:
-        text += f" ({USED.get(finding.rule, 'used')}: {finding.used:.3g}{unit})"
-    if not finding.shape:
-        return text
-    shapes = _named(member.shape for member in group)
-    if finding.against:
-        partners = [partner for member in group for partner in member.against]
-        shapes += f" against {_named(partners)}{f' ({len(partners)} pairs)' if len(partners) > 1 else ''}"
-    return f"{shapes}: {text}"
+            yield f"  and {len(report.creep) - WORST} more, which --json prints"
 
 
 def creep_line(prediction: Prediction, load: Load) -> str:
@@ -120,7 +102,8 @@ def creep_line(prediction: Prediction, load: Load) -> str:
     shapes, partners = zip(*prediction.pairs, strict=True)
     parts = [
         f"timeconst {prediction.timeconst_s:.3g} s",
-        f"{1e3 * prediction.acceleration_response_s:.3g} mm/s for each m/s² of a support that turns",
+        f"{M * prediction.acceleration_response_s:.3g} mm/s per m/s² of acceleration"
+        " of a turning support",
     ]
     if load.acceleration_m_s2:
         parts.append(
@@ -129,14 +112,10 @@ def creep_line(prediction: Prediction, load: Load) -> str:
     if load.load_n:
         least = prediction.load_deep_mm_s
         most = prediction.load_shallow_mm_s
-        between = (
-            rated(most)
-            if rated(least) == rated(most)
-            else f"{rated(least)} to {rated(most)}"
-        )
+        between = " to ".join(dict.fromkeys([rated(least), rated(most)]))
         parts.append(f"{between} under {load.load_n:g} N on a contact point")
-    pairs = f"{_named(shapes)} on {_named(partners)}{f' ({count} pairs)' if count > 1 else ''}"
-    return f"{pairs}: {'; '.join(parts)}"
+    number = f" ({count} pairs)" if count > 1 else ""
+    return f"{named(shapes)} on {named(partners)}{number}: {'; '.join(parts)}"
 
 
 def rated(mm_s: float) -> str:
@@ -150,15 +129,13 @@ def rated(mm_s: float) -> str:
 def _github(report: Report) -> Iterator[str]:
     for group in grouped(report.findings):
         finding = group[0]
-        element = finding.element
-        location = (
-            f"file={element.file},line={element.line},"
-            if element
-            else f"file={report.target},"
-        )
-        # GitHub's workflow commands take % as the begin of an escape, and end with the line.
+        location = f"file={report.target}"
+        if element := finding.element:
+            location = f"file={element.file},line={element.line}"
+        # In GitHub's workflow commands % starts an escape and a newline ends a command.
         message = _with_advice(group).replace("%", "%25").replace("\n", "%0A")
-        yield f"::{finding.severity.replace('note', 'notice')} {location}title=newton-lint {finding.rule}::{message}"
+        level = finding.severity.replace("note", "notice")
+        yield f"::{level} {location},title=newton-lint {finding.rule}::{message}"
 
 
 def _sarif(reports: Sequence[Report], unread: Sequence[str]) -> dict:
@@ -172,14 +149,11 @@ def _sarif(reports: Sequence[Report], unread: Sequence[str]) -> dict:
         for report in reports
         for group in grouped(report.findings)
     ]
-    rules = [
-        {"id": rule}
-        for rule in sorted(
-            {finding.rule for report in reports for finding in report.findings}
-        )
-    ]
+    rules = sorted({str(result["ruleId"]) for result in results})
     run = {
-        "tool": {"driver": {"name": "newton-lint", "rules": rules}},
+        "tool": {
+            "driver": {"name": "newton-lint", "rules": [{"id": rule} for rule in rules]}
+        },
         "results": results,
         "invocations": [
             {
@@ -198,9 +172,7 @@ def _sarif(reports: Sequence[Report], unread: Sequence[str]) -> dict:
 
 
 def _with_advice(group: Sequence[Finding]) -> str:
-    return (
-        f"{sentence(group)}. {group[0].advice}" if group[0].advice else sentence(group)
-    )
+    return ". ".join(filter(None, [sentence(group), str(group[0].advice or "")]))
 
 
 def _location(finding: Finding, report: Report) -> dict:
@@ -210,13 +182,6 @@ def _location(finding: Finding, report: Report) -> dict:
         "artifactLocation": {"uri": str(element.file)},
         "region": {"startLine": element.line},
     }
-
-
-def _named(names: Iterable[str]) -> str:
-    different = list(dict.fromkeys(names))
-    if len(different) > SHOWN + 1:
-        return f"{', '.join(different[:SHOWN])} and {len(different) - SHOWN} more"
-    return ", ".join(different)
 
 
 def _counted(count: int, noun: str) -> str:

@@ -1,4 +1,4 @@
-"""``newton-lint page``: one page of the scenes of a collection, what is found in each and what to change."""
+"""Implements ``newton-lint page``: writes an HTML page of the findings on scenes."""
 
 from collections.abc import Sequence
 from html import escape
@@ -11,7 +11,8 @@ from newton_lint.target import TargetError, read_target, targets_of
 
 PAGE = """<!doctype html>
 <html lang="en"><head><meta charset="utf-8"><title>{title}</title>
-<style>:root {{ color-scheme: light dark }} body {{ max-width: 60rem; margin: auto; font-family: sans-serif }}
+<style>:root {{ color-scheme: light dark }}
+body {{ max-width: 60rem; margin: auto; font-family: sans-serif }}
 pre {{ white-space: pre-wrap }}</style></head>
 <body><h1>{title}</h1><pre>{summary}</pre>{scenes}</body></html>
 """
@@ -20,7 +21,7 @@ pre {{ white-space: pre-wrap }}</style></head>
 def main(arguments: Sequence[str]) -> int:
     parser = Parser(
         prog="newton-lint page",
-        description="Write a page of scenes: what is found, and what to change.",
+        description="Write an HTML page with the findings on scenes and the advice.",
     )
     parser.add_argument(
         "target",
@@ -34,7 +35,7 @@ def main(arguments: Sequence[str]) -> int:
         type=Path,
         default=Path("page"),
         metavar="FOLDER",
-        help="default: page",
+        help="folder to write; default: page",
     )
     add_work(parser)
     parser.set_defaults(
@@ -54,7 +55,8 @@ def main(arguments: Sequence[str]) -> int:
             opened = " open"
         title = escape(printable(target))
         scenes.append(
-            f"<details{opened}><summary>{title}</summary><pre>{escape(text)}</pre></details>"
+            f"<details{opened}><summary>{title}</summary>"
+            f"<pre>{escape(text)}</pre></details>"
         )
     title = escape(printable(", ".join(options.target)))
     options.out.mkdir(parents=True, exist_ok=True)

@@ -1,4 +1,4 @@
-"""``newton-lint pair``: what two geoms say of their contact, what it gets, and by which rule of this release."""
+"""Implements ``newton-lint pair``: prints the contact parameters of two geoms."""
 
 from collections.abc import Iterator, Sequence
 from typing import Any
@@ -23,13 +23,13 @@ from newton_lint.target import TargetError, newtons, read_target
 
 WIDTH = 22
 NEW_GAP = tuple(map(int, mujoco.__version__.split(".")[:2])) >= (3, 9)
-"""Whether this release presses from margin on, and not from margin − gap on."""
+"""Whether forces act from margin on; before MuJoCo 3.9 it was margin − gap."""
 
 
 def main(arguments: Sequence[str]) -> int:
     parser = Parser(
         prog="newton-lint pair",
-        description="Say what a contact of two geoms gets, and by which rule.",
+        description="Explain which parameters the contact of two geoms gets, and why.",
     )
     parser.add_argument(
         "target",
@@ -40,7 +40,7 @@ def main(arguments: Sequence[str]) -> int:
         "geoms",
         metavar="GEOM",
         nargs=2,
-        help="names of geoms, or of bodies with one geom",
+        help="name of a geom, or of a body with a single geom",
     )
     add_work(parser)
     options = parser.parse_args(arguments)
@@ -63,7 +63,8 @@ def main(arguments: Sequence[str]) -> int:
     if not len(pairs):
         print(
             printable(
-                f"{' and '.join(options.geoms)} make no contact: {_separation(scene, geoms)}"
+                f"{' and '.join(options.geoms)} make no contact because"
+                f" {_separation(scene, geoms)}"
             )
         )
         return FOUND
@@ -74,7 +75,7 @@ def main(arguments: Sequence[str]) -> int:
 
 
 def _geom(scene: Scene, target: str, name: str) -> int:
-    """Return the geom of a name, or the only one of a body of that name."""
+    """Return the geom with a name, or the single geom of the body with that name."""
     model = scene.model
     geoms = [
         geom
@@ -88,22 +89,26 @@ def _geom(scene: Scene, target: str, name: str) -> int:
     ]
     if len(geoms) != 1:
         raise TargetError(
-            f"{target}: {len(geoms) or 'no'} geoms are {name}; it has {', '.join(scene.names[:12])}"
+            f"{target}: {len(geoms) or 'no'} geoms are called {name}; the scene has"
+            f" {', '.join(scene.names[:12])}"
         )
     return geoms[0]
 
 
 def _separation(scene: Scene, geoms: Sequence[int]) -> str:
-    """Say why two geoms never touch: the filters of mj_collision, in its order."""
+    """Return why two geoms never touch, by the filters of mj_collision in order."""
     model = scene.model
-    weld = scene.model.body_weldid[scene.model.geom_bodyid[geoms]]
+    weld = model.body_weldid[model.geom_bodyid[geoms]]
     types = model.geom_contype[geoms]
     affinities = model.geom_conaffinity[geoms]
     if weld[0] == weld[1] or not (model.body_dofnum[weld] > 0).any():
-        return "they do not move against each other"
+        return "their bodies cannot move relative to each other"
     if not (types[0] & affinities[1] or types[1] & affinities[0]):
-        return f"contype {types.tolist()} and conaffinity {affinities.tolist()} have no bit in common"
-    return "contacts are off, one hangs on the other's body, or an <exclude> names their bodies"
+        return f"contype {types} and conaffinity {affinities} have no bit in common"
+    return (
+        "contacts are disabled, one body is the parent of the other, or an <exclude>"
+        " names them"
+    )
 
 
 def _table(
@@ -112,50 +117,50 @@ def _table(
     model = scene.model
     option = scene.option
     contact = contacts.contact(pair)
-    winner = scene.names[contacts.first[pair]]
-    ranked = (
-        f"of {winner}, which has the higher priority"
-        if contacts.outranked[pair]
-        else ""
-    )
-    ranked = "of the <pair> that names them" if contacts.named[pair] >= 0 else ranked
+    ranked = ""
+    if contacts.named[pair] >= 0:
+        ranked = "from the <pair> that names them"
+    elif contacts.outranked[pair]:
+        winner = scene.names[contacts.first[pair]]
+        ranked = f"from {winner}, which has the higher priority"
     mixed = (
         f"mixed by solmix, {model.geom_solmix[geom1]:g} to {model.geom_solmix[geom2]:g}"
     )
-    # mj_contactParam: a mean of a timeconst and a stiffness would be neither.
-    least = "the smaller of each: one is direct" if contact.solref[0] <= 0.0 else mixed
-    sums = (
-        "the sum",
-        "the sum; forces act from margin on, and contacts are listed from margin + gap on",
+    # mj_contactParam does not mix a timeconst with a stiffness.
+    least = (
+        "the minimum of each number, because one solref is direct"
+        if contact.solref[0] <= 0.0
+        else mixed
     )
-    larger = (
-        "the larger",
-        "the larger; forces act from margin − gap on, and contacts are listed from margin on",
+    combined = np.max
+    margin = "the larger"
+    gap = (
+        "the larger; a contact bears force below margin − gap and is listed below"
+        " margin"
     )
-    together, rules = (np.sum, sums) if NEW_GAP else (np.max, larger)
+    if NEW_GAP:
+        combined = np.sum
+        margin = "the sum"
+        gap = (
+            "the sum; a contact bears force below margin and is listed below"
+            " margin + gap"
+        )
 
     def row(name: str, used: object, rule: str) -> tuple[object, ...]:
         values = getattr(model, f"geom_{name}")
         return name, values[geom1], values[geom2], used, rule
 
     rows = [
+        ("", scene.names[geom1], scene.names[geom2], "contact", ""),
         row("priority", "", ranked),
         row("solref", contact.solref, ranked or least),
         row("solimp", contact.solimp, ranked or mixed),
         row("friction", contacts.friction[pair], ranked or "the larger"),
         row("condim", contact.condim, ranked or "the larger"),
-        row("margin", together(model.geom_margin[[geom1, geom2]]), rules[0]),
-        row("gap", together(model.geom_gap[[geom1, geom2]]), rules[1]),
+        row("margin", combined(model.geom_margin[[geom1, geom2]]), margin),
+        row("gap", combined(model.geom_gap[[geom1, geom2]]), gap),
     ]
-    yield "  ".join(
-        [
-            f"{'':8}",
-            *(
-                f"{name:{WIDTH}}"
-                for name in (scene.names[geom1], scene.names[geom2], "contact")
-            ),
-        ]
-    )
+
     for name, *values, rule in rows:
         yield "  ".join(
             [
@@ -167,10 +172,16 @@ def _table(
     dmax = clamped(contact.solimp[1])
     ke = stiffness(contact, option, dmax) * dmax**2
     kd = normal_damping(contact, option, dmax) * dmax
-    yield f"as Newton's ke and kd: {ke:.4g} and {kd:.4g}, an acceleration for each m and each m/s, and no N/m"
+    yield (
+        f"as Newton's ke and kd: {ke:.4g} and {kd:.4g}, which are accelerations per m"
+        " and per m/s, not forces"
+    )
     depth = M * settled_depth_m(contact, option, 1.0)
     slide = M * response_of(contact, option).load_m_s_n
-    yield f"1 N on a point presses it {depth:.3g} mm deep; held against 1 N along it, it creeps at {slide:.3g} mm/s"
+    yield (
+        f"a normal force of 1 N presses one point {depth:.3g} mm deep; with a"
+        f" tangential load of 1 N, it creeps at {slide:.3g} mm/s"
+    )
 
 
 def _formatted(value: Any) -> str:

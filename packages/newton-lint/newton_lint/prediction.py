@@ -1,4 +1,4 @@
-"""Predicted creep of all pairs of a scene: their contacts' parameters put into the law."""
+"""Predicts the creep of all pairs of a scene by applying the law to their contacts."""
 
 import math
 from collections.abc import Sequence
@@ -14,34 +14,37 @@ from newton_lint.scene import Scene
 
 @dataclass(frozen=True)
 class Load:
-    """A load that a grasp is asked to bear."""
+    """A load on each contact, for which creep is predicted."""
 
     acceleration_m_s2: float = 0.0
-    """Along the contact, and left out by its rows."""
+    """Acceleration along the contact that its rows leave out."""
     load_n: float = 0.0
 
 
 @dataclass(frozen=True)
 class Prediction:
-    """The creep of pairs whose contacts are alike."""
+    """The creep of pairs whose contacts have equal parameters."""
 
     pairs: tuple[tuple[str, str], ...]
     timeconst_s: float
-    """Of the friction rows, as the engine takes it."""
+    """Timeconst of the friction rows, as the engine uses it."""
     dmax: float
     response_s: float
-    """1/b."""
+    """The inverse of b."""
     acceleration_response_s: float
-    """Slide for each m/s² that the rows leave out: 1/b, and what the integrator's step adds or takes."""
+    """Creep per m/s² that the rows leave out: 1/b and a share of the time step."""
     load_deep_mm_s: float
-    """Slide under the load of a contact as deep as solimp's width and of one that hardly touches, the less first."""
+    """Lower bound of the creep under the load, between a deep and a shallow contact.
+
+    A deep contact is pressed in by the width of solimp; a shallow one barely touches.
+    """
     load_shallow_mm_s: float
     acceleration_mm_s: float
     is_free: bool = False
 
 
 def predictions(scene: Scene, load: Load) -> list[Prediction]:
-    """Return predictions of pairs with friction and damping, alike together, free bodies first."""
+    """Return a prediction for each group of equal contacts, free bodies first."""
     contacts = scene.contacts
     rows = np.flatnonzero(contacts.condim > 1)
     loose = scene.free[scene.model.geom_bodyid]
@@ -58,9 +61,8 @@ def predictions(scene: Scene, load: Load) -> list[Prediction]:
         if prediction := predicted(
             contacts.contact(pair), scene.option, load, between, is_free
         ):
-            if (
-                named := contacts.named[pair]
-            ) >= 0:  # mj_makeImpedance: R μ² is the same along both tangents
+            # mj_makeImpedance: R μ² is the same along both tangents.
+            if (named := contacts.named[pair]) >= 0:
                 mu1, mu2 = scene.model.pair_friction[named, :2]
                 least, most = sorted((1.0, float(mu1 / max(mu2, mujoco.mjMINMU)) ** 2))
                 prediction = replace(
@@ -88,9 +90,8 @@ def _kinds(scene: Scene) -> np.ndarray:
     kind1 = kind[contacts.first]
     kind2 = kind[contacts.second]
     unordered = np.minimum(kind1, kind2) * model.ngeom + np.maximum(kind1, kind2)
-    return np.where(
-        contacts.named < 0, unordered, -1 - contacts.named
-    )  # each <pair> has parameters of its own
+    # Each <pair> has parameters of its own.
+    return np.where(contacts.named < 0, unordered, -1 - contacts.named)
 
 
 def predicted(
@@ -100,13 +101,12 @@ def predicted(
     pairs: Sequence[tuple[str, str]],
     is_free: bool = False,
 ) -> Prediction | None:
-    """Return the creep of one contact; None where nothing damps it."""
+    """Return the creep of one contact, or None if it has no damping."""
     dmax = clamped(contact.solimp[1])
     deep = response_of(contact, option)
     shallow = response_of(contact, option, clamped(contact.solimp[0]))
-    if (
-        not 0.0 <= deep.acceleration_s < math.inf
-    ):  # undamped, or too stiff for the step, which throws it off
+    # The contact is undamped, or it is so stiff that the time step throws bodies off.
+    if not 0.0 <= deep.acceleration_s < math.inf:
         return None
     inverse_b = (
         deep.acceleration_s - STEP_SHARE.get(option.integrator, 0.0) * option.timestep_s

@@ -1,8 +1,11 @@
-"""``newton-lint prescribe``: settings that keep a held body's creep below a bound, found by the law, then measured."""
+"""Implements ``newton-lint prescribe``: searches settings that reduce creep.
+
+The law ranks the settings; the best ones are simulated in MuJoCo C.
+"""
 
 import itertools
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from mujoco import MjData, MjModel
@@ -26,11 +29,12 @@ from newton_lint.settle import (
 from newton_lint.target import Target, TargetError, read_target
 
 BELOW_MM_S = 0.1
-# Share of the bound that a prediction has to be below to be tried first, and settings that are simulated.
+# A setting is tried first if its prediction is below this share of the bound.
 SAFETY = 0.8
+# At most this many settings are simulated.
 MOST_TRIES = 5
 MEASURED_S = 1.0
-"""Time over which creep is measured, after the settling."""
+"""Time over which creep is measured once the scene has settled."""
 TIMECONSTS_S = (0.01, 0.005, 0.002)
 IMPRATIOS = (10.0, 100.0, 1000.0)
 NOSLIP = 10
@@ -38,25 +42,28 @@ NOSLIP = 10
 
 @dataclass(frozen=True)
 class Setting:
-    """A setting: a timeconst of what touches, and options; what is not said is left as the scene has it."""
+    """A timeconst for the touching geoms, and options; None and absent ones stay."""
 
     timeconst_s: float | None = None
-    options: tuple[tuple[str, float], ...] = ()
+    options: dict[str, float] = field(default_factory=dict)
 
     def attributes(self) -> dict[str, str]:
-        """Return attributes of ``<option>``."""
+        """Return the attributes of ``<option>``."""
         return {
             name: "elliptic" if name == "cone" else f"{value:g}"
-            for name, value in self.options
+            for name, value in self.options.items()
         }
 
     @property
     def change_count(self) -> int:
-        """Count what changes; a noslip pass counts as two: MuJoCo Warp has none in most releases."""
+        """Return the number of changes.
+
+        A noslip pass counts twice, because most releases of MuJoCo Warp do not have it.
+        """
         return (
             len(self.options)
             + (self.timeconst_s is not None)
-            + ("noslip_iterations" in self.attributes())
+            + ("noslip_iterations" in self.options)
         )
 
     def __str__(self) -> str:
@@ -71,7 +78,7 @@ class Setting:
 
 @dataclass(frozen=True)
 class Trial:
-    """A setting with what is predicted and what was measured of it."""
+    """A setting with its predicted and its measured creep."""
 
     setting: Setting
     predicted_mm_s: float
@@ -79,8 +86,11 @@ class Trial:
 
 
 def main(arguments: Sequence[str]) -> int:
-    about = "Search settings that keep a held body's creep below a bound, and measure the best of them."
-    parser = Parser(prog="newton-lint prescribe", description=about)
+    parser = Parser(
+        prog="newton-lint prescribe",
+        description="Search settings that keep the creep of a held body below a bound,"
+        " and measure the best of them.",
+    )
     parser.add_argument(
         "target", metavar="TARGET", help="FILE.xml, or FILE.py:function"
     )
@@ -88,24 +98,32 @@ def main(arguments: Sequence[str]) -> int:
     parser.add_argument(
         "--fix",
         action="store_true",
-        help="write the cheapest that reaches the bound into the files",
+        help="write the smallest change that reaches the bound into the files",
     )
-    parser.set_defaults(turn=0.0)  # which --hold predicts, and nothing here simulates
+    parser.set_defaults(turn=0.0)  # --hold predicts it, but it is not simulated here.
     options = parser.parse_args(arguments)
     if not options.hold:
-        parser.error("--hold BODY says what is held")
+        parser.error("prescribe needs --hold BODY")
     target = read_target(options.target)
     scene = scene_of(target, engine_of(options, {}))
     bound = options.below or BELOW_MM_S
     hold, trials = prescribed(scene, target, work_of(options), bound)
     print("\n".join(_table(trials, bound)))
     if trials[-1].measured_mm_s > bound:
-        beyond = "slides: what it bears is beyond its friction, which takes a larger μ or a firmer grip"
-        tried = f"creeps: nothing that was tried keeps it below {bound:g} mm/s"
-        print(f"{options.hold} {beyond if hold.slides else tried}")
+        reason = (
+            "slides because its load exceeds the friction of its contacts: increase μ"
+            " or the grip force"
+            if hold.slides
+            else f"creeps: no setting that was tried keeps it below {bound:g} mm/s"
+        )
+        print(f"{options.hold} {reason}")
         return FOUND
     changes = changes_of(scene, trials[-1].setting, touched(scene, hold))
-    print("the least that does:" if changes else "nothing has to change")
+    print(
+        "smallest change that reaches the bound:"
+        if changes
+        else "the scene reaches the bound without a change"
+    )
     print("\n".join(f"  {change}" for change in changes))
     if options.fix:
         print("\n".join(fix(changes, scene.source, target)))
@@ -115,10 +133,11 @@ def main(arguments: Sequence[str]) -> int:
 def prescribed(
     scene: Scene, target: Target, work: Work, bound_mm_s: float
 ) -> tuple[Hold, list[Trial]]:
-    """Measure a held body as it is, and settings that the law finds good, the least first, until one is."""
+    """Measure a held body as it is, then settings, best first, until one is good."""
     if (hold := settled_hold(scene, target, work)) is None:
         raise TargetError(
-            f"{target.name}: nothing touches {work.body}; --settle gives it longer, a keyframe a grip"
+            f"{target.name}: nothing touches {work.body}:"
+            " raise --settle, or add a keyframe in which it is gripped"
         )
     trials = [measured(scene, target, work, Setting(), hold, hold.mm_s)]
     ranked = sorted(
@@ -133,43 +152,27 @@ def prescribed(
 
 
 def candidates(scene: Scene, hold: Hold, work: Work) -> Iterator[tuple[Setting, float]]:
-    """Yield settings, with the creep that the law gives for each."""
+    """Yield settings with the creep that the law predicts for each."""
     option = scene.option
     stiffest = min(scene.model.geom_solref[geom, 0] for geom in touched(scene, hold))
-    least = (
-        2.0 * option.timestep_s if option.refsafe else 0.0
-    )  # which getsolparam clamps others to
+    # getsolparam clamps shorter timeconsts to this.
+    least = 2.0 * option.timestep_s if option.refsafe else 0.0
     most = stiffest if stiffest > 0.0 else np.inf
     timeconsts = [
         None,
         *(timeconst for timeconst in TIMECONSTS_S if least <= timeconst < most),
     ]
-    impratios = [
-        None,
-        *(impratio for impratio in IMPRATIOS if impratio > option.impratio),
+    noslips: list[dict[str, float]] = [{}]
+    if not option.noslip and scene.engine.name == "mujoco":
+        noslips.append({"noslip_iterations": NOSLIP})
+    # With a pyramidal cone, impratio would harden the normal rows too.
+    cone = {"cone": ELLIPTIC} if option.cone == "pyramidal" else {}
+    ratios = [
+        {},
+        *(cone | {"impratio": ratio} for ratio in IMPRATIOS if ratio > option.impratio),
     ]
-    noslips = (
-        (False, True)
-        if not option.noslip and scene.engine.name == "mujoco"
-        else (False,)
-    )
-    for timeconst, impratio, noslip in itertools.product(
-        timeconsts, impratios, noslips
-    ):
-        options = {
-            # In a pyramid impratio makes the rows of the normal harder too.
-            "cone": ELLIPTIC
-            if option.cone == "pyramidal" and impratio is not None
-            else None,
-            "impratio": impratio,
-            "noslip_iterations": NOSLIP if noslip else None,
-        }
-        setting = Setting(
-            timeconst,
-            tuple(
-                (name, value) for name, value in options.items() if value is not None
-            ),
-        )
+    for timeconst, ratio, noslip in itertools.product(timeconsts, ratios, noslips):
+        setting = Setting(timeconst, ratio | noslip)
         if setting.change_count:
             variant = replace(scene, model=with_setting(scene, setting, hold))
             yield (
@@ -179,14 +182,14 @@ def candidates(scene: Scene, hold: Hold, work: Work) -> Iterator[tuple[Setting, 
 
 
 def touched(scene: Scene, hold: Hold) -> list[int]:
-    """Return the geoms of what touches whose parameters count."""
+    """Return the touching geoms whose parameters count."""
     geoms = {geom for touch in hold.touches for geom in touch.geoms if geom >= 0}
     return sorted(geom for geom in geoms if scene.counts[geom]) or sorted(geoms)
 
 
 def with_setting(scene: Scene, setting: Setting, hold: Hold) -> MjModel:
-    """Return a copy of the model with a setting."""
-    model = changed(scene.model, **dict(setting.options))
+    """Return a copy of the model that has a setting."""
+    model = changed(scene.model, **setting.options)
     if setting.timeconst_s is not None:
         model.geom_solref[touched(scene, hold)] = (setting.timeconst_s, 1.0)
         pairs = scene.pair_indices
@@ -199,7 +202,7 @@ def with_setting(scene: Scene, setting: Setting, hold: Hold) -> MjModel:
 
 
 def _rank(candidate: tuple[Setting, float], bound_mm_s: float) -> tuple:
-    """Rank what is predicted to be good first, of that what changes least; the rest by creep."""
+    """Rank good settings by the number of changes, and the others by their creep."""
     setting, predicted = candidate
     is_good = predicted <= SAFETY * bound_mm_s
     changes = setting.change_count
@@ -214,9 +217,9 @@ def measured(
     hold: Hold,
     predicted_mm_s: float,
 ) -> Trial:
-    """Simulate a setting from the scene's start: how far the body moves within what holds it."""
+    """Simulate a setting from the start and measure how fast the body creeps."""
     model = with_setting(scene, setting, hold)
-    # Seen from a hand that accelerates upward, gravity is larger.
+    # In the frame of a hand that accelerates upward, gravity is larger.
     model.opt.gravity *= 1.0 + work.lift_m_s2 / max(
         np.linalg.norm(model.opt.gravity), 1e-9
     )
@@ -228,7 +231,10 @@ def measured(
 
 
 def along(model: MjModel, data: MjData, hold: Hold, time_s: float) -> float:
-    """Step on and return how far a held body moves along what holds it [m]; sinking in is no creep."""
+    """Step on and return how far a held body moves along its support [m].
+
+    Motion along the contact normal is sinking and does not count.
+    """
     support = hold.touches[0].support
     normal = hold.touches[0].normal
     normal = hold.data.xmat[support].reshape(3, 3).T @ normal
@@ -239,7 +245,7 @@ def along(model: MjModel, data: MjData, hold: Hold, time_s: float) -> float:
 
 
 def within(data: MjData, body: int, support: int) -> np.ndarray:
-    """Say where a body is, in another's frame [m]."""
+    """Return the position of a body in the frame of another body [m]."""
     return data.xmat[support].reshape(3, 3).T @ (data.xipos[body] - data.xpos[support])
 
 
@@ -255,7 +261,8 @@ def changes_of(scene: Scene, setting: Setting, geoms: Sequence[int]) -> list[Cha
 
 
 def _table(trials: Sequence[Trial], bound_mm_s: float) -> Iterator[str]:
-    yield f"{'':2}{'predicted':>18}{'measured':>18}  setting (bound {bound_mm_s:g} mm/s)"
+    heading = f"setting (bound {bound_mm_s:g} mm/s)"
+    yield f"{'':2}{'predicted':>18}{'measured':>18}  {heading}"
     for trial in trials:
         predicted = (
             "slides" if np.isinf(trial.predicted_mm_s) else rated(trial.predicted_mm_s)

@@ -1,4 +1,4 @@
-"""What is said of a target: its size, what was found in it and the creep to expect."""
+"""Makes the report on a target: its size, its findings and its predicted creep."""
 
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass, field, replace
@@ -7,7 +7,7 @@ from typing import Any
 import mujoco
 import numpy as np
 
-from newton_lint.findings import SEVERITIES, Finding
+from newton_lint.findings import SEVERITIES, Finding, sentence
 from newton_lint.grip import SLIP_MM_S, gripped
 from newton_lint.prediction import Load, Prediction, predictions
 from newton_lint.rules import lint
@@ -20,29 +20,31 @@ from newton_lint.stepped import Run, runs_of
 from newton_lint.target import NEWTONS, Target, TargetError, newtons
 
 OF_CONTACTS = ("timeconst", "solimp", "dampratio", "one-sided", "friction")
-"""Rules of which it decides whether anything touches at the start, in a keyframe or soon after."""
-# Numbers whose squares are infinite, and what is looked at for them.
+"""Rules whose findings only matter if the shapes touch something soon."""
+# Numbers above this have infinite squares.
 HUGE = 1e100
+MUJOCO_C = Engine()
+# Fields of the model with these prefixes are checked for such numbers.
 NUMBERS = ("geom_", "pair_", "body_", "dof_", "actuator_gain", "actuator_bias")
 
 
 @dataclass(frozen=True)
 class Request:
-    """Options of the command besides the targets."""
+    """Options of the command other than the targets."""
 
     engine: Engine = field(default_factory=Engine)
     load: Load = field(default_factory=Load)
     work: Work | None = None
     below_mm_s: float | None = None
-    """Creep from which what is held is a finding."""
+    """The creep of a held body is a finding above this speed."""
     ignore: Collection[str] = ()
     step: bool = True
-    """Whether the scene is stepped in MuJoCo C."""
+    """Whether to step the scene in MuJoCo C."""
 
 
 @dataclass(frozen=True)
 class Report:
-    """A report on a target."""
+    """The report on a target."""
 
     target: str
     dt_s: float
@@ -52,13 +54,13 @@ class Report:
     findings: Sequence[Finding]
     creep: Sequence[Prediction]
     newton: str | None = None
-    """The release of Newton that read it; None where none did."""
+    """The release of Newton that read the target, or None."""
     hold: Hold | None = None
     source: Source | None = None
-    """Of files that a fix may write."""
+    """The files that a fix may change."""
 
     def worst(self) -> int:
-        """Return the index in ``SEVERITIES`` of the worst finding; -1 where there is none."""
+        """Return the index in ``SEVERITIES`` of the worst finding, or -1."""
         return max(
             (SEVERITIES.index(finding.severity) for finding in self.findings),
             default=-1,
@@ -66,12 +68,17 @@ class Report:
 
 
 def report_of(target: Target, request: Request) -> Report:
-    """Lint a target; a TargetError where there is no body to be held, MuJoCo stops, or Newton is needed and missing."""
+    """Lint a target.
+
+    Raises:
+        TargetError: The body to hold does not exist, MuJoCo aborts, or Newton is needed
+            but missing.
+    """
     try:
         return _report_of(target, request)
     except mujoco.FatalError as error:
         raise TargetError(
-            f"{target.name}: MuJoCo stops at it: {' '.join(str(error).split())}"
+            f"{target.name}: MuJoCo aborts with: {' '.join(str(error).split())}"
         ) from error
 
 
@@ -80,7 +87,7 @@ def _report_of(target: Target, request: Request) -> Report:
         return newtons(target.name, NEWTONS, "report_of", target, request)
     scene = scene_of(target, request.engine)
     findings = lint(scene)
-    # Nothing creeps in an engine that does not take the scene, nor what it throws off.
+    # Creep is undefined if the engine refuses the scene or throws bodies off.
     refused = any(finding.rule in ("engine", "stiff") for finding in findings)
     work = None if refused else request.work
     hold = settled_hold(scene, target, work) if work else None
@@ -100,7 +107,8 @@ def _report_of(target: Target, request: Request) -> Report:
                 work.body,
                 "settle",
                 work.settle_s,
-                "passed and nothing touched it: a keyframe, or a function that returns model and data, has to grip it",
+                message="Nothing touches $shape within $value: grip it in a keyframe,"
+                " or in the data that the function returns",
                 unit="s",
                 severity="error",
             )
@@ -127,12 +135,12 @@ def _report_of(target: Target, request: Request) -> Report:
 def _noted(
     scene: Scene, runs: Sequence[Run], findings: Sequence[Finding]
 ) -> list[Finding]:
-    """Return findings, those of parameters of what touches nothing as notes: it may be no part of what is done."""
-    touched = {scene.names[geom] for run in runs for pair in run.first for geom in pair}
-    touched |= {
+    """Return the findings, with those on shapes that touch nothing as notes."""
+    touched = {
         scene.names[geom]
         for run in runs
-        for geom in run.data.contact.geom.ravel().tolist()
+        for pair in (*run.first, *run.data.contact.geom.tolist())
+        for geom in pair
         if geom >= 0
     }
     may_touch = not runs or any(run.bad for run in runs)
@@ -156,55 +164,58 @@ def _noted(
 def _newton_findings(
     target: Target, request: Request, findings: Sequence[Finding]
 ) -> Iterator[Finding]:
-    """Yield what rules besides those that MuJoCo's model broke find in the file as Newton reads it."""
+    """Yield findings in the file as Newton imports it, by rules with no finding yet."""
     rules = {finding.rule for finding in findings}
     imported = replace(
         target, newton_model=newtons(target.name, NEWTONS, "imported", target.path)
     )
     report = newtons(target.name, NEWTONS, "report_of", imported, request)
-    assert target.model is not None  # what Newton alone reads is no target of this
+    assert (
+        target.model is not None
+    )  # Files that only Newton reads are not handled here.
     gravity = target.model.opt.gravity[2]
     taken = float(np.ravel(imported.newton_model.gravity.numpy())[2])
     if not np.isclose(gravity, taken, rtol=1e-3):
-        message = (
-            f"m/s² is what the scene says, and Newton's importer takes {taken:.4g}"
+        yield Finding(
+            "importer",
+            "",
+            "gravity",
+            gravity,
+            message="The scene has a gravity of $value m/s², but Newton's importer"
+            " reads $used m/s²",
+            used=taken,
         )
-        yield Finding("importer", "", "gravity", gravity, message, used=taken)
     if target.model.npair:
-        message = "are not read by Newton's own contacts (newton#3644)"
+        message = (
+            "Newton's own contacts do not read the $value <pair> elements of the scene"
+            " (newton#3644)"
+        )
         yield Finding("importer", "", "pairs", float(target.model.npair), message)
     yield from (finding for finding in report.findings if finding.rule not in rules)
 
 
-def scene_of(target: Target, engine: Engine | None = None) -> Scene:
-    engine = engine or Engine()
+def scene_of(target: Target, engine: Engine = MUJOCO_C) -> Scene:
+    """Return the scene of a target, or raise TargetError if it cannot be simulated."""
     if target.model is None:
-        raise TargetError(f"{target.name}: is no model of MuJoCo's")
-    if (
-        target.model.opt.timestep > 10.0
-    ):  # mj_step takes any, and the number of steps would round to none
+        raise TargetError(f"{target.name}: expected a MuJoCo model, got a Newton model")
+    # mj_step accepts any time step, but the number of steps would round to 0.
+    if target.model.opt.timestep > 10.0:
         raise TargetError(
-            f"{target.name}: a time step of {target.model.opt.timestep:g} s is too long to simulate"
+            f"{target.name}: the time step of {target.model.opt.timestep:g} s is too"
+            " long: use at most 10 s"
         )
     numbers = {
         name: getattr(target.model, name)
         for name in dir(target.model)
         if name.startswith(NUMBERS)
     }
-    numbers = {
-        name: values for name, values in numbers.items() if values.dtype == np.float64
-    }
-    numbers |= {
-        name: np.atleast_1d(getattr(target.model.opt, name))
-        for name in ("impratio", "gravity", "timestep")
-    }
+    for name in ("impratio", "gravity", "timestep"):
+        numbers[name] = np.asarray(getattr(target.model.opt, name))
     for name, values in numbers.items():
-        if (
-            np.abs(values[np.isfinite(values)]).max(initial=0.0) > HUGE
-            or not np.isfinite(values).all()
-        ):
+        if values.dtype == np.float64 and not (np.abs(values) <= HUGE).all():
             raise TargetError(
-                f"{target.name}: {name} has numbers of {HUGE:g} and more, whose squares are infinite"
+                f"{target.name}: {name} is not finite or exceeds {HUGE:g}: use smaller"
+                " numbers"
             )
     return Scene(
         engine.configured(target.model),
@@ -214,7 +225,7 @@ def scene_of(target: Target, engine: Engine | None = None) -> Scene:
 
 
 def as_json(report: Report) -> dict[str, Any]:
-    """Return what ``--json`` prints; docs/lint.md is its schema."""
+    """Return the object that ``--json`` prints; docs/lint.md documents it."""
     return {
         "schema": 2,
         **{
@@ -236,11 +247,11 @@ def _finding_json(finding: Finding) -> dict[str, Any]:
         "value",
         "used",
         "unit",
-        "message",
-        "severity",
     )
     return {
         **{name: getattr(finding, name) for name in names},
+        "message": sentence([finding]),
+        "severity": finding.severity,
         **_location(finding.element),
         "advice": str(finding.advice) if finding.advice else None,
         "changes": [

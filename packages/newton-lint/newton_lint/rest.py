@@ -1,52 +1,56 @@
-"""What a scene comes to rest as, and the rules on it: each change that they name has been measured in the same way."""
+"""Rules on the state in which a scene comes to rest; each named change is measured."""
 
 import copy
 import math
 import time
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 
 import mujoco
 import numpy as np
 from mujoco import MjData, MjModel
 
-from newton_lint.advice import for_contact
+from newton_lint.advice import either, for_contact
 from newton_lint.findings import Advice, Finding
 from newton_lint.law import M
 from newton_lint.pairs import HFIELD, PLANE
 from newton_lint.scene import HINGE, Scene
-from newton_lint.source import Element
 from newton_lint.stepped import Run, Start, is_bad
 
-# Mean speed up to which a scene rests [m/s or rad/s], time over which it is taken, and for which rest is waited.
+# A scene rests if its fastest mean speed is below this [m/s or rad/s].
 REST = 2e-3
+# The mean speed is taken over this time.
 WINDOW_S = 0.1
+# A scene is stepped for at most this time.
 LONGEST_S = 2.0
-# Speed after 2 s from which what it came to is a note [m/s or rad/s], and time of the processor to wait for it.
+# Scenes that still move faster than this only give notes [m/s or rad/s].
 WILD = 1.0
+# Stepping stops after this processor time.
 BUDGET_S = 0.4
 LEAST = {"mm": 1e-3, "°": math.radians(1.0)}
-"""What a contact, a limit, an equality or a servo gives that is said, of what slides and of what turns [m or rad]."""
+"""Least depth, distance or angle that is reported [m or rad]."""
 SCALE = {"mm": M, "°": math.degrees(1.0)}
-# Times this from which it is a warning, and of a limit.
+# A finding is a warning if its value is above this multiple of the least one.
 FAR = 5.0
+# For limits of joints and tendons, this multiple applies instead.
 MUCH = 3.0
-# Share of it that a named change leaves at most, and of half its thickness by which what lies is sunk.
+# A change is recommended if it leaves less than this share of the value.
 MENDS = 0.5
+# A body is reported if it sinks by this share of half its thickness.
 SUNK = 0.2
 HARD = (0.999, 0.999, 0.001)
 HARDEST = 'solref="{}" solimp="{}"'
 THICKER = (2, 4, 8, 16, 32)
-# Speed at which a keyframe is left from which it is said [m/s or rad/s], and time in which it is looked for.
+# A keyframe is reported if a motion of this speed starts there [m/s or rad/s].
 LEAVES = 3.0
+# The motion must start within this time.
 LEAVES_S = 0.2
 MOST_CONTACTS = int(mujoco.mjMAXCONPAIR)
 SLIDE = int(mujoco.mjtJoint.mjJNT_SLIDE)
 ON_JOINT = int(mujoco.mjtTrn.mjTRN_JOINT)
-ELLIPSOID, CYLINDER, BOX, MESH = PLATES = tuple(
-    range(mujoco.mjtGeom.mjGEOM_ELLIPSOID, mujoco.mjtGeom.mjGEOM_MESH + 1)
-)
+PLATES = tuple(range(mujoco.mjtGeom.mjGEOM_ELLIPSOID, mujoco.mjtGeom.mjGEOM_MESH + 1))
+ELLIPSOID, CYLINDER, BOX, MESH = PLATES
 UNSORTED = int(mujoco.mjtDisableBit.mjDSBL_MIDPHASE)
 MOST_CROSSINGS = 3
 EQUALITY = int(mujoco.mjtConstraint.mjCNSTR_EQUALITY)
@@ -57,46 +61,61 @@ COUPLINGS = {
 Edit = Callable[[MjModel, MjData], None]
 Read = Callable[[MjModel, MjData], float]
 Places = tuple[np.ndarray, np.ndarray]
-"""Where geoms are, and their axes."""
+"""Positions and orientations of all geoms."""
 
 
 @dataclass(frozen=True)
 class Rest:
-    """A scene in which nothing moves any more, or what it came to in 2 s and, without its speed, in 2 s more."""
+    """A scene at rest, or after 2 s and, if it still moves, 2 s more with braking."""
 
     start: Start
     data: MjData
     speed: float
-    """What moved fastest when it was not waited for any longer; 0 where nothing did [m/s or rad/s]."""
+    """Fastest speed if the scene did not come to rest, else 0 [m/s or rad/s]."""
     places: Sequence[Places]
-    """On the way, every 0.1 s."""
+    """Positions every 0.1 s before the braking."""
 
     def __str__(self) -> str:
-        return f"at rest, from {self.start}{f', still moving at {self.speed:.2g} after 2 s' if self.speed else ''}"
+        if self.speed:
+            moving = f"still moving at {self.speed:.2g} m/s or rad/s after 2 s"
+            return f"(from {self.start.name}, {moving})"
+        return f"at rest (from {self.start.name})"
 
 
 @dataclass(frozen=True)
 class Give:
-    """What may give, by how much it does, and changes that may mend it, with how they are written."""
+    """A contact, limit, equality or servo that may yield, with possible changes."""
 
-    rule: str
-    name: str
-    parameter: str
-    message: str
+    finding: Finding
+    """The finding without a value; $rest in its message is the state of the scene."""
     read: Read
+    """Returns by how much it yields [m or rad]."""
     ways: Sequence[tuple[str, Edit]]
-    unit: str = "mm"
+    """Changes, as they are written and as functions."""
     least: float = 0.0
-    """By itself that of the unit [m or rad]."""
+    """Least value that is reported [m or rad]; 0 for the default of the unit."""
     far: float = FAR
-    against: tuple[str, ...] = ()
-    element: Element | None = None
     needs_way: bool = False
-    """Whether it is a fault only where the first of the ways mends it."""
+    """Whether to report it only if the first of the ways mends it."""
+
+    def found(
+        self, value: float, rest: str, severity: str, advice: Advice | None = None
+    ) -> Finding:
+        """Return the finding with a value [m or rad]."""
+        return replace(
+            self.finding,
+            value=SCALE[self.finding.unit] * value,
+            message=self.finding.message.replace("$rest", rest),
+            severity=severity,
+            advice=advice,
+        )
 
 
 def rest_of(model: MjModel, data: MjData, start: Start) -> Rest | None:
-    """Step on until nothing moves; what swings on is braked whenever it slows. None where it blows up."""
+    """Step until nothing moves, or return None if the scene blows up.
+
+    If the scene still moves after 2 s, it is stopped whenever it slows down.
+    """
     data = copy.copy(data)
     moved = np.zeros(model.nv)
     speed = 0.0
@@ -113,7 +132,8 @@ def rest_of(model: MjModel, data: MjData, start: Start) -> Rest | None:
                 before = energy
                 energy = data.qvel @ data.qvel
                 if braked and energy < before:
-                    data.qvel[:] = energy = 0.0
+                    data.qvel[:] = 0.0
+                    energy = 0.0
             if is_bad(data):
                 return None
             places += [] if braked else [places_of(data)]
@@ -135,7 +155,7 @@ def places_of(data: MjData) -> Places:
 
 
 def at_rest(scene: Scene, run: Run, rest: Rest) -> Iterator[Finding]:
-    """Yield contacts, limits, equalities and servos that give, and what has gone through a wall."""
+    """Yield contacts, limits, equalities and servos that yield, and tunnelling."""
     model = scene.model
     afters = {}
     for rule in (_passed, _released, _crowded):
@@ -146,44 +166,30 @@ def at_rest(scene: Scene, run: Run, rest: Rest) -> Iterator[Finding]:
         *_equalities(model, rest.data),
     ]
     for give in [*gives, *_servos(model, rest)]:
-        scale = SCALE[give.unit]
-        least = give.least or LEAST[give.unit]
+        unit = give.finding.unit
+        least = give.least or LEAST[unit]
         if (value := give.read(model, rest.data)) <= least:
             continue
-        for _, edit in give.ways:
-            if edit not in afters:  # all that a rule finds is changed at once
+        gains = {}
+        for text, edit in give.ways:
+            if edit not in afters:  # An edit covers all findings of its rule at once.
                 afters[edit] = _again(scene, rest.start, edit)
-        mended = [
-            (text, give.read(model, after.data))
-            for text, edit in give.ways
-            if (after := afters[edit])
-        ]
-        mended = [
-            (text, max(0.0, after)) for text, after in mended if after < MENDS * value
-        ]
-        if not give.needs_way or (mended and mended[0][0] == give.ways[0][0]):
-            gains = [
-                f"{text}: {scale * value:.3g} → {scale * after:.3g} {give.unit} at rest"
-                for text, after in mended
-            ]
-            is_certain = mended and rest.speed < WILD and value > give.far * least
-            yield Finding(
-                give.rule,
-                give.name,
-                give.parameter,
-                scale * value,
-                f"{give.message} {rest}",
-                give.against,
-                None,
-                give.unit,
-                "warning" if is_certain else "note",
-                give.element,
-                Advice("; or ".join(gains)) if gains else None,
-            )
+            if after := afters[edit]:
+                left = max(0.0, give.read(model, after.data))
+                if left < MENDS * value:
+                    gains[text] = Advice(
+                        f"Set {text}: this reduces it to {SCALE[unit] * left:.3g}"
+                        f" {unit} (measured at rest)"
+                    )
+        if not give.needs_way or give.ways[0][0] in gains:
+            is_certain = gains and rest.speed < WILD and value > give.far * least
+            severity = "warning" if is_certain else "note"
+            advice = either(*gains.values()) if gains else None
+            yield give.found(value, str(rest), severity, advice)
 
 
 def _again(scene: Scene, start: Start, edit: Edit) -> Rest | None:
-    """Step a changed model from the same start to its rest."""
+    """Step a changed model to rest from the same start."""
     model = copy.copy(scene.model)
     data = start.data(model)
     edit(model, data)
@@ -192,38 +198,34 @@ def _again(scene: Scene, start: Start, edit: Edit) -> Rest | None:
 
 
 def _depths(scene: Scene, run: Run, rest: Rest) -> Iterator[Give]:
-    """Yield what is pressed in by a millimetre or a share of its thickness, whatever overlaps from the start aside."""
+    """Yield geoms that sink by a millimetre or by a share of their thickness."""
     model = scene.model
     contacts = scene.contacts
-    sizes = _thin(scene.model)
+    sizes = _thin(model)
     pairs = scene.pair_indices
     speeds = np.linalg.norm(rest.data.cvel[:, 3:], axis=1)
     solrefs: dict[int, tuple[float, float]] = {}
 
     def stiffer(model, data, hardest: bool = False) -> None:
         for contact, solref in solrefs.items():
-            first, second, named = (
-                int(getattr(contacts, side)[contact])
-                for side in ("first", "second", "named")
-            )
-            rows = (
-                [named]
-                if named >= 0
-                else [first]
-                if contacts.outranked[contact]
-                else [first, second]
-            )
-            kind = "pair" if named >= 0 else "geom"
+            kind = "geom"
+            rows = [contacts.first[contact], contacts.second[contact]]
+            if contacts.outranked[contact]:
+                rows = rows[:1]
+            if contacts.named[contact] >= 0:
+                kind = "pair"
+                rows = [contacts.named[contact]]
             getattr(model, f"{kind}_solref")[rows] = shortest if hardest else solref
             if hardest:
                 getattr(model, f"{kind}_solimp")[rows, :3] = HARD
 
-    shortest = 2.0 * model.opt.timestep, 1.0
+    shortest = (2.0 * model.opt.timestep, 1.0)
     harder: Edit = partial(stiffer, hardest=True)
     for pair in dict.fromkeys(
         tuple(sorted(pair)) for pair in rest.data.contact.geom.tolist()
     ):
-        if (contact := pairs.get(pair)) is None:  # a flex, or one of many alike
+        # The pair may be that of a flex, or of a geom that is not read.
+        if (contact := pairs.get(pair)) is None:
             continue
 
         def read(model, data, pair=pair) -> float:
@@ -255,135 +257,100 @@ def _depths(scene: Scene, run: Run, rest: Rest) -> Iterator[Give]:
         ).changes
         ways = [
             (", ".join(map(str, changes)), stiffer),
-            (HARDEST.format(_text(shortest), _text(HARD)), harder),
+            (f"{HARDEST.format(_text(shortest), _text(HARD))} there", harder),
         ]
         is_certain = depth > 2.0 * run.first.get(pair, 0.0) and rest.speed < 0.1 * WILD
-        yield Give(
+        finding = Finding(
             "depth",
             scene.names[thin],
             "depth",
-            "is how deep it is pressed in, as a contact is only as stiff as its lighter body is heavy,",
-            read,
-            ways,
-            "mm",
-            least,
-            sizes[thin] / least if is_certain else math.inf,
-            (scene.names[partner],),
-            scene.source.geom(thin),
+            depth,
+            message="$shape sinks $value into $against $rest because contact stiffness"
+            " scales with the mass of the lighter body",
+            against=(scene.names[partner],),
+            unit="mm",
+            element=scene.source.geom(thin),
         )
+        far = sizes[thin] / least if is_certain else math.inf
+        yield Give(finding, read, ways, least=least, far=far)
 
 
 def _limits(model: MjModel, data: MjData) -> Iterator[Give]:
-    """Yield joints and tendons with a range, and how far beyond it they lie."""
-    solref = max(0.005, 2.0 * model.opt.timestep), 1.0
-    servos = np.flatnonzero(
-        is_servo(model)
-    )  # the trnid of others may be that of a tendon
+    """Yield joints and tendons that have a range, with the distance beyond it."""
+    solref = (max(0.005, 2.0 * model.opt.timestep), 1.0)
+    # The trnid of other actuators may be that of a tendon.
+    servos = np.flatnonzero(is_servo(model))
     servos = servos[model.jnt_limited[model.actuator_trnid[servos, 0]] > 0]
-    gears = np.where(
-        model.actuator_gear[servos, :1] == 0.0, 1.0, model.actuator_gear[servos, :1]
-    )
-    ranges = model.jnt_range[model.actuator_trnid[servos, 0]] / gears
+    joints = model.actuator_trnid[servos, 0]
+    gears = model.actuator_gear[servos, :1]
+    ranges = model.jnt_range[joints] / np.where(gears == 0.0, 1.0, gears)
 
     def harder(model, data) -> None:
-        model.jnt_solref[:] = model.tendon_solref_lim[:] = solref
+        model.jnt_solref[:] = solref
+        model.tendon_solref_lim[:] = solref
 
     def clipped(model, data) -> None:
         data.ctrl[servos] = np.clip(
             data.ctrl[servos], ranges.min(axis=1), ranges.max(axis=1)
         )
 
-    def give(
-        name: str,
-        parameter: str,
-        span: np.ndarray,
-        unit: str,
-        field: str,
-        at: int,
-        joint: int = -1,
-    ) -> Give:
-        low, high = span.tolist()
+    def give(kind: str, index: int, unit: str) -> Give:
+        parameter = "length"
+        values = "ten_length"
+        at = index
+        spans = model.tendon_range
+        drives: list[int] = []
+        if kind == "joint":
+            parameter = "position"
+            values = "qpos"
+            at = model.jnt_qposadr[index]
+            spans = model.jnt_range
+            drives = servos[joints == index].tolist()
+        low, high = spans[index].tolist()
         ways = [(f'solreflimit="{solref[0]:g} 1" on it', harder)]
-        for servo in servos[model.actuator_trnid[servos, 0] == joint].tolist():
-            if (
-                not low
-                <= (told := data.ctrl[servo] * model.actuator_gear[servo, 0])
-                <= high
-            ):
+        for servo in drives:
+            told = data.ctrl[servo] * model.actuator_gear[servo, 0]
+            if not low <= told <= high:
                 actuator = model.actuator(servo).name or "its actuator"
-                ways = [
-                    (
-                        f'ctrlrange="{low:.4g} {high:.4g}" on {actuator}, which asks for {told:.4g}',
-                        clipped,
-                    )
-                ]
+                text = f'ctrlrange="{low:.4g} {high:.4g}" on {actuator}'
+                ways = [(f"{text}, whose target is {told:.4g}", clipped)]
 
         def past(model, data) -> float:
-            value = getattr(data, field)[at]
+            value = getattr(data, values)[at]
             return max(low - value, value - high)
 
-        return Give(
-            "limit",
-            name,
-            parameter,
-            "is how far it is beyond its range",
-            past,
-            ways,
-            unit,
-            far=MUCH,
-        )
+        name = getattr(model, kind)(index).name or f"{kind}_{index}"
+        message = "$shape is $value beyond its range $rest"
+        finding = Finding("limit", name, parameter, 0.0, message=message, unit=unit)
+        return Give(finding, past, ways, far=MUCH)
 
     for joint in np.flatnonzero(
         model.jnt_limited & np.isin(model.jnt_type, (HINGE, SLIDE))
     ).tolist():
-        unit = "°" if model.jnt_type[joint] == HINGE else "mm"
-        name = model.joint(joint).name or f"joint_{joint}"
-        yield give(
-            name,
-            "position",
-            model.jnt_range[joint],
-            unit,
-            "qpos",
-            model.jnt_qposadr[joint],
-            joint,
-        )
+        yield give("joint", joint, "°" if model.jnt_type[joint] == HINGE else "mm")
     for tendon in np.flatnonzero(model.tendon_limited).tolist():
-        name = model.tendon(tendon).name or f"tendon_{tendon}"
-        unit = "°" if _turns(model, tendon) else "mm"
-        yield give(
-            name, "length", model.tendon_range[tendon], unit, "ten_length", tendon
-        )
+        yield give("tendon", tendon, "°" if _turns(model, tendon) else "mm")
 
 
 def unposed(model: MjModel, start: Start) -> Iterator[Finding]:
-    """Yield joints that a start puts beyond their range: nobody starts there."""
+    """Yield joints that are beyond their range at the start itself."""
     data = start.data(model)
     for give in _limits(model, data):
-        if (
-            give.parameter == "position"
-            and (value := give.read(model, data)) > LEAST[give.unit]
-        ):
-            yield Finding(
-                give.rule,
-                give.name,
-                give.parameter,
-                SCALE[give.unit] * value,
-                f"{give.message} at {start}, before the first step",
-                unit=give.unit,
-                severity="note",
-            )
+        value = give.read(model, data)
+        if give.finding.parameter == "position" and value > LEAST[give.finding.unit]:
+            yield give.found(value, f"at {start.name}, before the first step", "note")
 
 
 def _turns(model: MjModel, tendon: int) -> bool:
-    """Tell whether a tendon is the sum of angles, as a fixed one of hinges."""
+    """Return whether the length of a tendon is a sum of angles of hinges."""
     wrap = model.tendon_adr[tendon]
     of_joint = model.wrap_type[wrap] == int(mujoco.mjtWrap.mjWRAP_JOINT)
     return bool(of_joint and model.jnt_type[model.wrap_objid[wrap]] == HINGE)
 
 
 def _equalities(model: MjModel, data: MjData) -> Iterator[Give]:
-    """Yield equalities, and how far they are open; of a weld's six rows the last three are of rotation."""
-    solref = 2.0 * model.opt.timestep, 1.0
+    """Yield equalities with their gap; for a weld, this is the translational gap."""
+    solref = (2.0 * model.opt.timestep, 1.0)
 
     def harder(model, data) -> None:
         model.eq_solref[:] = solref
@@ -403,19 +370,22 @@ def _equalities(model: MjModel, data: MjData) -> Iterator[Give]:
             if kind == "tendon"
             else kind == "joint" and model.jnt_type[joint] == HINGE
         )
-        yield Give(
+        used = _text(model.eq_solref[equality])
+        finding = Finding(
             "equality",
             model.eq(equality).name or f"equality_{equality}",
             "gap",
-            f"is how far this {kind} is open with a solref of {_text(model.eq_solref[equality])}",
-            gap,
-            [(f"{HARDEST.format(_text(solref), _text(HARD))} on it", harder)],
-            "°" if turns else "mm",
+            0.0,
+            message=f"$shape is $value open $rest; it is a {kind} equality with solref"
+            f" {used}",
+            unit="°" if turns else "mm",
         )
+        hard = f"{HARDEST.format(_text(solref), _text(HARD))} on it"
+        yield Give(finding, gap, [(hard, harder)])
 
 
 def is_servo(model: MjModel) -> np.ndarray:
-    """Tell of each actuator whether it pulls a joint to a position."""
+    """Return for each actuator whether it pulls a joint to a position."""
     gain = model.actuator_gainprm[:, 0]
     bias = model.actuator_biasprm[:, 1]
     on_joint = model.actuator_trntype == ON_JOINT
@@ -428,7 +398,7 @@ def is_servo(model: MjModel) -> np.ndarray:
 
 
 def _servos(model: MjModel, rest: Rest) -> Iterator[Give]:
-    """Yield servos, and how far gravity pulls them from what they are told."""
+    """Yield servos that gravity pulls from their targets."""
     times = np.ones(model.nu)
 
     def stiffer(model, data) -> None:
@@ -451,35 +421,33 @@ def _servos(model: MjModel, rest: Rest) -> Iterator[Give]:
 
         unit = "°" if model.jnt_type[joint] == HINGE else "mm"
         times[servo] = max(1.0, math.ceil(short(model, rest.data) / LEAST[unit]))
-        yield Give(
+        stiff = times[servo] * model.actuator_gainprm[servo, 0]
+        finding = Finding(
             "servo",
             model.actuator(servo).name
             or model.joint(joint).name
             or f"actuator_{servo}",
             "error",
-            "is how far gravity pulls it from its target",
-            short,
-            [
-                ('gravcomp="1" on the bodies that it carries', light),
-                (
-                    f'kp="{times[servo] * model.actuator_gainprm[servo, 0]:.4g}" on it',
-                    stiffer,
-                ),
-            ],
-            unit,
-            needs_way=True,
+            0.0,
+            message="$shape is $value from its target $rest because gravity pulls it",
+            unit=unit,
         )
+        ways = [
+            ('gravcomp="1" on the bodies that it carries', light),
+            (f'kp="{stiff:.4g}" on it', stiffer),
+        ]
+        yield Give(finding, short, ways, needs_way=True)
 
 
 def _passed(scene: Scene, rest: Rest) -> Iterator[Finding]:
-    """Yield what has fallen, flown or been driven through a plate that a thicker one would have stopped."""
+    """Yield a geom that passed through a plate, if a thicker plate would stop it."""
     model = scene.model
     contacts = scene.contacts
     data = rest.start.data(model)
     mujoco.mj_kinematics(model, data)
     pairs = np.stack([contacts.first, contacts.second], axis=1)
     pairs = np.concatenate([pairs, pairs[:, ::-1]])
-    # What moves is passed by on all sides within a tenth of a second.
+    # Only plates that stand still count; moving bodies pass others without contact.
     walls = np.isin(model.geom_type, PLATES) & (
         model.body_weldid[model.geom_bodyid] == 0
     )
@@ -496,16 +464,17 @@ def _passed(scene: Scene, rest: Rest) -> Iterator[Finding]:
             def thicker(model, data, wall=wall, axis=axis, times=times) -> None:
                 kind = model.geom_type[wall]
                 mesh = model.geom_dataid[wall]
-                model.geom_size[wall, axis // 2 if kind == CYLINDER else axis] *= (
-                    times  # its radius, then its length
-                )
+                # The sizes of a cylinder are its radius and its half length.
+                size = axis // 2 if kind == CYLINDER else axis
+                model.geom_size[wall, size] *= times
                 if kind == MESH:
                     model.mesh_vert[model.mesh_vertadr[mesh] :][
                         : model.mesh_vertnum[mesh], axis
                     ] *= times
                 model.geom_aabb[wall, 3 + axis] *= times
                 model.geom_rbound[wall] = np.linalg.norm(model.geom_aabb[wall, 3:])
-                model.opt.disableflags |= UNSORTED  # whose tree of boxes is compiled
+                # The tree of bounding boxes was compiled for the old size.
+                model.opt.disableflags |= UNSORTED
 
             after = (
                 _again(scene, rest.start, thicker)
@@ -518,14 +487,15 @@ def _passed(scene: Scene, rest: Rest) -> Iterator[Finding]:
                     scene.names[geom],
                     "wall",
                     thick,
-                    f"thick, and it has gone through it, from {rest.start}",
-                    (scene.names[wall],),
-                    None,
-                    "mm",
-                    "error",
-                    scene.source.geom(wall),
-                    Advice(
-                        f"a thickness of {times * thick:.3g} mm stops it, measured; or a softer drive"
+                    message="$shape passes through $against, which is only $value"
+                    f" thick (from {rest.start.name})",
+                    against=(scene.names[wall],),
+                    unit="mm",
+                    severity="error",
+                    element=scene.source.geom(wall),
+                    advice=Advice(
+                        f"Use a thickness of {times * thick:.3g} mm, which stops it"
+                        " (measured), or a softer drive"
                     ),
                 )
                 return
@@ -534,7 +504,7 @@ def _passed(scene: Scene, rest: Rest) -> Iterator[Finding]:
 def _crossing(
     model: MjModel, pairs: np.ndarray, places: Sequence[Places]
 ) -> np.ndarray:
-    """Tell of geoms and plates whether the geom has gone from one side of the plate to the other, and through it."""
+    """Return for each pair of a geom and a plate whether the geom passed through."""
     rows = np.arange(len(pairs))
     geoms, walls = pairs.T
     centres, sizes = np.split(model.geom_aabb[walls], 2, axis=1)
@@ -564,7 +534,7 @@ def _crossing(
 
 
 def _released(scene: Scene, rest: Rest) -> Iterator[Finding]:
-    """Yield a keyframe that does not say what its servos are told, so that they pull to 0."""
+    """Yield a keyframe without ctrl, whose servos pull their joints to 0."""
     model = scene.model
     servos = np.flatnonzero(is_servo(model))
     plain = rest.start.data(model)
@@ -579,15 +549,18 @@ def _released(scene: Scene, rest: Rest) -> Iterator[Finding]:
     before = _fastest(model, plain)
     after = _fastest(model, told)
     if before > LEAVES and after < MENDS * before:
+        values = _text(told.ctrl)
         yield Finding(
             "keyframe",
             rest.start.name,
             "speed",
             before,
-            "m/s or rad/s is how fast it is left, since it has no ctrl and servos pull to 0",
+            message="$shape sets the scene in motion at $value m/s or rad/s because it"
+            " has no ctrl and the servos pull to 0",
             element=key,
             advice=Advice(
-                f'ctrl="{_text(told.ctrl)}" in the <key>: {before:.3g} → {after:.3g} m/s or rad/s'
+                f'Add ctrl="{values}" to the <key>: this reduces the speed to'
+                f" {after:.3g} m/s or rad/s (measured)"
             ),
         )
 
@@ -601,7 +574,7 @@ def _fastest(model: MjModel, data: MjData) -> float:
 
 
 def _crowded(scene: Scene, rest: Rest) -> Iterator[Finding]:
-    """Yield height fields under which a geom has as many contacts as a pair gets: those of the far side are missing."""
+    """Yield height fields with more cells under a geom than a pair has contacts."""
     model = scene.model
     names = scene.names
     data = rest.start.data(model)
@@ -620,18 +593,20 @@ def _crowded(scene: Scene, rest: Rest) -> Iterator[Finding]:
                 names[geom],
                 "",
                 MOST_CONTACTS,
-                f"{MOST_CONTACTS} contacts are all that a pair gets, and more cells touch it: it sinks through",
-                (names[field],),
+                message="$shape sinks through $against because it touches more cells"
+                " than the $value contacts that MuJoCo makes for a pair",
+                against=(names[field],),
                 element=scene.source.geom(field),
                 advice=Advice(
-                    f'nrow="{nrow}" ncol="{ncol}" on the <hfield>: cells about as large as what stands on them'
+                    f'Set nrow="{nrow}" ncol="{ncol}" on the <hfield>: this makes its'
+                    " cells about as large as the geoms on it"
                 ),
             )
             return
 
 
 def _thin(model: MjModel) -> np.ndarray:
-    """Return half the thickness of each geom where it is thinnest; infinite of what has no other side [m]."""
+    """Return half the least thickness of each geom, infinite for one-sided ones [m]."""
     sizes = np.where(model.geom_size > 0.0, model.geom_size, np.inf).min(axis=1)
     sizes[np.isin(model.geom_type, (PLANE, HFIELD))] = np.inf
     return sizes

@@ -1,4 +1,7 @@
-"""The rules: what a scene says and MuJoCo does not do. A function each, over arrays of geoms and pairs."""
+"""Rules on contact parameters that MuJoCo does not use as they are written.
+
+Each rule is a function over arrays of geoms and pairs.
+"""
 
 from collections.abc import Callable, Iterator
 from functools import partial
@@ -14,14 +17,15 @@ from newton_lint.scene import Scene
 from newton_lint.scene_rules import closed, engine, fixed, lost, pyramid, unread, visual
 from newton_lint.source import Element
 
-# Difference up to which parameters are the same, and b h + k h²/2 from which MuJoCo's step throws bodies off.
+# Parameters that differ by less than this are equal.
 SAME = 1e-5
+# From this value of b h + k h²/2 on, MuJoCo's time step throws bodies off.
 STIFF = 1.9
 Advise = Callable[[int], Advice | None]
 
 
 def lint(scene: Scene) -> list[Finding]:
-    """Return everything that the rules find, in their order."""
+    """Return the findings of all rules, in the order of the rules."""
     rules = (
         solref_format,
         solimp,
@@ -32,9 +36,8 @@ def lint(scene: Scene) -> list[Finding]:
         friction,
     )
     names = scene.names
-    with np.errstate(
-        divide="ignore", invalid="ignore"
-    ):  # some divide by parts of a solref that may be 0
+    # Some rules divide by parts of a solref that may be 0.
+    with np.errstate(divide="ignore", invalid="ignore"):
         findings = [
             finding
             for rule in rules
@@ -46,34 +49,32 @@ def lint(scene: Scene) -> list[Finding]:
 
 
 def solref_format(scene: Scene) -> Iterator[Hits]:
-    """Yield solrefs that are half timeconst and half damping."""
+    """Yield solrefs with one positive and one negative number."""
     solref = scene.model.geom_solref
     contacts = scene.contacts
     geoms = np.flatnonzero(
         scene.counts & ((solref[:, 0] > 0.0) != (solref[:, 1] > 0.0))
     )
+    # getsolparam replaces such a solref and writes a warning to the log.
     wording = Wording(
         "solref-format",
         "solref[1]",
-        "is half a timeconst and half a damping, where both have to be above 0 or both below: the default is used",
+        "solref of $shapes has only one positive number (the second number is $value),"
+        " so the engine uses its default; make both positive or both negative",
         severity="error",
-    )  # getsolparam, with a warning in the log
+    )
 
-    def advise(geom: int) -> Advice | None:
+    def advise(geom: int) -> Advice:
         plain = (contacts.named < 0) & (
             (contacts.first == geom) | (contacts.second == geom) & ~contacts.outranked
         )
-        return (
-            advice.whole_solref(scene, int(np.flatnonzero(plain)[0]))
-            if plain.any()
-            else None
-        )
+        return advice.whole_solref(scene, int(np.flatnonzero(plain)[0]))
 
     yield _geom_hits(scene, wording, geoms, solref[:, 1], DEFAULT_SOLREF[1], advise)
 
 
 def solimp(scene: Scene) -> Iterator[Hits]:
-    """Yield a dmin above dmax, as getsolparam takes both."""
+    """Yield solimps whose dmin, as clamped by getsolparam, is above dmax."""
     dmin, dmax = np.clip(
         scene.model.geom_solimp[:, :2], mujoco.mjMINIMP, mujoco.mjMAXIMP
     ).T
@@ -83,7 +84,8 @@ def solimp(scene: Scene) -> Iterator[Hits]:
         Wording(
             "solimp",
             "solimp",
-            "is larger than dmax: the deeper, the softer, and creep grows with load",
+            "solimp of $shapes has a dmin of $value above its dmax of $used, so"
+            " contacts get softer with depth and creep grows with the load",
         ),
         geoms,
         dmin,
@@ -93,7 +95,7 @@ def solimp(scene: Scene) -> Iterator[Hits]:
 
 
 def timeconst(scene: Scene) -> Iterator[Hits]:
-    """Yield a timeconst below what the engine takes: two steps, or with ``discrete`` one over the dampratio."""
+    """Yield timeconsts that the engine clamps, because they are short for the step."""
     contacts = scene.contacts
     option = scene.option
     if not option.refsafe:
@@ -105,21 +107,24 @@ def timeconst(scene: Scene) -> Iterator[Hits]:
         else np.full(len(authored), 2.0 * option.timestep_s)
     )
     below = (authored > 0.0) & (ratio > 0.0) & (authored < limit * (1.0 - SAME))
-    least = "one step over the dampratio" if option.discrete else "two steps"
+    least = "one time step over the dampratio" if option.discrete else "two time steps"
     wording = Wording(
         "timeconst",
         "timeconst",
-        f"is below {least}, which the engine clamps it to",
+        f"timeconst $value of $shapes against $against is below {least}, so the engine"
+        " uses $used",
         "s",
     )
-    pairs = np.flatnonzero(
-        below & (authored != DEFAULT_SOLREF[0])
-    )  # which nobody wrote
+    # Nobody wrote a timeconst that equals the default.
+    pairs = np.flatnonzero(below & (authored != DEFAULT_SOLREF[0]))
 
     def advise(pair: int) -> Advice:
         more = limit[pair] / authored[pair]
         step = f'timestep="{option.timestep_s / more:.3g}"'
-        text = f"{step}: the contact is as stiff as it says, for {more:.2g} times the steps"
+        text = (
+            f"Set {step}: this makes the contact as stiff as written, for"
+            f" {more:.2g} times as many steps"
+        )
         longer = advice.longer_solref(scene, pair, limit[pair])
         return advice.either(longer, Advice(text)) if more <= FAR else longer
 
@@ -127,33 +132,33 @@ def timeconst(scene: Scene) -> Iterator[Hits]:
 
 
 def too_stiff(scene: Scene) -> Iterator[Hits]:
-    """Yield direct solrefs that are too stiff for the time step; refsafe leaves them alone."""
+    """Yield solrefs that are too stiff for the time step and that refsafe permits."""
     contacts = scene.contacts
     step = scene.option.timestep_s
     first, second = contacts.solref.T
-    gain = (
-        -second * step - 0.5 * first * step**2
-    )  # a contact accelerates by dmax · b and dmax² · k
+    # A contact accelerates by dmax · b and dmax² · k.
+    gain = -second * step - 0.5 * first * step**2
     taken = (first <= 0.0) & (second <= 0.0)
     if not scene.option.refsafe:
         is_short = (first > 0.0) & (second > 0.0)
         own = 2.0 * step / first + 0.5 * (step / (first * second)) ** 2
         taken = taken | is_short
         gain = np.where(is_short, own, gain)
-    # The integrator discrete takes both terms implicitly, and bears any.
+    # The integrator discrete is stable with any of them, as both terms are implicit.
     stiff = np.flatnonzero(taken & (gain >= STIFF) & (not scene.option.discrete))
-    why = "leaves it alone" if scene.option.refsafe else "is off"
+    why = "does not clamp it" if scene.option.refsafe else "is off"
     wording = Wording(
         "stiff",
         "solref",
-        f"is too stiff for the time step: b·h + k·h²/2 from {STIFF} on throws bodies off; refsafe {why}",
+        "solref $value of $shapes against $against is too stiff for the time step:"
+        f" contacts throw bodies off if b·h + k·h²/2 is above {STIFF}; refsafe {why}",
         severity="error",
     )
 
     def softer(pair: int) -> Advice:
         if first[pair] > 0.0:
             return advice.longer_solref(
-                scene, pair, 2.0 * step, "as stiff as the time step bears"
+                scene, pair, 2.0 * step, "is the stiffest that the time step permits"
             )
         return advice.softer_solref(scene, pair, clamped(contacts.solimp[pair, 1]))
 
@@ -163,16 +168,18 @@ def too_stiff(scene: Scene) -> Iterator[Hits]:
 
 
 def dampratio(scene: Scene) -> Iterator[Hits]:
-    """Yield a contact that yields as the square of its damping ratio."""
+    """Yield contacts with a high damping ratio."""
     first, second = scene.contacts.solref.T
     ratio = np.where(first > 0.0, second, -second / (2.0 * np.sqrt(-first)))
-    sound = (first > 0.0) == (
-        second > 0.0
-    )  # a mixed one is replaced, which solref-format says
+    # A solref of both forms is replaced by the default, and has a rule of its own.
+    sound = (first > 0.0) == (second > 0.0)
     yield _pair_hits(
         scene,
         Wording(
-            "dampratio", "dampratio", "is far above 1: the contact yields by its square"
+            "dampratio",
+            "dampratio",
+            "dampratio $value of $shapes against $against is far above the critical"
+            " one, and the contact yields with its square",
         ),
         np.flatnonzero(sound & (ratio > FAR) & np.isfinite(ratio)),
         ratio,
@@ -182,18 +189,17 @@ def dampratio(scene: Scene) -> Iterator[Hits]:
 
 
 def one_sided(scene: Scene) -> Iterator[Hits]:
-    """Yield stiff geoms that meet only soft ones: solmix makes their contacts about half as soft."""
+    """Yield stiff geoms that only meet soft ones, and soft geoms among stiff ones."""
     contacts = scene.contacts
     authored = scene.model.geom_solref[:, 0]
     differ = ~np.isclose(authored[contacts.first], authored[contacts.second], rtol=SAME)
-    # Direct solrefs are not mixed: the element-wise minimum counts.
+    # Direct solrefs are not mixed: the engine uses the element-wise minimum.
     plain = (contacts.named < 0) & (contacts.solref > 0.0).all(axis=1) & differ
-    ranked = np.concatenate([contacts.first, contacts.second])[
-        np.tile(contacts.outranked, 2)
-    ]
+    first = contacts.first[contacts.outranked]
+    ranked = np.append(first, contacts.second[contacts.outranked])
     stiffest = -_largest(scene, plain, -contacts.solref[:, 0])
     softest = _largest(scene, plain, contacts.solref[:, 0])
-    # a priority was given: it is meant so
+    # A geom with a priority decides on purpose.
     stiffest[ranked] = 0.0
     softest[ranked] = np.inf
     is_stiff = (
@@ -202,16 +208,19 @@ def one_sided(scene: Scene) -> Iterator[Hits]:
     softer = stiffest > np.maximum(2.0 * authored, 4.0 * scene.option.timestep_s)
     shape = np.flatnonzero(is_stiff & softer)
     message = (
-        "is {} on this side only: the other geom's {} solref is mixed in, in every pair"
+        "solref $value of $shapes is {} only on this side: each contact mixes it with"
+        " the {} solref of the other geom, which gives at {} $used"
     )
-    wording = Wording("one-sided", "solref", message.format("stiff", "soft"), "s")
+    wording = Wording(
+        "one-sided", "solref", message.format("stiff", "soft", "least"), "s"
+    )
     yield _geom_hits(
         scene,
         wording,
-        shape,
-        authored,
-        stiffest,
-        lambda geom: advice.of_higher_priority(scene, geom, stiffest[geom]),
+        geoms=shape,
+        authored=authored,
+        used=stiffest,
+        advise=partial(advice.of_higher_priority, scene, mixed_s=stiffest),
     )
     shape = np.flatnonzero(
         (authored >= FAR * DEFAULT_SOLREF[0])
@@ -219,30 +228,37 @@ def one_sided(scene: Scene) -> Iterator[Hits]:
         & (1.5 * softest < authored)
     )
     wording = Wording(
-        "one-sided", "solref", message.format("soft", "stiff"), "s", "note"
+        "one-sided",
+        "solref",
+        message.format("soft", "stiff", "most"),
+        unit="s",
+        severity="note",
     )
     advise = partial(
         advice.for_geom,
         scene,
         attributes=advice.rank(scene),
-        gain="its solref, solimp, friction and condim alone count; or the same solref and solimp on the other geom",
+        gain="makes its solref, solimp, friction and condim count alone; or set the"
+        " same solref and solimp on the other geom",
     )
     yield _geom_hits(scene, wording, shape, authored, softest, advise)
 
 
 def friction(scene: Scene) -> Iterator[Hits]:
-    """Yield geoms whose low friction counts nowhere: the larger of two is taken."""
+    """Yield geoms with a low friction that every contact ignores."""
     contacts = scene.contacts
     authored = scene.model.geom_friction[:, 0]
     plain = (contacts.named < 0) & (contacts.condim > 1)
     least = -_largest(scene, plain, -contacts.friction[:, 0])
-    # The compiled model does not tell a default from the same number that somebody wrote.
+    # The compiled model does not distinguish a default from the same written number.
     yield _geom_hits(
         scene,
         Wording(
             "friction",
             "friction",
-            "counts nowhere: of two geoms the larger friction is taken, or that of the geom of higher priority",
+            "friction $value of $shapes counts nowhere because a contact uses the"
+            " larger friction of its two geoms, or that of the geom with the higher"
+            " priority; here it is at least $used",
         ),
         np.flatnonzero(
             (authored * FAR <= least) & np.isfinite(least) & (authored != 1.0)
@@ -253,13 +269,13 @@ def friction(scene: Scene) -> Iterator[Hits]:
             advice.for_geom,
             scene,
             attributes=advice.rank(scene),
-            gain="its friction alone counts, with its solref, solimp and condim",
+            gain="makes its friction count alone, with its solref, solimp and condim",
         ),
     )
 
 
 def _largest(scene: Scene, pairs: np.ndarray, values: np.ndarray) -> np.ndarray:
-    """Return the largest value that each geom has in some of the pairs; -inf of what is in none."""
+    """Return the largest value of each geom among some pairs; -inf without a pair."""
     largest = np.full(scene.model.ngeom, -np.inf)
     for geoms in (scene.contacts.first, scene.contacts.second):
         np.maximum.at(largest, geoms[pairs], values[pairs])
@@ -274,17 +290,21 @@ def _geom_hits(
     used: np.ndarray | float,
     advise: Advise,
 ) -> Hits:
-    """Return hits of some geoms, with values of all as authored and as used, at the tag that says the parameter."""
-    used = np.broadcast_to(used, authored.shape)
+    """Return hits of some geoms, located at the tags that set the parameter.
+
+    Args:
+        authored: The written value of each geom.
+        used: The value that the engine uses for each geom.
+    """
     return Hits(
         wording,
         geoms,
-        authored[geoms],
-        used[geoms],
-        None,
-        geoms,
-        partial(scene.source.authored, attribute=wording.parameter.partition("[")[0]),
-        advise,
+        value=authored,
+        used=used,
+        element=partial(
+            scene.source.authored, attribute=wording.parameter.partition("[")[0]
+        ),
+        advise=advise,
     )
 
 
@@ -296,15 +316,13 @@ def _pair_hits(
     used: np.ndarray | float,
     advise: Advise,
 ) -> Hits:
-    """Return hits of some pairs, with values of all, at the tag with the solref of the stiffer geom."""
+    """Return hits of some pairs, located at the solref of the stiffer geom."""
     contacts = scene.contacts
     timeconst = scene.model.geom_solref[:, 0]
     swap = (
         timeconst[contacts.second] < timeconst[contacts.first]
     ) & ~contacts.outranked
     shape = np.where(swap, contacts.second, contacts.first)
-    partner = np.where(swap, contacts.first, contacts.second)
-    used = np.broadcast_to(used, authored.shape)
 
     def element(pair: int) -> Element | None:
         is_named = contacts.named[pair] >= 0
@@ -316,11 +334,11 @@ def _pair_hits(
 
     return Hits(
         wording,
-        shape[pairs],
-        authored[pairs],
-        used[pairs],
-        partner[pairs],
         pairs,
-        element,
-        advise,
+        value=authored,
+        used=used,
+        shape=shape,
+        partner=np.where(swap, contacts.first, contacts.second),
+        element=element,
+        advise=advise,
     )

@@ -1,4 +1,4 @@
-"""A scene as the rules read it: a compiled model, its pairs, what the engine makes of them, and where it is written."""
+"""A scene for the rules: its compiled model, its pairs and its source."""
 
 import copy
 from dataclasses import dataclass, replace
@@ -29,7 +29,7 @@ def changed(model: MjModel, **options: float) -> MjModel:
 
 @dataclass(frozen=True)
 class Engine:
-    """An engine whose rules count, and options in place of the scene's."""
+    """An engine, and options that replace those of the scene."""
 
     name: str = "mujoco"
     """``mujoco``, ``warp`` or ``newton``."""
@@ -42,12 +42,12 @@ class Engine:
         cone = CONES.index(self.cone) if self.cone else None
         options = {"timestep": self.timestep_s, "cone": cone, "impratio": self.impratio}
         authored = {name: value for name, value in options.items() if value is not None}
-        return changed(model, **authored) if authored else model
+        return changed(model, **authored)
 
 
 @dataclass(frozen=True)
 class Scene:
-    """A MuJoCo model as the rules read it."""
+    """A MuJoCo model with its source and its engine."""
 
     model: MjModel
     source: Source
@@ -56,7 +56,8 @@ class Scene:
     @cached_property
     def option(self) -> Option:
         option = option_of(self.model)
-        # put_model of MuJoCo Warp before 3.17 refuses noslip_iterations, and the law is asked of the scene without.
+        # put_model refuses noslip_iterations before MuJoCo Warp 3.17; then the law
+        # applies to the scene without the pass.
         return replace(
             option,
             noslip=option.noslip and (self.engine.name == "mujoco" or has_noslip()),
@@ -68,19 +69,16 @@ class Scene:
 
     @cached_property
     def colliding(self) -> int:
-        """Say how many geoms can collide."""
+        """Return the number of geoms that can collide."""
         model = self.model
-        named = np.zeros(
-            model.ngeom, dtype=bool
-        )  # a <pair> makes contacts whatever the bits of its geoms are
-        named[model.pair_geom1] = named[model.pair_geom2] = True
-        return int(
-            np.count_nonzero(model.geom_contype | model.geom_conaffinity | named)
-        )
+        # A <pair> makes contacts whatever the masks of its geoms are.
+        named = np.isin(np.arange(model.ngeom), [model.pair_geom1, model.pair_geom2])
+        masks = model.geom_contype | model.geom_conaffinity
+        return int(np.count_nonzero(masks | named))
 
     @cached_property
     def bodies(self) -> list[str]:
-        """Return names of the bodies; one without a name goes by its number."""
+        """Return the names of the bodies, with numbers for bodies without a name."""
         return [
             self.model.body(index).name or f"body_{index}"
             for index in range(self.model.nbody)
@@ -88,7 +86,7 @@ class Scene:
 
     @cached_property
     def names(self) -> list[str]:
-        """Return body and geom of each geom, ``cube/box``; of the world's only the geom."""
+        """Return the body and geom of each geom, such as ``cube/box``."""
         model = self.model
         geoms = [
             model.geom(index).name or f"geom_{index}" for index in range(model.ngeom)
@@ -101,14 +99,11 @@ class Scene:
 
     @cached_property
     def pair_indices(self) -> dict[tuple[int, int], int]:
-        """Return the index of each pair by its geoms, the lower first."""
+        """Return the index of each pair by its geoms, the lower one first."""
         pairs = np.sort(
             np.stack([self.contacts.first, self.contacts.second], axis=1), axis=1
         )
-        return {
-            (int(geom1), int(geom2)): index
-            for index, (geom1, geom2) in enumerate(pairs)
-        }
+        return {pair: index for index, pair in enumerate(map(tuple, pairs.tolist()))}
 
     def pair_element(self, contact: int) -> Element | None:
         """Return the ``<pair>`` that names the geoms of a contact."""
@@ -117,22 +112,20 @@ class Scene:
 
     @cached_property
     def counts(self) -> np.ndarray:
-        """Tell whether a geom's own parameters count in any pair."""
+        """Return for each geom whether any pair uses its own parameters."""
         contacts = self.contacts
         counting = np.zeros(self.model.ngeom, dtype=bool)
-        plain = (
-            contacts.named < 0
-        )  # mj_collide reads a <pair>'s own parameters, and none of its geoms
+        # mj_collide reads the parameters of a <pair> instead of those of its geoms.
+        plain = contacts.named < 0
         counting[contacts.first[plain]] = True
         counting[contacts.second[plain & ~contacts.outranked]] = True
         return counting
 
     @cached_property
     def free(self) -> np.ndarray:
-        """Tell whether a body hangs on nothing that holds it: it, or what it is fixed to, has a free joint."""
+        """Return for each body whether it is welded to a body with a free joint."""
         model = self.model
         loose = np.zeros(model.nbody, dtype=bool)
         loose[model.jnt_bodyid[model.jnt_type == FREE]] = True
-        return loose[
-            model.body_weldid
-        ]  # a body without joints moves as the one that it is welded to
+        # A body without joints moves with the body that it is welded to.
+        return loose[model.body_weldid]

@@ -1,4 +1,4 @@
-"""Rules of a whole scene: what its options, flags, pairs and bits make of contacts."""
+"""Rules on a whole scene: its options, masks, meshes, masses and free bodies."""
 
 import contextlib
 from collections.abc import Iterator
@@ -12,38 +12,37 @@ from newton_lint.pairs import MOST_PAIRS, OFF, read
 from newton_lint.scene import WEIGHTLESS, Scene
 from newton_lint.warp_engine import refusal
 
-# Friction from which a body sinks into a pyramid's contacts, 2 mm at 3, 100 at 8; what is farther hangs in the air.
+# Bodies sink visibly into a pyramidal cone from this friction on: 2 mm at 3, 100 mm at
+# 8.
 STEEP = 3.0
+# Bodies that are farther from every other geom than this hang in the air.
 NEAR_M = 1e-3
-# Times as heavy as without geoms that are only seen, how near to 2 is twice; times as large as its mesh a hull is.
+# Visual geoms are reported if they make a body this many times as heavy.
 HEAVIER = 1.7
+# A mass counts as doubled if its ratio differs from 2 by less than this.
 TWICE = 0.1
+# A mesh is reported if its convex hull has this many times its volume.
 HOLLOW = 2.0
 MESH = int(mujoco.mjtGeom.mjGEOM_MESH)
 
 
 def lost(scene: Scene) -> Iterator[Finding]:
-    """Yield bodies that move freely, and that gravity takes through all that there is to stop them."""
+    """Yield free bodies that collide with no other body, so that they fall forever."""
     model = scene.model
     contacts = scene.contacts
     tree = model.body_rootid[model.geom_bodyid]
-    collides = np.isin(np.arange(model.ngeom), read(model)) | (
-        scene.colliding == 0
-    )  # of all masks that are off
+    # If all masks are off, every geom counts.
+    collides = np.isin(np.arange(model.ngeom), read(model)) | (scene.colliding == 0)
     is_whole = len(read(model)) == np.count_nonzero(
         model.geom_contype | model.geom_conaffinity
     )
     is_free = scene.free[tree]
-    met = {*tree[contacts.first].tolist(), *tree[contacts.second].tolist()}
-    falls = bool(model.opt.gravity.any()) and not model.opt.disableflags & (
-        WEIGHTLESS | OFF
-    )
     others = np.flatnonzero(~is_free)
-    for body in (
-        sorted({*tree[is_free & collides].tolist()} - met)
-        if falls and is_whole and len(others)
-        else ()
-    ):
+    is_off = model.opt.disableflags & (WEIGHTLESS | OFF)
+    if is_off or not (model.opt.gravity.any() and is_whole and len(others)):
+        return
+    met = tree[np.concatenate([contacts.first, contacts.second])]
+    for body in np.setdiff1d(tree[is_free & collides], met).tolist():
         bits = int(np.bitwise_or.reduce(model.geom_contype[tree != body]))
         geom = int(np.flatnonzero(tree == body)[0] if bits else others[0])
         yield Finding(
@@ -51,22 +50,23 @@ def lost(scene: Scene) -> Iterator[Finding]:
             scene.bodies[body],
             "contype",
             float(model.geom_contype[geom]),
-            "meets no geom of another body, and falls through all of them: no geom's bits meet those of its geoms",
+            message="$shape falls through every other body because the contype and"
+            " conaffinity bits of its geoms match those of no other geom",
             element=scene.source.authored(geom, "contype") or scene.source.geom(geom),
             advice=for_geom(
                 scene,
                 geom,
                 {"contype": f"{bits or 1}", "conaffinity": f"{bits or 1}"},
-                "it is met",
+                "lets it collide",
             ),
         )
 
 
 def fixed(scene: Scene) -> Iterator[Finding]:
-    """Yield bodies that say their mass, have no joint and touch nothing: they hang in the air."""
+    """Yield bodies that have a mass but no joint, and that touch nothing."""
     model = scene.model
-    data = mujoco.MjData(scene.model)
-    tree = scene.model.body_rootid[scene.model.geom_bodyid]
+    data = mujoco.MjData(model)
+    tree = model.body_rootid[model.geom_bodyid]
     mujoco.mj_kinematics(model, data)
     static = np.flatnonzero(
         ~np.isin(tree, model.body_rootid[model.jnt_bodyid])
@@ -82,15 +82,10 @@ def fixed(scene: Scene) -> Iterator[Finding]:
             for geom in geoms
             if (element := scene.source.geom(geom)) and "mass" in element.attributes
         ]
-        pairs = (
-            (geom, other)
-            for other in range(model.ngeom)
-            for geom in geoms
-            if tree[other] != body
-        )
         near = (
-            mujoco.mj_geomDistance(model, data, *pair, NEAR_M, None) < NEAR_M
-            for pair in pairs
+            mujoco.mj_geomDistance(model, data, geom, other, NEAR_M, None) < NEAR_M
+            for other in np.flatnonzero(tree != body).tolist()
+            for geom in geoms
         )
         if elements and not any(near):
             element = elements[0]
@@ -99,25 +94,23 @@ def fixed(scene: Scene) -> Iterator[Finding]:
                 scene.bodies[body],
                 "mass",
                 model.body_subtreemass[body],
-                "has no joint: it is fixed to the world, where it hangs in the air",
-                (),
-                None,
-                "kg",
-                "note",
-                element,
-                Advice("a <freejoint/> in it lets it fall"),
+                message="$shape has a mass of $value but no joint, so it is fixed to"
+                " the world and hangs in the air",
+                unit="kg",
+                severity="note",
+                element=element,
+                advice=Advice("Add a <freejoint/> to the body to let it fall"),
             )
 
 
 def visual(scene: Scene) -> Iterator[Finding]:
-    """Yield bodies to whose mass geoms add that touch nothing, as those that are only seen do."""
+    """Yield bodies whose mass includes visual geoms, which collide with nothing."""
     model = scene.model
     root = scene.source.root
     if root is None or root.tag != "mujoco" or model.npair:
         return
-    with contextlib.suppress(
-        ValueError, AttributeError
-    ):  # an old release has no MjSpec that could
+    # Old releases have no MjSpec, or one that cannot do this.
+    with contextlib.suppress(ValueError, AttributeError):
         spec = mujoco.MjSpec.from_file(str(root.file))
         count = 0
         for body in () if spec.compiler.inertiagrouprange[0] else spec.bodies[1:]:
@@ -135,7 +128,8 @@ def visual(scene: Scene) -> Iterator[Finding]:
             * (model.body_weldid > 0)
         )
         heavier = times > HEAVIER
-        is_twice = (np.abs(times[heavier] - 2.0) < TWICE).all()  # else it may be meant
+        # Other ratios may be intended.
+        is_twice = (np.abs(times[heavier] - 2.0) < TWICE).all()
         for body in np.flatnonzero(heavier).tolist():
             mass = model.body_mass[body]
             used = light.body_mass[body]
@@ -144,24 +138,24 @@ def visual(scene: Scene) -> Iterator[Finding]:
                 scene.bodies[body],
                 "mass",
                 mass,
-                f"is {times[body]:.2g} times that without geoms that touch nothing and are only seen",
-                (),
-                None,
-                "kg",
-                "warning" if is_twice else "note",
+                message=f"$shape weighs $value, which is {times[body]:.2g} times its"
+                " mass without the visual geoms, which collide with nothing",
+                unit="kg",
+                severity="warning" if is_twice else "note",
                 advice=Advice(
-                    f'mass="0" on them, or an <inertial> in the body: {mass:.3g} → {used:.3g} kg'
+                    'Set mass="0" on the visual geoms, or add an <inertial> to the'
+                    f" body: this reduces its mass from {mass:.3g} to {used:.3g} kg"
                 ),
             )
 
 
 def closed(scene: Scene) -> Iterator[Finding]:
-    """Yield meshes that collide as their convex hull, which closes what is hollow."""
+    """Yield hollow meshes, which collide as their convex hull."""
     model = scene.model
-    touch = (scene.model.geom_contype | scene.model.geom_conaffinity) != 0
+    touch = (model.geom_contype | model.geom_conaffinity) != 0
     for geom in np.flatnonzero(touch & (model.geom_type == MESH)).tolist():
         mesh = int(model.geom_dataid[geom])
-        if (start := int(model.mesh_graphadr[mesh])) < 0:  # it has no hull
+        if (start := int(model.mesh_graphadr[mesh])) < 0:  # The mesh has no hull.
             continue
         vertices = model.mesh_vert[model.mesh_vertadr[mesh] :][
             : model.mesh_vertnum[mesh]
@@ -175,27 +169,27 @@ def closed(scene: Scene) -> Iterator[Finding]:
                 -1, 3
             )
         ]
-        full, hollow = (
-            abs(np.linalg.det(triangles).sum()) for triangles in (hull, corners)
-        )
+        full = abs(np.linalg.det(hull).sum())
+        hollow = abs(np.linalg.det(corners).sum())
         if full > HOLLOW * hollow > 0.0:
             yield Finding(
                 "closed",
                 scene.names[geom],
                 "hull",
                 full / hollow,
-                "times its volume is its convex hull, which is what collides: nothing gets into what is hollow",
-                (),
-                None,
-                "1",
-                "note",
-                scene.source.geom(geom),
-                Advice("several convex geoms in its place, as CoACD or obj2mjcf make"),
+                message="$shape collides as its convex hull, which has $value times the"
+                " volume of the mesh, so other bodies cannot enter its hollow parts",
+                severity="note",
+                element=scene.source.geom(geom),
+                advice=Advice(
+                    "Replace the mesh by several convex geoms, for example with CoACD"
+                    " or obj2mjcf"
+                ),
             )
 
 
 def pyramid(scene: Scene) -> Iterator[Finding]:
-    """Yield what a pyramidal cone makes of a high impratio, and of high friction."""
+    """Yield an impratio and a friction that soften or harden a pyramidal cone."""
     option = scene.option
     contacts = scene.contacts
     rows = contacts.condim > 1
@@ -209,25 +203,26 @@ def pyramid(scene: Scene) -> Iterator[Finding]:
             "pyramid",
             "impratio",
             option.impratio,
-            "makes all rows of a pyramid harder, those of the normal too; only an elliptic cone tells them apart",
-            advice,
+            message="impratio $value hardens all rows of a pyramidal cone, the normal"
+            " ones too; only an elliptic cone separates friction from normal force",
+            advice=advice,
         )
     if steepest > STEEP:
-        softer = (
-            0.5 * steepest**2 * (1.0 + steepest**2)
-        )  # its R by mj_makeImpedance, of condim 3, over an ellipse's
+        # mj_makeImpedance gives this ratio of R to that of an elliptic cone (condim 3).
+        softer = 0.5 * steepest**2 * (1.0 + steepest**2)
         yield _scene_finding(
             scene,
             "pyramid",
             "friction",
             steepest,
-            f"makes a pyramid's contacts {softer:.3g} times softer: they sink and creep more",
-            advice,
+            message=f"friction $value makes contacts {softer:.3g} times softer with a"
+            " pyramidal cone, so bodies sink and creep more",
+            advice=advice,
         )
 
 
 def unread(scene: Scene) -> Iterator[Finding]:
-    """Yield how many geoms are left out where all of them make too many pairs."""
+    """Yield the number of geoms that are not read because there are too many pairs."""
     count = np.count_nonzero(
         scene.model.geom_contype | scene.model.geom_conaffinity
     ) - len(read(scene.model))
@@ -237,20 +232,21 @@ def unread(scene: Scene) -> Iterator[Finding]:
             "unread",
             "geoms",
             float(count),
-            f"are not read: all make over {MOST_PAIRS:,} pairs, and the others stand for them",
+            message="$value geoms are not read because the scene has more than"
+            f" {MOST_PAIRS:,} pairs; the findings cover a regular sample of the geoms",
             severity="note",
         )
 
 
 def engine(scene: Scene) -> Iterator[Finding]:
-    """Yield what MuJoCo Warp says of a scene, in its words."""
+    """Yield the error message with which MuJoCo Warp refuses the scene."""
     if scene.engine.name == "warp" and (refused := refusal(scene.model)):
         yield _scene_finding(
             scene,
             "engine",
             "",
             1.0,
-            f"MuJoCo Warp refuses this model: {refused}",
+            message=f"MuJoCo Warp refuses this model: {refused}",
             severity="error",
         )
 

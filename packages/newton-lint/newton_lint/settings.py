@@ -1,4 +1,4 @@
-"""What a project and a file ask of the lint: the table ``[tool.newton-lint]``, and comments that ignore rules."""
+"""Reads ``[tool.newton-lint]`` from pyproject.toml and comments that ignore rules."""
 
 import functools
 import re
@@ -20,7 +20,7 @@ COMMENT = re.compile(r"<!--\s*newton-lint:\s*ignore(?:=([\w,\s-]+?))?\s*-->")
 
 
 def table_of(folder: Path) -> dict[str, Any]:
-    """Return the table of the nearest pyproject.toml from a folder upward; empty where there is none."""
+    """Return the table of the nearest pyproject.toml in a folder or above it, or {}."""
     for parent in (folder, *folder.parents):
         file = parent / "pyproject.toml"
         if file.is_file():
@@ -36,12 +36,16 @@ def table_of(folder: Path) -> dict[str, Any]:
 
 
 def is_ignored(finding: Finding, source: Source, rules: Collection[str]) -> bool:
-    """Tell whether a finding's rule is ignored: everywhere, or by a comment before the first tag or at its line."""
+    """Return whether an option, or a comment in the file, ignores a finding's rule.
+
+    A comment counts for the file if it precedes the first tag, and otherwise for its
+    own line and the next one.
+    """
     if finding.rule in rules or source.root is None:
         return finding.rule in rules
     element = finding.element
     root = source.root
-    # XML takes no comment within a tag: it stands behind it, or on the line before.
+    # XML permits no comment within a tag, so it follows the tag or precedes its line.
     near = [(element.file, (1, element.line - 1, element.line))] if element else []
     return any(
         line in lines and (not named or finding.rule in named)

@@ -1,4 +1,4 @@
-"""A body that is held: what its contacts bear in a settled state, and how fast it creeps by the law."""
+"""Predicts how fast a held body creeps, from the forces on its settled contacts."""
 
 import math
 from collections import Counter, defaultdict
@@ -21,76 +21,83 @@ from newton_lint.law import (
 from newton_lint.scene import Scene
 from newton_lint.target import Target, TargetError
 
-# Time that a scene gets to come to rest, and the last part of it over which forces are averaged.
+# A scene comes to rest in this time by default.
 SETTLE_S = 0.5
+# Forces are averaged over this share at the end of the time.
 READ_SHARE = 0.2
-# Shares of the settling after which a body is looked for in its grip, and of the cone that no longer holds it.
+# The body is looked for in its grip after these shares of the time.
 EARLIER = (1.0, 0.1, 0.01)
+# A contact slides if it uses this share of its friction cone.
 AT_THE_EDGE = 0.999
-# What moves faster than so many times its creep, and this [mm/s], has not settled.
+# A body has not settled if it moves faster than the first number times its creep
+# plus the second number [mm/s].
 UNSETTLED = 2.0
 UNSETTLED_MM_S = 0.5
 STIFFER = 1e4
-"""How many times stiffer than friction a normal force is taken to be: in its direction nothing creeps."""
-# What moves faster than so many times the creep, and than this [m/s], is not held.
+"""Ratio of normal to tangential stiffness in the model of creep."""
+# A body is not held if it moves faster than the first number times the sum of its
+# creep and the second number [m/s].
 RUNAWAY = 3.0
 LEAST_M_S = 0.05
 Points = Sequence[tuple[Response, float]]
 EXACT = int(getattr(mujoco.mjtEnableBit, "mjENBL_DIAGEXACT", 0))
-"""The flag, which old releases have not."""
+"""The flag diagexact, which is 0 in releases that do not have it."""
 FORCES = ("normal_n", "tangential_n")
-"""Readings that are 0 where a point is not there."""
+"""Readings that count as 0 in steps without the contact point."""
 
 
 @dataclass(frozen=True)
 class Work:
-    """A body to be held, and what moves it besides its weight."""
+    """A held body, and the motions of its support that load it besides gravity."""
 
     body: str
     settle_s: float = SETTLE_S
     turn_rad_s: float = 0.0
-    """Rate at which what holds it turns about the vertical through its root."""
+    """Rate at which the support turns about the vertical through its root."""
     lift_m_s2: float = 0.0
 
 
 @dataclass(frozen=True)
 class Touch:
-    """A contact point of a held body, with means over the end of the settling of what it bears, and how."""
+    """A contact point of a held body, averaged over the end of the settling time."""
 
     geoms: tuple[int, int]
     support: int
-    """The body that touches the held one."""
+    """The body that touches the held body."""
     share: float
-    """Of the steps that have the point."""
+    """Share of the steps in which the point exists."""
     normal_n: float
     tangential_n: np.ndarray
-    """Force of friction on the held body, in the world's axes."""
+    """Friction force on the held body, in the world frame."""
     normal: np.ndarray
     position: np.ndarray
     used: float
-    """Share of the cone that it uses."""
+    """Share of the friction cone that is used."""
     weight_1_kg: float
-    """The diagonal of A that the engine gives it."""
+    """The diagonal of A that the engine uses for the contact."""
     softer: float
-    """Times that R is larger along its friction than along the first axis: a ``<pair>`` has a μ for each."""
+    """Ratio of R along the friction force to R along the first axis.
+
+    It differs from 1 in a ``<pair>``, which has one friction coefficient per axis.
+    """
 
 
 @dataclass(frozen=True)
 class Hold:
-    """A held body, and what is predicted of it."""
+    """A held body with its contacts and its predicted creep."""
 
     body: int
     name: str
     touches: Sequence[Touch]
     load_n: float
     mm_s: float
-    """Predicted creep; infinite where it slides."""
+    """Predicted creep; infinite if the body slides."""
     acceleration_mm_s: float
-    """What of it is J̇·q̇'s."""
+    """The part of the creep that is caused by J̇·q̇."""
     moves_mm_s: float
-    """How fast it moves relative to what it touches in the state that was read."""
+    """Speed of the body relative to its support in the simulated state."""
     data: MjData = field(compare=False, repr=False)
-    """The state in which it was."""
+    """The simulated state."""
 
     @property
     def slides(self) -> bool:
@@ -102,11 +109,11 @@ class Hold:
 
     @property
     def rests(self) -> bool:
-        """Tell whether it moves no faster than it creeps, and not because its grip still closes or opens."""
+        """Return whether the body moves no faster than it creeps."""
         return self.moves_mm_s <= UNSETTLED * self.mm_s + UNSETTLED_MM_S
 
     def findings(self, scene: Scene, below_mm_s: float) -> Iterator[Finding]:
-        """Say that it slides, has not settled, or creeps faster than it may."""
+        """Yield a finding if the body has not settled, slides or creeps too fast."""
         touching = tuple(
             dict.fromkeys(
                 scene.names[geom] for touch in self.touches for geom in touch.geoms
@@ -118,24 +125,24 @@ class Hold:
                 self.name,
                 "speed",
                 self.moves_mm_s,
-                "is more than it creeps: its grip has not settled, as the prediction takes it to; see --settle",
-                touching,
-                self.mm_s,
-                "mm/s",
-                "note",
+                message="$shape still moves at $value, faster than its predicted creep"
+                " of $used; give its grip more time with --settle",
+                against=touching,
+                used=self.mm_s,
+                unit="mm/s",
+                severity="note",
             )
         elif self.slides:
-            message = "slides: what it has to bear is beyond the cone of friction"
             yield Finding(
                 "slides",
                 self.name,
                 "load",
                 self.load_n,
-                message,
-                touching,
-                None,
-                "N",
-                "error",
+                message="$shape slides because its load of $value exceeds the friction"
+                " of its contacts",
+                against=touching,
+                unit="N",
+                severity="error",
             )
         elif self.mm_s > below_mm_s:
             yield Finding(
@@ -143,12 +150,13 @@ class Hold:
                 self.name,
                 "creep",
                 self.mm_s,
-                "creeps faster than it may",
-                touching,
-                below_mm_s,
-                "mm/s",
+                message="$shape creeps at $value, faster than the bound of $used",
+                against=touching,
+                used=below_mm_s,
+                unit="mm/s",
                 advice=Advice(
-                    f"newton-lint prescribe … --hold {self.name} --below {below_mm_s:g} searches settings"
+                    f"Run newton-lint prescribe … --hold {self.name} --below"
+                    f" {below_mm_s:g} to search for settings"
                 ),
             )
 
@@ -162,14 +170,23 @@ class Hold:
             "moves_mm_s",
         )
         values = {"body": self.name} | {name: getattr(self, name) for name in names}
-        return values | ({"mm_s": None} if self.slides else {})  # JSON has no infinity
+        # JSON cannot represent infinity.
+        return values | ({"mm_s": None} if self.slides else {})
 
 
 def settled_hold(scene: Scene, target: Target, work: Work) -> Hold | None:
-    """Let the scene settle and predict what its body creeps, None if nothing touches it; TargetError without a body."""
+    """Let the scene settle and predict the creep of the held body.
+
+    Returns:
+        The prediction, or None if nothing touches the body.
+
+    Raises:
+        TargetError: The scene has no such body.
+    """
     if work.body not in scene.bodies[1:]:
+        bodies = ", ".join(scene.bodies[1:][:12])
         raise TargetError(
-            f"{target.name}: has no body {work.body}; it has {', '.join(scene.bodies[1:][:12])}"
+            f"{target.name}: the scene has no body {work.body}; it has {bodies}"
         )
     body = scene.bodies.index(work.body)
     for share in EARLIER:
@@ -180,17 +197,17 @@ def settled_hold(scene: Scene, target: Target, work: Work) -> Hold | None:
         steps = max(1, round(time_s * READ_SHARE / scene.model.opt.timestep))
         if touches := touches_of(scene, data, body, steps):
             hold = predicted_hold(scene, body, touches, work, data)
-            return (
-                hold if share == 1.0 else replace(hold, mm_s=math.inf)
-            )  # it was held, and is lost
+            # If the body was only held earlier, it has been lost since.
+            return hold if share == 1.0 else replace(hold, mm_s=math.inf)
     return None
 
 
 def started(model: MjModel, state: MjData | None = None) -> MjData:
-    """Return the state in which a scene starts: a copy of one, or its first keyframe, or the model's own."""
+    """Return the start of a scene: a given state, its first keyframe or its default."""
     data = MjData(model)
     if state is not None:
-        data.time = state.time  # mj_copyData asks for data of the same model, and this one may have other options
+        # mj_copyData would need the same model, but this one may have other options.
+        data.time = state.time
         for name in (
             "qpos",
             "qvel",
@@ -212,20 +229,19 @@ def settled(model: MjModel, data: MjData, time_s: float) -> MjData:
 
 
 def touches_of(scene: Scene, data: MjData, body: int, step_count: int) -> list[Touch]:
-    """Step on, and return means of each point in which a body, or what is fixed to it, is touched."""
+    """Step on and return the averaged contact points of a body and its welded parts."""
     model = scene.model
-    body_of = scene.model.geom_bodyid
+    body_of = model.geom_bodyid
     is_held = model.body_weldid == model.body_weldid[body]
-    readings: defaultdict[tuple[tuple[int, int], int], list[dict[str, Any]]] = (
-        defaultdict(list)
-    )
+    readings: dict[Any, list[dict[str, Any]]] = defaultdict(list)
     for _ in range(step_count):
         mujoco.mj_step(model, data)
         counts: Counter[tuple[int, int]] = Counter()
         geoms = data.contact.geom
-        on_body = (geoms >= 0) & is_held[body_of[geoms]]  # -1 is the side of a flex
+        # A flex has the geom -1.
+        on_body = (geoms >= 0) & is_held[body_of[geoms]]
         for index in np.flatnonzero(on_body[:, 0] != on_body[:, 1]).tolist():
-            # mj_contactForce is what acts on the second geom.
+            # mj_contactForce returns the force on the second geom.
             if reading := _reading(
                 scene, data, index, 1.0 if on_body[index, 1] else -1.0
             ):
@@ -235,7 +251,7 @@ def touches_of(scene: Scene, data: MjData, body: int, step_count: int) -> list[T
     touches = []
     for (pair, _), series in readings.items():
         sums = {name: sum(reading[name] for reading in series) for name in series[0]}
-        # A point that is there in half of the steps bears half of its force; where and how it acts is of those alone.
+        # Forces are averaged over all steps, other readings over those with the point.
         touches.append(
             Touch(
                 geoms=pair,
@@ -255,24 +271,26 @@ def touches_of(scene: Scene, data: MjData, body: int, step_count: int) -> list[T
 def _reading(
     scene: Scene, data: MjData, index: int, sign: float
 ) -> dict[str, Any] | None:
-    """Return what a contact bears, with the friction times a sign; None where it presses nothing."""
+    """Return the readings of a contact, or None if it bears no force.
+
+    Args:
+        sign: 1 or -1, so that the friction acts on the held body.
+    """
     model = scene.model
     contact = data.contact[index]
     force = np.zeros(6)
-    if (
-        contact.efc_address < 0
-    ):  # within the gap, or without a dof: it is listed, and has no rows
+    # A contact within the gap, or between bodies that cannot move, has no rows.
+    if contact.efc_address < 0:
         return None
     mujoco.mj_contactForce(model, data, index, force)
     if force[0] <= 0.0:
         return None
-    frame = contact.frame.reshape(3, 3)  # its rows: normal, then both tangents
+    frame = contact.frame.reshape(3, 3)  # The rows are the normal and both tangents.
     shares = np.abs(force[1:3]) / contact.friction[:2]
     used = (
         float(shares.sum() if scene.option.cone == "pyramidal" else np.hypot(*shares))
         / force[0]
     )
-    weight = _weight(scene, data, index)
     along1, along2 = force[1:3] ** 2 / max(force[1:3] @ force[1:3], mujoco.mjMINVAL)
     # mj_makeImpedance: R μ² is the same along both tangents.
     softer = (
@@ -280,40 +298,36 @@ def _reading(
         if along1 + along2
         else 1.0
     )
-    means = {
+    return {
         "normal_n": force[0],
         "tangential_n": sign * (force[1:3] @ frame[1:]),
         "normal": frame[0].copy(),
-    }
-    return means | {
         "position": contact.pos.copy(),
         "used": used,
-        "weight_1_kg": weight,
+        "weight_1_kg": _weight(scene, data, index),
         "softer": softer,
     }
 
 
 def _weight(scene: Scene, data: MjData, index: int) -> float:
-    """Return the diagonal of A that the engine gives a contact that has rows."""
+    """Return the diagonal of A that the engine uses for a contact with rows."""
     model = scene.model
     contact = data.contact[index]
     stiffness, damping, d = data.efc_KBIP[contact.efc_address, :3]
-    weight = (
-        data.efc_R[contact.efc_address] * d / (1.0 - d)
-    )  # mj_makeImpedance: R = (1 - d) / d · weight
+    # mj_makeImpedance: R = (1 - d) / d · weight
+    weight = data.efc_R[contact.efc_address] * d / (1.0 - d)
     if scene.option.discrete:
         h = model.opt.timestep
         weight *= 1.0 + damping * h + stiffness * d * h * h
     if scene.option.cone == "pyramidal" and contact.dim > 1:
         mu = contact.friction[0]
-        weight *= model.opt.impratio / (
-            2.0 * mu**2 * (1.0 + mu**2)
-        )  # so much of R and of the weight has an edge
+        # An edge of the pyramid has this multiple of R and of the weight.
+        weight *= model.opt.impratio / (2.0 * mu**2 * (1.0 + mu**2))
     return weight
 
 
 def weigh(scene: Scene, data: MjData) -> None:
-    """Give pairs that touch the weights of the engine, where it takes the diagonal itself and no approximation."""
+    """Set the weights of touching pairs to those of the engine, under diagexact."""
     pairs = scene.pair_indices if scene.model.opt.enableflags & EXACT else {}
     for index in range(data.ncon if pairs else 0):
         pair = pairs.get(tuple(sorted(data.contact[index].geom.tolist())))
@@ -324,7 +338,12 @@ def weigh(scene: Scene, data: MjData) -> None:
 def predicted_hold(
     scene: Scene, body: int, touches: Sequence[Touch], work: Work, data: MjData
 ) -> Hold:
-    """Return the creep by the law of a body that is held as in ``data``, with a scene's settings and more loads."""
+    """Return the creep that the law predicts for a body held as in ``data``.
+
+    Args:
+        scene: The scene, possibly with other settings than those of ``data``.
+        work: Further motions of the support.
+    """
     model = scene.model
     option = scene.option
     mass = model.body_subtreemass[body]
@@ -352,13 +371,10 @@ def predicted_hold(
             across = outward - (outward @ touch.normal) * touch.normal
             turning = turning + response.acceleration_s * across / len(touches)
     arm = data.subtree_com[body] - data.xpos[model.body_rootid[touches[0].support]]
-    more = flat @ (
-        mass
-        * (work.lift_m_s2 * down + work.turn_rad_s**2 * (arm - (arm @ down) * down))
-    )
-    load = more - sum(
-        (touch.tangential_n for touch in touches), np.zeros(3)
-    )  # what friction has to hold
+    centrifugal = work.turn_rad_s**2 * (arm - (arm @ down) * down)
+    more = flat @ (mass * (work.lift_m_s2 * down + centrifugal))
+    # The load is the force that friction has to bear.
+    load = more - sum((touch.tangential_n for touch in touches), np.zeros(3))
     total = np.linalg.norm(load)
     grip = sum(touch.used * touch.normal_n for touch in touches) / sum(
         touch.normal_n for touch in touches
@@ -392,10 +408,13 @@ def _slide(
     body: int,
     more_n: np.ndarray,
 ) -> np.ndarray:
-    """Return a body's velocity [m/s] where its points give way to friction alone, by joints that move nothing else."""
+    """Return the velocity at which a body creeps [m/s].
+
+    Only joints that do not move the support take part.
+    """
     support = np.zeros((3, model.nv))
     mujoco.mj_jac(model, data, support, None, data.xpos[body], touches[0].support)
-    # dofs that do not move what touches it
+    # dofs that do not move the support
     alone = ~support.any(axis=0)
     jacobian = np.zeros((3, model.nv))
     mujoco.mj_jac(model, data, jacobian, None, data.subtree_com[body], body)
@@ -411,20 +430,16 @@ def _slide(
         )
         bears += jacobian[:, alone].T @ stiffness @ jacobian[:, alone]
         acts -= jacobian[:, alone].T @ touch.tangential_n
-    return (
-        centre @ np.linalg.lstsq(bears, acts, rcond=1e-12)[0]
-    )  # two points let it turn about the line between them
+    # Two points let the body turn about the line between them, so the system may be
+    # singular.
+    return centre @ np.linalg.lstsq(bears, acts, rcond=1e-12)[0]
 
 
 def _speed(model: MjModel, data: MjData, body: int, support: int) -> float:
-    motion = np.zeros(6)
-    carrier = np.zeros(6)
-    for moving, into in (
-        (body, motion),
-        (support, carrier),
-    ):  # rotation first, then translation
-        mujoco.mj_objectVelocity(
-            model, data, int(mujoco.mjtObj.mjOBJ_BODY), moving, into, 0
-        )
+    velocities = np.zeros((2, 6))  # Rotation comes first, then translation.
+    kind = int(mujoco.mjtObj.mjOBJ_BODY)
+    for moving, velocity in zip((body, support), velocities, strict=True):
+        mujoco.mj_objectVelocity(model, data, kind, moving, velocity, 0)
+    motion, carrier = velocities
     carried = carrier[3:] + np.cross(carrier[:3], data.xpos[body] - data.xpos[support])
     return np.linalg.norm(motion[3:] - carried)

@@ -1,4 +1,4 @@
-"""Where a scene says what: the elements of MJCF and URDF with their file, line and place in the text."""
+"""Locates elements of MJCF and URDF: their file, their line and their position."""
 
 import os
 from collections.abc import Iterator, Mapping
@@ -10,23 +10,23 @@ from xml.parsers import expat
 import mujoco
 
 GROUPS = ("frame", "replicate")
-"""Elements of a body that are no bodies of their own."""
+"""Elements within a body that group other elements."""
 
 
 @dataclass(frozen=True, eq=False)
 class Element:
-    """A tag as it stands in its file."""
+    """A tag of a file."""
 
     tag: str
     attributes: dict[str, str]
     file: Path
     line: int
     start: int
-    """Byte of the file at which it opens."""
+    """Position of its first byte in the file."""
     children: list["Element"] = field(default_factory=list)
 
     def walk(self) -> Iterator["Element"]:
-        """Yield it and all within it, in their order."""
+        """Yield this element and all elements within it, in the order of the file."""
         yield self
         for child in self.children:
             yield from child.walk()
@@ -36,11 +36,16 @@ class Element:
 
 
 Texts = Mapping[Path, bytes]
-"""What files are taken to hold, by their paths, in place of what they hold."""
+"""Contents that replace those of files, by path."""
 
 
 def parse(path: Path, root: Path | None = None, texts: Texts | None = None) -> Element:
-    """Return a file's first element, included ones in place of their tags; raises OSError and expat.ExpatError."""
+    """Return the root element of a file, with included files in place of their tags.
+
+    Raises:
+        OSError: The file cannot be read.
+        expat.ExpatError: The file is not XML.
+    """
     root = root or path.parent
     texts = texts or {}
     parser = expat.ParserCreate()
@@ -51,7 +56,8 @@ def parse(path: Path, root: Path | None = None, texts: Texts | None = None) -> E
         element = Element(
             tag, attributes, path, parser.CurrentLineNumber, parser.CurrentByteIndex
         )
-        # As IncludeXML of MuJoCo's xml.cc: the children of its root stand where the tag stood.
+        # Like IncludeXML in MuJoCo's xml.cc: the children of the included root element
+        # replace the tag.
         if tag == "include" and open_elements and "file" in attributes:
             open_elements[-1].children.extend(
                 _included(attributes["file"], path, root, texts)
@@ -63,16 +69,18 @@ def parse(path: Path, root: Path | None = None, texts: Texts | None = None) -> E
         open_elements.append(element)
 
     parser.StartElementHandler = start
-    parser.EndElementHandler = lambda _: open_elements.pop()
+
+    def end(_: str) -> None:
+        open_elements.pop()
+
+    parser.EndElementHandler = end
     parser.Parse(texts[path] if path in texts else path.read_bytes(), True)
     return roots[0]
 
 
 def _included(name: str, path: Path, root: Path, texts: Texts) -> list[Element]:
-    for folder in (
-        root,
-        path.parent,
-    ):  # MuJoCo's order: beside the first file, then beside the one that includes
+    # MuJoCo first looks beside the first file, then beside the one that includes.
+    for folder in (root, path.parent):
         file = Path(os.path.normpath(folder / name))
         if file.is_file():
             return parse(file, root, texts).children
@@ -80,7 +88,10 @@ def _included(name: str, path: Path, root: Path, texts: Texts) -> list[Element]:
 
 
 class Source:
-    """The elements of a scene's file, and which geom of the model stands where: if none fits, those that names tell."""
+    """The elements of a scene's file, with the geoms of the model that they define.
+
+    Elements and geoms are matched by order or, if the counts differ, by name.
+    """
 
     def __init__(self, root: Element | None, model: mujoco.MjModel):
         self.root = root
@@ -97,7 +108,7 @@ class Source:
 
     @cached_property
     def _placed(self) -> list[list[tuple[Element, str | None]]]:
-        """Return the geoms of each body with their classes, in the order of the file."""
+        """Return the geom elements and classes of each body, in the file's order."""
         if self.root is None or self.root.tag != "mujoco":
             return []
         worlds = [
@@ -111,22 +122,17 @@ class Source:
 
     @cached_property
     def geoms(self) -> dict[int, tuple[Element, str | None]]:
-        """Return element and class of the geoms whose place is known."""
+        """Return the element and the class of each geom that can be located."""
         bodies = self._placed
         model = self._model
         in_order = [geom for geoms in bodies for geom in geoms]
         names = [model.geom(index).name for index in range(model.ngeom)]
         if list(map(len, bodies)) == model.body_geomnum.tolist():
             authored = [element.attributes.get("name", "") for element, _ in in_order]
-            if all(
-                map(str.startswith, names, authored)
-            ):  # replicate appends to each name
+            # replicate appends to each name.
+            if all(map(str.startswith, names, authored)):
                 return dict(enumerate(in_order))
-        named = {
-            geom[0].attributes["name"]: geom
-            for geom in in_order
-            if "name" in geom[0].attributes
-        }
+        named = {geom[0].attributes.get("name"): geom for geom in in_order}
         return {index: named[name] for index, name in enumerate(names) if name in named}
 
     @cached_property
@@ -135,7 +141,8 @@ class Source:
 
         def visit(element: Element, outer: list[Element], name: str) -> None:
             chain = [element, *outer]
-            # A class may stand in several <default>, as where two files are included: the last says more.
+            # A class may have several <default> tags, for example in two included
+            # files; later ones override earlier ones.
             defaults[name] = chain + [
                 default for default in defaults.get(name, []) if default not in chain
             ]
@@ -147,15 +154,14 @@ class Source:
         return defaults
 
     def authored(self, geom: int, attribute: str) -> Element | None:
-        """Return the element that says a geom's attribute, its own or a default's; None where none does."""
+        """Return the element that sets an attribute of a geom, or None."""
         if geom not in self.geoms:
             return None
         element, name = self.geoms[geom]
         if attribute in element.attributes:
             return element
-        main = next(
-            iter(self._defaults.values()), []
-        )  # MJCF's first class counts for all, whatever its name
+        # The first class in MJCF applies to all geoms, whatever its name is.
+        main = next(iter(self._defaults.values()), [])
         for default in self._defaults.get(name, main) if name else main:
             for child in default.sections("geom"):
                 if attribute in child.attributes:
@@ -163,29 +169,24 @@ class Source:
         return None
 
     def geom(self, index: int) -> Element | None:
-        """Return a geom's own element."""
+        """Return the element of a geom."""
         return self.geoms[index][0] if index in self.geoms else None
 
     def option(self, attribute: str = "") -> Element | None:
-        """Return the ``<option>`` that says an attribute; any where none does, and None where there is none."""
-        options = (
-            list(self.root.sections("option"))
-            if self.root and self.root.tag == "mujoco"
-            else []
-        )
+        """Return the ``<option>`` that sets an attribute, or any if no one does."""
+        options = list(self.root.sections("option")) if self.root else []
         authoring = [
             element for element in options if attribute in element.attributes
         ] or options
-        return (
-            authoring[-1] if authoring else None
-        )  # of several MuJoCo's reader lets the last count
+        # If there are several, the last one counts in MuJoCo.
+        return authoring[-1] if authoring else None
 
     def key(self, index: int) -> Element | None:
-        """Return a ``<key>``."""
+        """Return the element of a keyframe."""
         return dict(enumerate(self._within("keyframe", "key"))).get(index)
 
     def pair(self, *names: str) -> Element | None:
-        """Return the ``<pair>`` of two geoms, by their names."""
+        """Return the ``<pair>`` that names two geoms."""
         pairs = self._within("contact", "pair")
         return next(
             (
@@ -204,7 +205,7 @@ class Source:
 def _bodies(
     element: Element, inherited: str | None
 ) -> Iterator[list[tuple[Element, str | None]]]:
-    """Yield the geoms of a body, and of those within it, with their classes."""
+    """Yield the geoms and classes of a body, then those of each body within it."""
     children = list(_children(element, element.attributes.get("childclass", inherited)))
     yield [
         (child, child.attributes.get("class", name))
@@ -219,7 +220,7 @@ def _bodies(
 def _children(
     element: Element, childclass: str | None
 ) -> Iterator[tuple[Element, str | None]]:
-    """Yield a body's children with their childclass; those of a replicate count as often as it says."""
+    """Yield the children of a body with their childclass, replicated if needed."""
     for child in element.children:
         if child.tag in GROUPS:
             for _ in range(

@@ -1,4 +1,4 @@
-"""Rules on what a scene does when it is stepped; each change that they name has been measured."""
+"""Rules on the motion of a stepped scene; each named change is measured."""
 
 import copy
 import math
@@ -16,47 +16,50 @@ from newton_lint.rest import ON_JOINT, at_rest, is_servo, rest_of, unposed
 from newton_lint.scene import HINGE, Scene, changed
 from newton_lint.stepped import MOST_DOFS, Run, contact_forces, free_joints, run_of
 
-# Speed that contacts can't give a body that lies or falls, and share of it that is left where a change mends it.
+# Contacts cannot give a resting or falling body this speed.
 THROWN_M_S = 0.5
+# A change mends a thrown body if less than this share of its speed remains.
 CALMER = 0.5
-# Overlap at the start from which it is looked at, also as a share of the smaller geom.
+# An overlap at the start is reported from this depth on [m].
 OVERLAP_M = 1e-3
+# It must also exceed this share of the radius of the smaller geom.
 OVERLAP_SHARE = 0.05
-# Times the weight of all from which a force in a robot is out of proportion, and steps that use up all iterations.
+# Bodies are jammed if a force exceeds this multiple of the total weight.
 FORCE = 100.0
+# The solver is at its limit if this share of the steps uses all iterations.
 LIMITED = 0.5
-# What more iterations have to change for their number to be a finding: depth and share, or 100 times that in m/s.
+# Too few iterations are reported if more of them reduce the depth by this [m], or a
+# speed by 100 times as much [m/s].
 DIFFERS_M = 1e-3
+# The depth must also change by this share.
 DIFFERS = 0.1
-# Speed from which a joint sags [m/s or rad/s], share of frictionloss that holds, and of the predicted speed.
+# A joint sags from this speed on [m/s or rad/s].
 SAG = 5e-3
+# Its friction force must be below this share of the frictionloss.
 HELD = 0.99
+# Its speed must be at least this share of the predicted speed.
 AGREES = 0.7
 DRY_FRICTION = int(mujoco.mjtConstraint.mjCNSTR_FRICTION_DOF)
 Way = tuple[MjModel, dict[str, str], str]
-"""A changed model, what of the change are options, and the rest of it in words."""
+"""A changed model, the changed options, and a text for the other changes."""
 ITERATED = ("solver", "thrown", "unstable")
 EFFECTS = ("depth", "equality", "limit", "servo", "tunnel")
-BASE = "on a base that moves MuJoCo leaves this contact out"
-"""Said of links of a piece, as a gripper or the base of a URDF, that is fixed to the world by itself alone."""
+BASE = "MuJoCo ignores this contact if the base can move"
+"""Ends a message about a robot or gripper that is fixed to the world by itself."""
 HELD_S = 2.0
-"""Time for which a change has to hold, from each start, before it is said to mend what blows up."""
+"""A change mends an unstable scene if the scene is stable for this time."""
 
 
 def stepped(scene: Scene, runs: Sequence[Run]) -> list[Finding]:
-    """Return what the runs show: what blows up, is thrown, overlaps, is pressed too hard or is not solved."""
+    """Return the findings on runs of a scene from its starts."""
     findings: dict[tuple, Finding] = {}
     if not runs:
-        return [
-            Finding(
-                "unstepped",
-                "",
-                "nv",
-                float(scene.model.nv),
-                f"move, and more than {MOST_DOFS} are not stepped",
-                severity="note",
-            )
-        ]
+        message = (
+            f"The scene has {scene.model.nv} degrees of freedom and is not stepped,"
+            f" because the limit is {MOST_DOFS}"
+        )
+        nv = float(scene.model.nv)
+        return [Finding("unstepped", "", "nv", nv, message=message, severity="note")]
     for index, run in enumerate(runs):
         rest = None if run.bad else rest_of(scene.model, run.data, run.start)
         ill_posed = list(unposed(scene.model, run.start))
@@ -68,7 +71,8 @@ def stepped(scene: Scene, runs: Sequence[Run]) -> list[Finding]:
             *_sagging(scene, run),
         ]
         items += at_rest(scene, run, rest) if rest else ()
-        # What the solver leaves overlapping is no fault of the places, nor what an overlap jams one of what gives.
+        # Overlaps that the solver leaves are not faults of the initial positions, and
+        # effects of a jam are not faults of their own.
         unsolved = any(
             "iterations=" in str(item.advice) for item in items if item.rule in ITERATED
         )
@@ -94,36 +98,37 @@ def stepped(scene: Scene, runs: Sequence[Run]) -> list[Finding]:
 
 
 def _ways(scene: Scene, data: MjData, limited: bool) -> Iterator[Way]:
-    """Yield changes that may calm a scene: options, then what servos bear whose force turns too fast for the step."""
+    """Yield changes that may stabilize a scene: options, then servo parameters."""
     model = scene.model
-    half = 0.5 * scene.model.opt.timestep
+    half = 0.5 * model.opt.timestep
     if limited:
         more = max(3, 10 * model.opt.iterations)
         yield changed(model, iterations=more), {"iterations": str(more)}, ""
-    # Euler integrates what depends on velocity explicitly, but for the damping of joints.
+    # Euler integrates velocity-dependent forces explicitly, except joint damping.
     implicit = {"integrator": "implicitfast"} if model.opt.integrator == EULER else {}
     if implicit:
         yield changed(model, integrator=IMPLICITFAST), implicit, ""
     stiff = _stiff(model, data)
-    for what in ("kv", "kp", "armature") if stiff else ():
+    for name in ("kv", "kp", "armature") if stiff else ():
         after = (
             changed(model, integrator=IMPLICITFAST)
-            if implicit and what == "kv"
+            if implicit and name == "kv"
             else copy.copy(model)
         )
-        yield after, implicit if what == "kv" else {}, _calmed(after, stiff, what)
+        yield after, implicit if name == "kv" else {}, _calmed(after, stiff, name)
     yield changed(model, timestep=half), {"timestep": f"{half:g}"}, ""
-    yield (
-        changed(model, timestep=0.5 * half),
-        {},
-        f"a quarter of the time step, {0.5 * half:g},",
-    )
+    shorter = changed(model, timestep=0.5 * half)
+    yield shorter, {}, f"a timestep of {0.5 * half:g}"
 
 
 def _stiff(model: MjModel, data: MjData) -> list[tuple[int, int, float, float]]:
-    """Return servos with kp h²/m beyond 1, with their dof, that number, and the mass m [kg or kg m²] of the dof.
+    """Return servos whose kp h²/m is above 1.
 
-    Implicit integrators bear 4 + 2 kv h/m, with any kp from kv = kp h/2 on; Euler 4 - 2 kv h/m.
+    Implicit integrators are stable up to 4 + 2 kv h/m, and with any kp if kv is at
+    least kp h/2. Euler is stable up to 4 - 2 kv h/m.
+
+    Returns:
+        Servo, dof, kp h²/m, and the mass or inertia m of the dof [kg or kg m²].
     """
     mujoco.mj_forward(model, data)
     stiff = []
@@ -142,16 +147,16 @@ def _stiff(model: MjModel, data: MjData) -> list[tuple[int, int, float, float]]:
 
 
 def _calmed(
-    model: MjModel, stiff: Sequence[tuple[int, int, float, float]], what: str
+    model: MjModel, stiff: Sequence[tuple[int, int, float, float]], name: str
 ) -> str:
-    """Change what is too stiff, and say how: damping with which implicitfast bears it, or kp or inertia that any do."""
+    """Change a parameter of stiff servos until the step is stable, and describe it."""
     texts = []
     more = ""
     for servo, dof, ratio, mass in stiff:
-        if what == "kv":
+        if name == "kv":
             value = model.actuator_gainprm[servo, 0] * model.opt.timestep
             model.actuator_biasprm[servo, 2] = -value
-        elif what == "kp":
+        elif name == "kp":
             model.actuator_gainprm[servo, 0] /= ratio
             model.actuator_biasprm[servo, 1:3] /= ratio
             value = model.actuator_gainprm[servo, 0]
@@ -160,50 +165,59 @@ def _calmed(
         else:
             model.dof_armature[dof] += (ratio - 1.0) * mass
             value = model.dof_armature[dof]
-        texts.append(
-            f'{what}="{value:.3g}"{more} on {model.joint(model.dof_jntid[dof]).name or f"dof {dof}"}'
-        )
+        joint = model.joint(model.dof_jntid[dof]).name or f"dof {dof}"
+        texts.append(f'{name}="{value:.3g}"{more} on {joint}')
     return ", ".join(texts)
 
 
 def _unstable(scene: Scene, runs: Sequence[Run]) -> Iterator[Finding]:
-    """Yield what blows up, is thrown or is not solved in the first of the runs; the others follow it."""
+    """Yield a finding if the first run blows up, throws a body or is not solved.
+
+    Args:
+        runs: The run in question, then those from later starts.
+    """
     run = runs[0]
     model = scene.model
-    opt = scene.model.opt
+    opt = model.opt
     fast = run.thrown_m_s.max(initial=0.0)
     begin = run.start.data(model)
 
     def mended(good: Callable[[Run], bool], time_s: float = HELD_S) -> Advice | None:
-        """Return the change that leaves a good run of some time from each start."""
+        """Return the changes that give a good run of some time from each start."""
         advices: list[Advice] = []
         for after, options, text in _ways(scene, begin, run.at_limit > LIMITED):
             others = runs[:1] if time_s < HELD_S else runs
             tried = (run_of(after, other.start, time_s) for other in others)
             if all(good(again) and again.time_s > 0.99 * time_s for again in tried):
-                calms = "calms it, measured over 2 s"
-                advices.append(
-                    for_option(scene, options, f"{text} {calms}" if text else calms)
-                )
+                effect = "calms it (measured, 2 s)"
+                if options and text:
+                    effect = f"together with {text} {effect}"
+                elif text:
+                    effect = f"Set {text}: this {effect}"
+                advices.append(for_option(scene, options, effect))
         return either(*advices[:3]) if advices else None
 
     if run.bad:
         advice = mended(lambda after: not after.bad)
-        message = f"after {run.time_s:.3g} s from {run.start} accelerations become infinite, and MuJoCo starts anew"
+        message = (
+            f"The simulation blows up after {run.time_s:.3g} s from {run.start.name}:"
+            " accelerations become infinite, and MuJoCo resets the state"
+        )
         for servo, _, ratio, _ in _stiff(model, begin)[:1]:
-            name = (
-                model.actuator(servo).name
-                or model.joint(model.actuator_trnid[servo, 0]).name
+            joint = model.joint(model.actuator_trnid[servo, 0])
+            name = model.actuator(servo).name or joint.name
+            most = "4 - 2 kv·h/m" if opt.integrator == EULER else "4 + 2 kv·h/m"
+            message += (
+                f"; servo {name} has a kp·h²/m of {ratio:.3g}, and the time step is"
+                f" stable only up to {most}"
             )
-            bears = "4 - 2 kv·h/m" if opt.integrator == EULER else "4 + 2 kv·h/m"
-            message += f": servo {name} has a kp·h²/m of {ratio:.3g}, and the step bears {bears}"
         element = advice.changes[0].element if advice and advice.changes else None
         yield Finding(
             "unstable",
             "",
             "",
             run.time_s,
-            message,
+            message=message,
             severity="error",
             element=element,
             advice=advice,
@@ -217,7 +231,8 @@ def _unstable(scene: Scene, runs: Sequence[Run]) -> Iterator[Finding]:
             scene.bodies[body],
             "speed",
             fast,
-            f"is what contacts throw it off with from {run.start}, and nothing else drives it",
+            message="$shape flies off at $value because contacts throw it"
+            f" (from {run.start.name}); nothing else drives it",
             unit="m/s",
             severity="error",
             advice=mended(
@@ -232,26 +247,31 @@ def _unstable(scene: Scene, runs: Sequence[Run]) -> Iterator[Finding]:
             run.deepest_m - after.deepest_m > max(DIFFERS_M, DIFFERS * run.deepest_m)
             or calmer > 100.0 * DIFFERS_M
         ):
-            gain = f"deepest contact {M * run.deepest_m:.3g} → {M * after.deepest_m:.3g} mm"
+            gain = (
+                f"reduces the deepest contact from {M * run.deepest_m:.3g} to"
+                f" {M * after.deepest_m:.3g} mm (measured)"
+            )
             yield Finding(
                 "solver",
                 "",
                 "iterations",
                 float(opt.iterations),
-                f"are used up in {run.at_limit:.0%} of the steps from {run.start}, and contacts are not solved",
+                message=f"The solver uses all $value iterations in {run.at_limit:.0%}"
+                f" of the steps from {run.start.name}, so contacts are not solved",
                 element=scene.source.option("iterations"),
                 advice=for_option(scene, {"iterations": more}, gain),
             )
 
 
 def _overlapping(scene: Scene, run: Run) -> Iterator[Finding]:
-    """Yield bodies that overlap at the start: as a warning where they are still jammed or thrown apart by it."""
+    """Yield bodies that overlap at the start.
+
+    It is a warning if they are jammed or thrown apart, otherwise a note.
+    """
     model = scene.model
-    body_of = scene.model.geom_bodyid
+    body_of = model.geom_bodyid
     touching = np.sort(body_of[run.data.contact.geom], axis=1)
-    forces = contact_forces(model, run.data, range(len(touching)))[:, 0] * (
-        0.0 if run.bad else 1.0
-    )
+    forces = contact_forces(model, run.data, range(len(touching)))[:, 0]
     fast = dict(
         zip(
             model.jnt_bodyid[free_joints(model)].tolist(),
@@ -264,16 +284,15 @@ def _overlapping(scene: Scene, run: Run) -> Iterator[Finding]:
     is_piece = (root is not None and root.tag == "robot") or len(
         {*model.body_rootid[body_of].tolist()}
     ) == 1
-    worst: dict[tuple[int, int], tuple[float, tuple[int, int]]] = {}
+    worst: dict[tuple[int, ...], tuple[float, tuple[int, int]]] = {}
     for pair, depth in run.first.items():
-        sizes = [
-            model.geom_rbound[geom] for geom in pair if model.geom_rbound[geom] > 0.0
-        ]
+        # A plane has the radius 0.
+        sizes = filter(None, model.geom_rbound[list(pair)].tolist())
         if depth > max(OVERLAP_M, OVERLAP_SHARE * min(sizes, default=0.0)):
-            bodies = min(body_of[list(pair)]), max(body_of[list(pair)])
+            bodies = tuple(sorted(body_of[list(pair)].tolist()))
             worst[bodies] = max(worst.get(bodies, (0.0, pair)), (depth, pair))
     loose = (bodies for bodies in worst if scene.free[list(bodies)].all())
-    # A heap of loose bodies is for code to scatter: one pair stands for all.
+    # A heap of loose bodies is probably scattered by code, so one pair represents it.
     heap = sorted(
         loose,
         key=lambda bodies: (
@@ -285,92 +304,97 @@ def _overlapping(scene: Scene, run: Run) -> Iterator[Finding]:
         if bodies in heap[:-1]:
             continue
         force = forces[(touching == bodies).all(axis=1)].sum()
-        jammed = weight > 0.0 and force > FORCE * weight
+        jammed = not run.bad and weight > 0.0 and force > FORCE * weight
         thrown = max(fast.get(int(model.body_weldid[body]), 0.0) for body in bodies)
         hard = jammed or run.bad or thrown > THROWN_M_S
-        one_tree = model.body_rootid[bodies[0]] == model.body_rootid[
-            bodies[1]
-        ] or not any(scene.free[list(bodies)])
+        root1, root2 = model.body_rootid[list(bodies)]
+        one_tree = root1 == root2 or not scene.free[list(bodies)].any()
         names = [scene.bodies[body] for body in bodies]
         margin = (
-            " with their margin"
+            " including their margin"
             if model.geom_margin[list(pair)].any() or model.pair_margin.any()
             else ""
         )
         more = f" (the fastest of {len(heap)} pairs)" if bodies in heap[1:] else ""
-        message = f"is how deep they overlap{margin} at {run.start}{more}"
+        message = (
+            f"$shapes and $against overlap by $value{margin} at {run.start.name}{more}"
+        )
         if jammed:
-            message += f": {force:.3g} N press them apart, {force / weight:.3g} times the weight of all that moves"
+            message += (
+                f"; {force:.3g} N press them apart, {force / weight:.3g} times the"
+                " weight of all moving bodies"
+            )
         elif thrown > THROWN_M_S:
-            message += f": it throws them apart at {thrown:.2g} m/s"
+            message += f"; this throws them apart at {thrown:.2g} m/s"
         first, second = model.body_weldid[list(bodies)].tolist()
-        if (
-            is_piece and first == 0 == model.body_weldid[model.body_parentid[second]]
-        ):  # filterBodyPair
+        # filterBodyPair
+        if is_piece and first == 0 == model.body_weldid[model.body_parentid[second]]:
             message += f"; {BASE}"
         exclude = Advice(
-            f'<exclude body1="{names[0]}" body2="{names[1]}"/> in <contact> lets them pass through each other',
+            "lets them pass through each other",
             (Change("exclude", (("body1", names[0]), ("body2", names[1]))),),
         )
-        apart = Advice(
-            f"{margin and 'lower the margin, or '}move one by {M * depth:.3g} mm"
-        )
+        move = "Lower the margin, or move" if margin else "Move"
+        apart = Advice(f"{move} one of them by {M * depth:.3g} mm")
         shape, partner = (scene.names[geom] for geom in pair)
         yield Finding(
             "overlap",
             shape,
             "overlap",
             M * depth,
-            message,
-            (partner,),
-            None,
-            "mm",
-            "warning" if hard else "note",
-            scene.source.geom(pair[1]) or scene.source.geom(pair[0]),
-            exclude if one_tree else apart,
+            message=message,
+            against=(partner,),
+            unit="mm",
+            severity="warning" if hard else "note",
+            element=scene.source.geom(pair[1]) or scene.source.geom(pair[0]),
+            advice=exclude if one_tree else apart,
         )
 
 
 def _sagging(scene: Scene, run: Run) -> Iterator[Finding]:
-    """Yield joints that dry friction holds, and that creep as contacts do."""
+    """Yield joints that dry friction should hold, but that creep as contacts do."""
     model = scene.model
     sags = _sags(model, run)
-    later = (
-        _sags(model, run_of(model, run.start, HELD_S)) if sags else {}
-    )  # what a weld draws to its place rests
+    # A joint that a weld draws to its place comes to rest later.
+    later = _sags(model, run_of(model, run.start, HELD_S)) if sags else {}
     for dof, rate in sags.items():
         if later.get(dof, 0.0) <= AGREES * rate:
             continue
         joint = model.joint(model.dof_jntid[dof])
-        unit, scale = (
-            ("°/s", math.degrees(1.0)) if joint.type[0] == HINGE else ("mm/s", M)
-        )
+        is_hinge = joint.type[0] == HINGE
+        unit = "°/s" if is_hinge else "mm/s"
+        scale = math.degrees(1.0) if is_hinge else M
         advice = Advice(
-            gain := 'solimpfriction="0.999 0.999 0.001" on the joint slows it 100 times'
+            'Set solimpfriction="0.999 0.999 0.001" on the joint: this slows it about'
+            " 100 times in all engines"
         )
         if scene.engine.name == "mujoco":
             again = run_of(changed(model, noslip_iterations=10), run.start, run.time_s)
             after = _sags(model, again).get(dof, 0.0)
-            slower = f"{scale * rate:.3g} → {scale * after:.3g} {unit}, in MuJoCo C"
-            advice = for_option(
-                scene,
-                {"noslip_iterations": "10"},
-                f"{slower}; or {gain}, in all engines",
-            )
-        bears = f"{abs(run.data.qfrc_bias[dof]):.3g} of the {model.dof_frictionloss[dof]:.3g}"
+            gain = f"reduces it to {scale * after:.3g} {unit} in MuJoCo C (measured)"
+            noslip = for_option(scene, {"noslip_iterations": "10"}, gain)
+            advice = either(noslip, advice)
+        load = abs(run.data.qfrc_bias[dof])
+        loss = model.dof_frictionloss[dof]
         yield Finding(
             "sag",
             joint.name or f"joint_{joint.id}",
             "speed",
             scale * rate,
-            f"is how fast it gives way to {bears} that frictionloss can bear, from {run.start}, at any impratio",
+            message=f"$shape sags at $value under a load of {load:.3g} although its"
+            f" frictionloss is {loss:.3g} (from {run.start.name}); impratio has no"
+            " effect",
             unit=unit,
             advice=advice,
         )
 
 
 def _sags(model: MjModel, run: Run) -> dict[int, float]:
-    """Return speeds of joints that move as fast as their friction gives way to less than it can bear [m/s or rad/s]."""
+    """Return the speeds of sagging joints by dof [m/s or rad/s].
+
+    A joint sags if it moves at the speed at which its friction row yields to a force
+    that is below its frictionloss.
+    """
     data = run.data
     speeds = {}
     driven = model.jnt_dofadr[

@@ -1,4 +1,4 @@
-"""What a scene does when MuJoCo C steps it from its start and its keyframes."""
+"""Steps a scene in MuJoCo C from its start and its keyframes, and records the runs."""
 
 import time
 from collections.abc import Sequence
@@ -12,13 +12,16 @@ from newton_lint.scene import FREE, WEIGHTLESS
 from newton_lint.settle import started
 from newton_lint.target import Target
 
-# Time that a scene is stepped by each call, and time of the processor after which a run stops where it is.
+# A scene is stepped for this time by default.
 STEPPED_S = 0.2
+# A run stops early after this processor time.
 BUDGET_S = 5.0
-# What moves in more ways is not stepped: a step takes seconds.
+# A scene is stepped from at most this many starts.
 MOST_STARTS = 4
+# Scenes with more degrees of freedom are not stepped: a step takes seconds.
 MOST_DOFS = 3000
-# After one of them mj_checkPos and mj_checkAcc reset the state, which then looks sound: only the count stays.
+# After these warnings mj_checkPos and mj_checkAcc reset the state, which then looks
+# valid; only their counts remain.
 BAD = [
     int(getattr(mujoco.mjtWarning, f"mjWARN_BAD{name}"))
     for name in ("QPOS", "QVEL", "QACC")
@@ -27,19 +30,16 @@ BAD = [
 
 @dataclass(frozen=True)
 class Start:
-    """A state that a scene, and any variant of it, can start from."""
+    """A state from which a scene, or any variant of it, can start."""
 
     name: str
     key: int | None = None
-    """Its keyframe; None of another state."""
+    """Its keyframe, or None."""
     state: MjData | None = None
-    """The state that a function returned."""
-
-    def __str__(self) -> str:
-        return self.name
+    """The state that a function returned, or None."""
 
     def data(self, model: MjModel) -> MjData:
-        """Return a model in this state."""
+        """Return data of a model in this state."""
         if self.state is not None:
             return started(model, self.state)
         data = MjData(model)
@@ -50,34 +50,37 @@ class Start:
 
 @dataclass(frozen=True)
 class Run:
-    """A run of a scene from one state."""
+    """The record of a scene that was stepped from one start."""
 
     start: Start
     time_s: float
-    """How long it was stepped; less where it blew up or took too long."""
+    """Simulated time; shorter if the scene blew up or took too long."""
     bad: bool
-    """Whether it blew up."""
+    """Whether the scene blew up."""
     first: dict[tuple[int, int], float]
     """Deepest overlap of each pair of geoms at the start [m]."""
     deepest_m: float
-    """Of all contacts at all times."""
+    """Deepest contact over the whole run."""
     late_m: float
-    """Of those after the first third."""
+    """Deepest contact after the first third of the run."""
     rise_m2_s2: np.ndarray
-    """Of each free body the most energy that it gained [J/kg]."""
+    """Largest gain in energy of each free body [J/kg]."""
     speeds_m_s: np.ndarray
-    """Of each free body at the end."""
+    """Speed of each free body at the end."""
     at_limit: float
-    """Share of the steps in which the solver used up its iterations."""
+    """Share of the steps in which the solver used all its iterations."""
     effort: float
-    """Steps and half the solver's iterations in a simulated second, which no clock of a busy machine blurs."""
+    """Steps plus half the solver's iterations per simulated second.
+
+    Unlike a time, it does not depend on the load of the machine.
+    """
     cost_s: float
-    """Time of the processor that it takes."""
+    """Processor time per simulated second."""
     data: MjData = field(compare=False, repr=False)
 
     @property
     def thrown_m_s(self) -> np.ndarray:
-        """Return speed of each free body that nothing but contacts can have given it."""
+        """Return the speed of each free body that only contacts can have caused."""
         return np.sqrt(2.0 * np.maximum(self.rise_m2_s2, 0.0))
 
 
@@ -86,7 +89,7 @@ def free_joints(model: MjModel) -> np.ndarray:
 
 
 def starts(model: MjModel, target: Target) -> list[Start]:
-    """Return the states that a scene can start from: the one that a function returns, or its own and its keyframes."""
+    """Return the starts of a scene: the given state, or the default and keyframes."""
     if target.data is not None:
         return [Start("the given state", state=target.data)]
     keys = range(min(model.nkey, MOST_STARTS - 1))
@@ -97,14 +100,14 @@ def starts(model: MjModel, target: Target) -> list[Start]:
 
 
 def runs_of(model: MjModel, target: Target, time_s: float = STEPPED_S) -> list[Run]:
-    """Step a scene from each of its starts; none where a step would take seconds."""
+    """Step a scene from each of its starts, or return [] if a step takes too long."""
     if model.nv > MOST_DOFS:
         return []
     return [run_of(model, start, time_s) for start in starts(model, target)]
 
 
 def run_of(model: MjModel, start: Start, time_s: float) -> Run:
-    """Step a model from a start, and return what it did."""
+    """Step a model from a start and return the record of the run."""
     data = start.data(model)
     mujoco.mj_forward(model, data)
     first = overlaps(data)
@@ -130,7 +133,7 @@ def run_of(model: MjModel, start: Start, time_s: float) -> Run:
         now_m = deepest_of(data)
         deepest = max(deepest, now_m)
         late = max(late, now_m) if 3 * step > count else late
-        iterations = data.solver_niter  # of each island, those that are not there 0
+        iterations = data.solver_niter  # One number per island, 0 for unused ones.
         limited = limited + (iterations.max() >= most)
         solved = solved + iterations.sum()
         if bad := is_bad(data):
@@ -140,45 +143,44 @@ def run_of(model: MjModel, start: Start, time_s: float) -> Run:
             break
     reached = step * model.opt.timestep
     return Run(
-        start,
-        reached,
-        bad,
-        first,
-        deepest,
-        late,
-        rise,
-        np.linalg.norm(data.qvel[speeds], axis=1),
-        limited / step,
-        (step + 0.5 * solved) / reached,
-        (time.process_time() - since) / reached,
-        data,
+        start=start,
+        time_s=reached,
+        bad=bad,
+        first=first,
+        deepest_m=deepest,
+        late_m=late,
+        rise_m2_s2=rise,
+        speeds_m_s=np.linalg.norm(data.qvel[speeds], axis=1),
+        at_limit=limited / step,
+        effort=(step + 0.5 * solved) / reached,
+        cost_s=(time.process_time() - since) / reached,
+        data=data,
     )
 
 
 def is_bad(data: MjData) -> bool:
-    """Tell whether a state blew up."""
+    """Return whether the simulation blew up."""
     return any(data.warning[number].number for number in BAD)
 
 
 def deepest_of(data: MjData) -> float:
-    """Return how deep the deepest contact is [m]; 0 where none is pressed in."""
-    return (
-        -data.contact.dist.min(initial=0.0) if data.ncon else 0.0
-    )  # dist is below 0 inside
+    """Return the depth of the deepest contact [m], which is 0 if there is none."""
+    # dist is negative inside.
+    return -data.contact.dist.min(initial=0.0) if data.ncon else 0.0
 
 
 def overlaps(data: MjData) -> dict[tuple[int, int], float]:
-    """Return the deepest contact of each pair of geoms that press each other, from their margin on."""
+    """Return the largest overlap of each pair of geoms, including their margins [m]."""
     deepest: dict[tuple[int, int], float] = {}
     depths = data.contact.includemargin - data.contact.dist
     for pair, depth in zip(data.contact.geom.tolist(), depths.tolist(), strict=True):
-        if depth > 0.0 <= min(pair):  # a flex has the geom -1
+        if depth > 0.0 <= min(pair):  # A flex has the geom -1.
             deepest[tuple(pair)] = max(depth, deepest.get(tuple(pair), 0.0))
     return deepest
 
 
 def contact_forces(model: MjModel, data: MjData, contacts: Sequence[int]) -> np.ndarray:
-    """Return what contacts bear along their axes, force and torque; zeros of those that bear nothing."""
+    """Return force and torque of contacts in their frames, shape [contact_count, 6]."""
     forces = np.zeros((len(contacts), 6))
     for index, force in zip(contacts, forces, strict=True):
         mujoco.mj_contactForce(model, data, index, force)

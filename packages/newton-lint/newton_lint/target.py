@@ -1,4 +1,4 @@
-"""Reading what is to be linted: a file, or a function that returns a model of MuJoCo's or Newton's."""
+"""Reads a target: a file, or a function that returns a MuJoCo or Newton model."""
 
 import contextlib
 import importlib
@@ -20,35 +20,38 @@ MUJOCOS = (".xml", ".urdf")
 USD = (".usd", ".usda", ".usdc", ".usdz")
 ENDINGS = (*MUJOCOS, *USD)
 ROOTS = re.compile(rb"<(mujoco|robot)[\s>/]")
-"""One of them is in a file that a folder is searched for; ``<mujocoinclude>`` is no root."""
+"""Matches the root of a scene, which ``<mujocoinclude>`` is not."""
 INCLUDE = re.compile(rb"""<include\s[^>]*file\s*=\s*["']([^"']+)""")
 NEWTONS = "newton_lint.newton_models.report"
-NEEDS_NEWTON = "takes Newton and what it reads meshes and USD with: pip install 'newton-lint[newton]'"
 
 
 @dataclass(frozen=True)
 class Target:
-    """What is linted."""
+    """A scene to lint."""
 
     name: str
     model: MjModel | None
-    """None of a Newton model."""
+    """The MuJoCo model; None for a Newton model."""
     newton_model: Any = None
-    """A finalized ``newton.Model``, where the target is one or is read by Newton."""
+    """A finalized ``newton.Model``, if Newton reads the target."""
     path: Path | None = None
-    """The file of MJCF or URDF."""
+    """The MJCF or URDF file."""
     data: MjData | None = None
-    """A state that a function returns beside its model."""
+    """The state that a function returns together with its model."""
     texts: Mapping[Path, bytes] = field(default_factory=dict)
-    """What files are taken to hold in place of what they do, where a change is tried."""
+    """Contents that replace those of files while a change is tried."""
 
 
 class TargetError(Exception):
-    """A target that cannot be linted, said in one line."""
+    """A target cannot be linted. The message is one line."""
 
 
 def targets_of(names: Sequence[str], exclude: Sequence[str] = ()) -> Iterator[str]:
-    """Yield the targets, folders replaced by the scenes in them that are not hidden; TargetError where one has none."""
+    """Yield the targets, with each folder replaced by the scenes in it.
+
+    Raises:
+        TargetError: A folder has no scene.
+    """
     for name in names:
         if not Path(name).is_dir() or Path(name).suffix.lower() in ENDINGS:
             yield name
@@ -69,28 +72,33 @@ def targets_of(names: Sequence[str], exclude: Sequence[str] = ()) -> Iterator[st
         }
         scenes = [path for path in files if path not in excluded and _is_scene(path)]
         if not scenes:
-            raise TargetError(f"{name}: has no scene")
-        # MJCF that others include has <mujoco> as its root too, and is read with them.
+            raise TargetError(f"{name}: this folder has no scene")
+        # Included MJCF has <mujoco> as its root too, but it is read with its scene.
         pieces = {piece for path in scenes for piece in _included(path)}
         yield from (str(path) for path in scenes if path.resolve() not in pieces)
 
 
 def _is_scene(path: Path) -> bool:
-    is_readable = path.suffix.lower() in MUJOCOS and os.access(
-        path, os.R_OK
-    )  # or it is said when it is read
+    # A file that cannot be read raises an error later.
+    is_readable = path.suffix.lower() in MUJOCOS and os.access(path, os.R_OK)
     return not is_readable or bool(ROOTS.search(path.read_bytes()))
 
 
 def _included(path: Path) -> Iterator[Path]:
-    """Yield the files that a scene includes, which may be no scenes of their own."""
+    """Yield the files that a scene includes."""
     with contextlib.suppress(OSError):
         for match in INCLUDE.finditer(path.read_bytes()):
             yield (path.parent / match[1].decode(errors="replace")).resolve()
 
 
 def read_target(target: str) -> Target:
-    """Return the model at a target, or raise TargetError; what is printed meanwhile goes to the standard error."""
+    """Return the scene at a target.
+
+    Output that is printed meanwhile goes to standard error.
+
+    Raises:
+        TargetError: There is no scene at the target.
+    """
     path = Path(target)
     with contextlib.redirect_stdout(sys.stderr):
         if path.suffix.lower() in ENDINGS:
@@ -98,35 +106,38 @@ def read_target(target: str) -> Target:
         if ":" in target:
             return _of(target, _returned(target))
     raise TargetError(
-        f"{target}: is none of FILE.xml, FILE.urdf, FILE.usd, FILE.py:function and module:function"
+        f"{target}: expected FILE.xml, FILE.urdf, FILE.usd, FILE.py:function or"
+        " module:function"
     )
 
 
 def _read_file(target: str, path: Path) -> Target:
     if not path.is_file() or not os.access(path, os.R_OK):
         raise TargetError(
-            f"{path}: {'cannot be read' if path.exists() else 'there is no such file'}"
+            f"{path}: the file"
+            f" {'cannot be read' if path.exists() else 'does not exist'}"
         )
     if path.suffix.lower() in USD:
         return Target(target, None, newtons(target, NEWTONS, "imported", path))
     try:
         return Target(target, compiled(path), path=path)
-    except (
-        ValueError,
-        TypeError,
-        mujoco.FatalError,
-    ) as error:  # a TypeError of a name that is no text
+    # MuJoCo raises a TypeError for a path that is not text.
+    except (ValueError, TypeError, mujoco.FatalError) as error:
         raise TargetError(f"{path}: MuJoCo refuses it: {_line(error)}") from error
 
 
 def tried(target: Target, texts: Mapping[Path, bytes]) -> Target:
-    """Return a target as it would be if files held other texts; a ValueError where MuJoCo refuses it."""
-    assert target.path is not None  # only what a file describes is changed
+    """Return a target with other file contents; ValueError if MuJoCo refuses them."""
+    assert target.path is not None  # Only scenes that come from a file are changed.
     return replace(target, model=compiled(target.path, texts), texts=texts)
 
 
 def compiled(path: Path, texts: Mapping[Path, bytes] | None = None) -> MjModel:
-    """Compile a file, or texts in place of what files hold; a ValueError where MuJoCo refuses it."""
+    """Compile a file, with other contents if given.
+
+    Raises:
+        ValueError: MuJoCo refuses the file.
+    """
     try:
         return MjModel.from_xml_path(
             str(path), {str(file): text for file, text in (texts or {}).items()}
@@ -134,17 +145,18 @@ def compiled(path: Path, texts: Mapping[Path, bytes] | None = None) -> MjModel:
     except ValueError:
         if texts:
             raise
-        # Sensors and textures decide nothing, and a scene is often copied without its pictures.
-        with contextlib.suppress(Exception):  # before MuJoCo 3.3.4 MjSpec has no delete
+        # Sensors and textures affect no rule, and scenes often lack their textures.
+        with contextlib.suppress(
+            Exception
+        ):  # MjSpec has no delete before MuJoCo 3.3.4.
             return _without_pictures(mujoco.MjSpec.from_file(str(path)))
         raise
 
 
 def _without_pictures(spec: Any) -> MjModel:
     for material in spec.materials:
-        material.textures = [""] * len(
-            material.textures
-        )  # or spec.compile asks for what is deleted
+        # Otherwise spec.compile would look for the deleted textures.
+        material.textures = [""] * len(material.textures)
     for unread in (*spec.sensors, *spec.textures):
         spec.delete(unread)
     return spec.compile()
@@ -160,21 +172,26 @@ def _returned(target: str) -> Any:
             else vars(importlib.import_module(name))
         )
         return names[function]()
-    except (Exception, SystemExit) as error:  # the code is the user's
+    except (Exception, SystemExit) as error:  # This is the user's code.
         raise TargetError(
-            f"{target}: gives no model: {type(error).__name__}: {_line(error)}"
+            f"{target}: the function failed with {type(error).__name__}: {_line(error)}"
         ) from error
     finally:
         sys.path.pop(0)
 
 
 def _of(target: str, scene: Any) -> Target:
-    """Return a target of what a function returns: a model, an MjSpec, or a model with its data, or what has them."""
+    """Return the target for the return value of a function.
+
+    It may be a model, an MjSpec, a tuple of a model and its data, or an object that has
+    both.
+    """
     data = None
     if isinstance(scene, tuple) and len(scene) == 2:
         scene, data = scene
     elif hasattr(scene, "model") and hasattr(scene, "data"):
-        scene, data = scene.model, scene.data
+        data = scene.data
+        scene = scene.model
     if hasattr(scene, "compile") and hasattr(scene, "worldbody"):
         try:
             scene = scene.compile()
@@ -185,19 +202,27 @@ def _of(target: str, scene: Any) -> Target:
     if "newton" in sys.modules and newtons(target, NEWTONS, "is_model", scene):
         return Target(target, None, scene)
     raise TargetError(
-        f"{target}: returns a {type(scene).__name__}, and no model of MuJoCo's or Newton's"
+        f"{target}: the function returned a {type(scene).__name__}, not a MuJoCo or"
+        " Newton model"
     )
 
 
 def newtons(target: str, module: str, function: str, *arguments: Any) -> Any:
-    """Ask the part for Newton's models, which takes seconds to import; TargetError where Newton is missing or fails."""
+    """Call a function of the modules for Newton, which take seconds to import.
+
+    Raises:
+        TargetError: Newton is missing or cannot read the target.
+    """
     try:
         return attrgetter(function)(importlib.import_module(module))(*arguments)
     except ImportError as error:
-        raise TargetError(f"{target}: {NEEDS_NEWTON} ({_line(error)})") from error
+        raise TargetError(
+            f"{target}: this needs Newton and its importers:"
+            f" pip install 'newton-lint[newton]' ({_line(error)})"
+        ) from error
     except (
         Exception
-    ) as error:  # whatever the importers meet in a file that is none of theirs
+    ) as error:  # The importers raise any kind for a file they don't know.
         raise TargetError(
             f"{target}: cannot be read: {type(error).__name__}: {_line(error)}"
         ) from error

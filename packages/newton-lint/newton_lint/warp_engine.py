@@ -1,4 +1,4 @@
-"""MuJoCo Warp, which is asked where it is installed: what it refuses, and whether it has the noslip pass."""
+"""Asks MuJoCo Warp, if it is installed, which models and options it supports."""
 
 import contextlib
 import importlib
@@ -12,10 +12,11 @@ from newton_lint.target import TargetError
 
 @contextlib.contextmanager
 def muted_standard_error() -> Iterator[None]:
-    """Mute Warp's library: of a machine without a GPU it warns, and the lint takes none."""
+    """Suppress standard error, where Warp warns about a missing GPU."""
     terminal = os.dup(2)
     nowhere = os.open(os.devnull, os.O_WRONLY)
-    os.dup2(nowhere, 2)  # the descriptor: a library in C knows no sys.stderr
+    # A library in C writes to the descriptor, not to sys.stderr.
+    os.dup2(nowhere, 2)
     try:
         yield
     finally:
@@ -25,7 +26,11 @@ def muted_standard_error() -> Iterator[None]:
 
 
 def refusal(model: mujoco.MjModel) -> str:
-    """Return why ``put_model`` refuses a model, empty where it takes it; TargetError without MuJoCo Warp."""
+    """Return why ``put_model`` refuses a model, or an empty string if it does not.
+
+    Raises:
+        TargetError: MuJoCo Warp is not installed.
+    """
     try:
         with muted_standard_error():
             warp = importlib.import_module("warp")
@@ -34,21 +39,19 @@ def refusal(model: mujoco.MjModel) -> str:
             warp.init()
     except ImportError as error:
         raise TargetError(
-            f"--engine warp takes MuJoCo Warp: pip install mujoco-warp ({error})"
+            f"--engine warp needs MuJoCo Warp: pip install mujoco-warp ({error})"
         ) from error
     try:
-        with (
-            muted_standard_error(),
-            warp.ScopedDevice("cpu"),
-        ):  # a machine without a GPU is to answer too
+        # The CPU also works on a machine without a GPU.
+        with muted_standard_error(), warp.ScopedDevice("cpu"):
             engine.put_model(model)
-    except Exception as error:  # of several kinds, and all are its words
+    except Exception as error:  # put_model raises errors of several kinds.
         return " ".join(str(error).split()) or type(error).__name__
     return ""
 
 
 def has_noslip() -> bool:
-    """Tell whether the installed release has the noslip pass."""
+    """Return whether the installed release has the noslip pass."""
     with contextlib.suppress(ImportError), muted_standard_error():
         return hasattr(
             importlib.import_module("mujoco_warp").Option, "noslip_iterations"

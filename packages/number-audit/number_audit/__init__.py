@@ -1,1 +1,1 @@
-"""Check that the numbers in a text are still the numbers in your result files."""
+"""Checks that the numbers in a text still agree with your result files."""

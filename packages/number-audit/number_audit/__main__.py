@@ -1,4 +1,4 @@
-"""Run the audit as ``python -m number_audit``."""
+"""Lets ``python -m number_audit`` run the audit."""
 
 import sys
 

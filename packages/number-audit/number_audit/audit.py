@@ -1,4 +1,4 @@
-"""The audit of a text: compares its numbers and words with the sources of its marks."""
+"""Compares the numbers and words of a text with the sources that its marks name."""
 
 import ast
 import math
@@ -22,7 +22,8 @@ from number_audit.sources import Source
 
 MINUS = "\u2212"
 NUMBER = r"""
-    # No part of a word, of a decimal, of a number such as 1 000 or of a power.
+    # The number is not part of a word, of a decimal, of a number such as 1 000 or of a
+    # power.
     (?<![^\W_])(?<![.,])(?<!\d[ \xa0\u2009\u202f])(?<!\^)(?<!\^\{)(?<!<sup>)
     (?P<digits>
         [−-]?
@@ -33,7 +34,7 @@ NUMBER = r"""
 """
 UNIT = r"(?P<unit>[^\W\d_]*[%×°]?(/[^\W\d_]+)?)"
 CLOSING = r"([\s*_`~)\]}$,;]|\\[,;\ ]|&\w{1,9};|</?\w[^<>\n]{0,80}>){0,20}"
-"""Spaces, punctuation and the ends of what emphasizes a number."""
+"""Spaces, punctuation and closing tags or brackets after a number."""
 
 NUMBER_AT_END = re.compile(NUMBER + CLOSING + UNIT + CLOSING + r"\Z", re.VERBOSE)
 CLOSING_AT_END = re.compile(CLOSING + r"\Z", re.VERBOSE)
@@ -47,24 +48,24 @@ OPERATIONS: Mapping[type, Callable[[Quantity, Quantity], Quantity]] = {
     ast.Div: Quantity.__truediv__,
 }
 ROUNDED = 0.5000001
-"""The most that rounding changes a number, in units of its last digit."""
+"""Largest change of a number by rounding, in units of its last digit."""
 
 PROBLEMS = (AuditError, ArithmeticError, LookupError, OSError, TypeError, ValueError)
-"""Raised for files that are missing, damaged or of an unknown form."""
+"""Errors for files that are missing, damaged or in an unknown format."""
 
 
 @dataclass(frozen=True)
 class Finding:
-    """One line of an audit."""
+    """The result for one mark."""
 
     line: int
     kind: str
-    """"fresh", "unclear", "stale", "false", "missing" or "invalid"."""
+    """One of "fresh", "unclear", "stale", "false", "missing" and "invalid"."""
     text: str
     start: int = 0
     end: int = 0
     replacement: str = ""
-    """The text to write between ``start`` and ``end``; empty if there is none."""
+    """The text that replaces the part from ``start`` to ``end``, or an empty string."""
 
     @property
     def is_error(self) -> bool:
@@ -72,14 +73,14 @@ class Finding:
 
 
 def printed_value(match: re.Match[str]) -> Decimal:
-    """Return a number that ``NUMBER`` matched, with the exponent of its last digit."""
+    """Return the value of a match of ``NUMBER``, with its number of digits."""
     digits = re.sub(r"[^\d.-]", "", match["digits"].replace(MINUS, "-"))
     power = (match["power"] or "0").translate(LOWERED)
     return Decimal(digits).scaleb(int(power))
 
 
 class Audit:
-    """Compares the numbers and words of a text with the sources that its marks name."""
+    """Compares the numbers and words of a text with the sources of its marks."""
 
     def __init__(self, text: str, suffix: str, source_of: Callable[[str], Source]):
         self._source_of = source_of
@@ -111,18 +112,23 @@ class Audit:
         if mark.name:
             other = self._named[mark.name]
             if (other.source, other.unit) != (mark.source, mark.unit):
-                raise AuditError(f"another mark is called {mark.name}, too")
+                raise AuditError(
+                    f"the name {mark.name} is used for another mark too: rename one"
+                )
         match = NUMBER_AT_END.search(mark.context.before)
         if not match:
             source = mark.source
             raise AuditError(
-                f"no number stands right before = {source}, or one as 1 000 or 1,5"
+                f"the mark = {source} does not follow a number, or follows one in an"
+                " unsupported form such as 1 000 or 1,5"
             )
         quantity = self._evaluated(mark.source, mark.unit)
         unit = match["unit"] if is_known(match["unit"]) else mark.unit
         measured = in_unit(quantity, unit)
         if measured is None:
-            raise AuditError(f"{unit} is printed, and the source is in {quantity.unit}")
+            raise AuditError(
+                f"the text has the unit {unit}, but the source is in {quantity.unit}"
+            )
         value = measured.value
         printed = printed_value(match)
         last_digit = printed.as_tuple().exponent
@@ -132,19 +138,24 @@ class Audit:
             last_digit = exact.adjusted() + 1 - int(mark.digits)
         limit = max(
             ROUNDED * 10.0**last_digit,
-            math.sqrt(2) * measured.noise,  # the text may be of another measurement
+            math.sqrt(2) * measured.noise,  # The text may be from another measurement.
             float(mark.tolerance or 0) / 100 * abs(value),
         )
-        text = f"{match[0].strip()} is {measured} by {mark.source}"
+        text = f"the text has {match[0].strip()}"
+        source = f"{mark.source} has {measured}"
         if abs(float(printed) - value) <= limit:
-            return Finding(mark.context.line, "fresh", text)
-        start = mark.context.start + match.start("digits")
-        end = mark.context.start + match.end("digits")
-        new = _rounded(exact, last_digit, match)
-        return Finding(mark.context.line, "stale", text, start, end, new)
+            return Finding(mark.context.line, "fresh", f"{text}, and {source}")
+        return Finding(
+            mark.context.line,
+            "stale",
+            f"{text}, but {source}",
+            start=mark.context.start + match.start("digits"),
+            end=mark.context.start + match.end("digits"),
+            replacement=_rounded(exact, last_digit, match),
+        )
 
     def _of_word(self, mark: WordMark) -> Finding:
-        """Compare a word with the comparison that it depends on."""
+        """Compare a word with the comparison that decides about it."""
         before = CLOSING_AT_END.sub("", mark.context.before)
         words = [
             word
@@ -152,17 +163,16 @@ class Audit:
             if re.search(rf"(?<!\w){re.escape(word)}\Z", before)
         ]
         if not words:
-            raise AuditError(
-                f"neither {mark.yes} nor {mark.no} stands right before the mark"
-            )
+            raise AuditError(f"the mark does not follow {mark.yes} or {mark.no}")
         word = max(words, key=len)
         difference = self._evaluated(f"( {mark.left} ) - ( {mark.right} )", "")
         holds = difference.value < 0 if mark.sign == "<" else difference.value > 0
         is_clear = abs(difference.value) > difference.noise
         comparison = f"{mark.left} {mark.sign} {mark.right}"
-        text = f"{word}, and {comparison} {'holds' if holds else 'is not so'}"
+        truth = "true" if holds else "false"
+        text = f"the text has {word}, and {comparison} is {truth}"
         if not is_clear:
-            text += " by noise"
+            text += ", but within the noise"
         right = ""
         if holds == (word == mark.yes):
             kind = "fresh"
@@ -172,10 +182,13 @@ class Audit:
             kind = "false"
             right = mark.yes if holds else mark.no
         end = mark.context.start + len(before)
-        return Finding(mark.context.line, kind, text, end - len(word), end, right)
+        start = end - len(word)
+        return Finding(
+            mark.context.line, kind, text, start=start, end=end, replacement=right
+        )
 
     def _evaluate_names(self) -> None:
-        """Evaluate each named mark once, those first that others are computed from."""
+        """Evaluate each named mark once, after the marks on which it depends."""
         sorter = TopologicalSorter(
             {
                 name: {
@@ -184,7 +197,7 @@ class Audit:
                 for name, mark in self._named.items()
             }
         )
-        with suppress(CycleError):  # names outside the cycle are evaluated all the same
+        with suppress(CycleError):  # Names outside the cycle are still evaluated.
             sorter.prepare()
         while ready := sorter.get_ready():
             for name in ready:
@@ -196,21 +209,21 @@ class Audit:
             sorter.done(*ready)
 
     def _operand(self, text: str) -> Quantity:
-        """Return the number at a place, or that of another mark."""
+        """Return the quantity at a place, or that of a named mark."""
         file, is_place, place = text.partition("#")
         if is_place:
             return self._source_of(file).quantity(place)
         if file not in self._named:
-            raise AuditError(f"{file} is the name of no mark")
+            raise AuditError(f"no mark has the name {file}")
         value = self._values.get(file)
         if value is None:
-            raise AuditError(f"{file} is computed from itself")
+            raise AuditError(f"the mark {file} depends on itself")
         if isinstance(value, Exception):
             raise AuditError(message_of(value))
         return value
 
     def _evaluated(self, expression: str, unit: str) -> Quantity:
-        """Return what an expression comes to, in ``unit`` if its operands have none."""
+        """Return the value of an expression, in ``unit`` if its operands have none."""
         operands: dict[str, Quantity] = {}
 
         def named(match: re.Match[str]) -> str:
@@ -225,14 +238,14 @@ class Audit:
             in_base = {name: in_base_unit(each) for name, each in operands.items()}
             result = _computed(code, in_base, expression)
         if not math.isfinite(result.value):
-            raise AuditError("it has no finite value")
+            raise AuditError("the value is not finite")
         if unit and not is_known(result.unit):
             return Quantity(result.value, unit, result.offsets)
         return result
 
 
 def _computed(code: str, operands: Mapping[str, Quantity], expression: str) -> Quantity:
-    """Compute sums, products and ratios; anything else is an AuditError."""
+    """Compute sums, differences, products and ratios; raise AuditError for others."""
 
     def of(node: ast.expr) -> Quantity:
         if isinstance(node, ast.Name):
@@ -244,22 +257,22 @@ def _computed(code: str, operands: Mapping[str, Quantity], expression: str) -> Q
         if isinstance(node, ast.BinOp) and type(node.op) in OPERATIONS:
             return OPERATIONS[type(node.op)](of(node.left), of(node.right))
         raise AuditError(
-            f"{expression:.60} is no FILE#/PLACE,"
-            " and no arithmetic of such and of names"
+            "expected FILE#/PLACE or an arithmetic expression of places and names,"
+            f" got {expression:.60}"
         )
 
     try:
         return of(ast.parse(code, mode="eval").body)
     except SyntaxError as error:
-        raise AuditError(f"{expression:.60} can't be computed: {error.msg}") from None
+        raise AuditError(f"cannot compute {expression:.60}: {error.msg}") from None
     except (RecursionError, MemoryError):
-        raise AuditError(f"{expression:.60} has too many parts") from None
+        raise AuditError(f"the expression {expression:.60} is too long") from None
 
 
 def _rounded(value: Decimal, last_digit: int, printed: re.Match[str]) -> str:
-    """Write a number in the form of the one that is printed.
+    """Return a number in the format of the printed one.
 
-    The text is empty for a number with a power of ten, or of more than 28 digits.
+    The result is empty if the number has a power of ten or more than 28 digits.
     """
     if printed["ten"]:
         return ""
@@ -274,7 +287,7 @@ def _rounded(value: Decimal, last_digit: int, printed: re.Match[str]) -> str:
 
 
 def message_of(error: Exception) -> str:
-    """Return what went wrong, in one line."""
+    """Return the message of an error in one line."""
     if isinstance(error, ArithmeticError):
-        return "a number is too large or too small"
+        return "a number is too large or too small for floating point"
     return " ".join(str(error).strip("'").split())

@@ -1,10 +1,12 @@
-"""Check that the numbers in texts are still the numbers in your result files.
+"""Check that the numbers in texts still agree with your result files.
 
-Each number is checked that has a mark, such as 12.3 ms<!-- = bench.json#/mean -->. The
-status is 1 if a number is stale, a word is false, or a mark or a source can't be read.
+A number is checked if it has a mark, such as 12.3 ms<!-- = bench.json#/mean -->. The
+exit status is 1 if a number is stale, a word is false, or a mark or a source cannot be
+read.
 """
 
 import argparse
+import io
 import json
 import sys
 import unicodedata
@@ -18,7 +20,7 @@ from number_audit.sources import NoiseOfRecord, Source
 from number_audit.suggestions import suggestions
 
 UNPRINTABLE = ("Cc", "Cf", "Cs", "Co", "Cn", "Zl", "Zp")
-"""Categories of characters that would disturb a terminal or a log."""
+"""Categories of characters that disturb a terminal or a log."""
 
 
 def main(
@@ -27,10 +29,11 @@ def main(
     prog: str = "number-audit",
     noise_of_record: NoiseOfRecord | None = None,
 ) -> int:
-    """Print a line for each finding; return 1 if one of them is an error."""
+    """Audit files, print a line for each finding, and return 1 if one is an error."""
     options = _parser(prog).parse_args(arguments)
-    # A terminal may not have all characters of a text.
-    getattr(sys.stdout, "reconfigure", lambda **_: None)(errors="replace")
+    # A terminal may not support all characters of a text.
+    if isinstance(sys.stdout, io.TextIOWrapper):
+        sys.stdout.reconfigure(errors="replace")
     is_wrong = False
     for path in options.files:
         for finding in _findings(path, options, noise_of_record):
@@ -56,17 +59,17 @@ def _parser(prog: str) -> argparse.ArgumentParser:
     parser.add_argument(
         "--fix",
         action="store_true",
-        help="replace stale numbers and false words by what the sources say",
+        help="replace stale numbers and false words by those of the sources",
     )
     parser.add_argument(
         "--check",
         action="store_true",
-        help="print no line for what is fresh",
+        help="print only findings that are not fresh",
     )
     parser.add_argument(
         "--suggest",
         metavar="RESULTS",
-        help="mark each number that is one number of these results",
+        help="mark each number that occurs exactly once in these results",
     )
     parser.add_argument(
         "--allow",
@@ -74,13 +77,13 @@ def _parser(prog: str) -> argparse.ArgumentParser:
         type=Path,
         action="append",
         default=[],
-        help="read sources in this folder outside the project, too",
+        help="also read sources in this folder, outside the repository",
     )
     parser.add_argument(
         "--format",
         choices=("json", "text", "github"),
         default="text",
-        help="how findings are printed; github: as annotations",
+        help="output format; github prints annotations",
     )
     return parser
 
@@ -88,7 +91,7 @@ def _parser(prog: str) -> argparse.ArgumentParser:
 def _findings(
     path: Path, options: argparse.Namespace, noise_of_record: NoiseOfRecord | None
 ) -> list[Finding]:
-    """Audit one file, and write into it what was asked for."""
+    """Return the findings on one file, after fixing or marking it if requested."""
 
     @cache
     def source_of(name: str) -> Source:
@@ -118,7 +121,7 @@ def _findings(
 
 
 def _project_of(path: Path) -> Path:
-    """Return the repository that a file is in; outside of any the current folder."""
+    """Return the repository of a file, or the current folder if there is none."""
     for folder in path.absolute().parents:
         if (folder / ".git").exists():
             return folder
@@ -131,16 +134,15 @@ def _read_source(file: Path, project: Path, allowed: Sequence[Path]) -> bytes:
     folders = (project, *allowed)
     if not any(resolved.is_relative_to(folder.resolve()) for folder in folders):
         raise AuditError(
-            f"{file.name} is outside {project.name}/,"
-            " where --allow FOLDER lets it be read"
+            f"{file.name} is outside {project.name}/: use --allow FOLDER to read it"
         )
     return read_file(resolved)
 
 
 def _decoded(content: bytes) -> str:
-    """Decode a text; bytes that are not UTF-8 are written back as they were."""
+    """Decode a text so that ``_encoded`` restores bytes that are not UTF-8."""
     if b"\0" in content:
-        raise AuditError("the file is not text in UTF-8")
+        raise AuditError("the file is not UTF-8 text")
     return content.decode("utf-8", "surrogateescape")
 
 
@@ -149,7 +151,7 @@ def _encoded(text: str) -> bytes:
 
 
 def _fixed(text: str, findings: Sequence[Finding]) -> str:
-    """Return a text with all replacements made."""
+    """Return a text with all replacements applied."""
     parts = []
     end = 0
     for finding in findings:
@@ -160,7 +162,7 @@ def _fixed(text: str, findings: Sequence[Finding]) -> str:
 
 
 def _line(path: Path, finding: Finding, form: str) -> str:
-    """Write a finding as text, as JSON or as an annotation of GitHub's."""
+    """Return a finding as text, as JSON or as a GitHub annotation."""
     level = "error" if finding.is_error else "notice"
     text = _printable(finding.text)
     if form == "json":
@@ -180,7 +182,7 @@ def _printable(text: str) -> str:
 
 
 def _escaped(text: str) -> str:
-    """Escape the message of a workflow command, so that it can't begin another one."""
+    """Escape the message of a workflow command, so that it cannot start another one."""
     return text.replace("%", "%25").replace("\r", "%0D").replace("\n", "%0A")
 
 

@@ -1,4 +1,4 @@
-"""Reading and writing files without surprises: bytes in, bytes out, all or nothing."""
+"""Reads and replaces files as bytes, each one completely or not at all."""
 
 import os
 import shutil
@@ -10,33 +10,36 @@ BYTE_LIMIT = 256 << 20
 
 
 class AuditError(Exception):
-    """Something in the audited files that their author has to mend, in one line."""
+    """An error in the audited files. The message is one line."""
 
 
 def read_file(path: Path) -> bytes:
     """Return the bytes of a regular file.
 
-    Raises AuditError for a link, a pipe, a device or more bytes than ``BYTE_LIMIT``.
+    Raises:
+        AuditError: It is not a regular file, it has more than ``BYTE_LIMIT`` bytes, or
+            it cannot be read.
     """
     name = "/".join(path.parts[-2:])
     try:
         info = path.lstat()
         if not stat.S_ISREG(info.st_mode):
-            raise AuditError(f"{name} is no regular file")
+            raise AuditError(f"{name} is not a regular file")
         if info.st_size > BYTE_LIMIT:
-            raise AuditError(f"{name} has more than {BYTE_LIMIT >> 20} MiB")
+            raise AuditError(f"{name} is larger than {BYTE_LIMIT >> 20} MiB")
         return path.read_bytes()
     except FileNotFoundError:
-        raise AuditError(f"there is no {name}") from None
+        raise AuditError(f"{name} does not exist") from None
     except OSError as error:
-        raise AuditError(f"{name} can't be read: {error.strerror}") from None
+        raise AuditError(f"{name} cannot be read: {error.strerror}") from None
 
 
 def replace_file(path: Path, old: bytes, new: bytes) -> None:
     """Replace the bytes of a file, unless they are no longer ``old``.
 
-    Raises AuditError, and leaves the file as it is, if it was edited meanwhile, is
-    read-only or can't be written.
+    Raises:
+        AuditError: The file was edited meanwhile, is read-only or cannot be written. It
+            then stays as it is.
     """
     if not path.stat().st_mode & stat.S_IWUSR:
         raise AuditError("the file is read-only, so nothing was fixed")
@@ -55,5 +58,5 @@ def replace_file(path: Path, old: bytes, new: bytes) -> None:
         finally:
             temporary.unlink(missing_ok=True)
     except OSError as error:
-        message = f"the file can't be written: {error.strerror}; nothing was fixed"
+        message = f"the file cannot be written, so nothing was fixed: {error.strerror}"
         raise AuditError(message) from None

@@ -1,10 +1,11 @@
-"""Marks: comments and roles that name the source of the number or word before them.
+"""Reads marks: comments and roles that name the source of the number before them.
 
 - Markdown and HTML: a comment, ``12.3 ms<!-- = bench.json#/mean -->``
 - LaTeX: ``\\audited{12.3\\,ms}{= bench.json\\#/mean}``
 - reStructuredText: ``:audit:`12.3 ms <= bench.json#/mean>```
 
-A text is read once from its beginning to its end, in a time proportional to its length.
+A text is read once from its beginning to its end, so the time is proportional to its
+length.
 """
 
 import re
@@ -12,16 +13,16 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 MARK_LIMIT = 600
-"""The most characters of a mark."""
+"""Most characters of a mark."""
 
 BEFORE_LIMIT = 200
-"""How far before a comment its number begins at most."""
+"""Largest distance between a comment and the start of its number."""
 
 CODE_LIMIT = 200
-"""The most characters of code in a sentence."""
+"""Most characters of inline code."""
 
 TICK_LIMIT = 8
-"""The most backticks before code in a sentence."""
+"""Most backticks before inline code."""
 
 NUMBER_MARK = re.compile(
     r"""
@@ -60,51 +61,51 @@ OPENINGS_BY_SUFFIX = {
 OPENINGS_OF_MARKDOWN = (*OPENINGS, FENCE, TICKS)
 BLANK_LINE = re.compile(r"\n[ \t\r]*\n")
 RULER = re.compile(r"={3,}")
-"""Begins a comment that divides a text, as ``<!-- ===== Results ===== -->``."""
+"""Matches a comment that divides a text, such as ``<!-- ===== Results ===== -->``."""
 
 
 @dataclass(frozen=True)
 class Region:
-    """A comment, a role or code: a part of a text without numbers to be audited."""
+    """A comment, a role or code, in which numbers are not audited."""
 
     start: int
     end: int
     mark: str | None = None
-    """The text of a comment or a role; None for code."""
+    """The text of a comment or a role, or None for code."""
     printed: tuple[int, int] = (0, 0)
-    """Where the text begins and ends whose last number the mark is of."""
+    """Start and end of the text whose last number belongs to the mark."""
     is_role: bool = False
     is_closed: bool = True
 
 
 @dataclass(frozen=True)
 class Context:
-    """Where a mark is in its text."""
+    """The position of a mark and the text before it."""
 
     line: int
     start: int
-    """Where ``before`` begins in the text."""
+    """Position of ``before`` in the text."""
     before: str
-    """The text whose last number or word the mark is of."""
+    """The text whose last number or word belongs to the mark."""
 
 
 @dataclass(frozen=True)
 class NumberMark:
-    """The number before it is that of its source: ``name = source unit ± 5 %``."""
+    """A mark of a number with its source: ``name = source unit ± 5 %``."""
 
     context: Context
     source: str
     name: str
     unit: str
     digits: str
-    """How many significant digits are printed; empty for as many as there are now."""
+    """Significant digits to print; empty to keep the present number of digits."""
     tolerance: str
-    """How far the number may be off [%]; empty for no further than its noise."""
+    """Allowed deviation [%]; empty to allow only the noise."""
 
 
 @dataclass(frozen=True)
 class WordMark:
-    """The word before it is ``yes`` if a comparison holds: ``yes if a < b else no``."""
+    """A mark of a word with its comparison: ``yes if a < b else no``."""
 
     context: Context
     yes: str
@@ -116,7 +117,7 @@ class WordMark:
 
 @dataclass(frozen=True)
 class BrokenMark:
-    """A comment or a role that looks like a mark and is none."""
+    """A comment or a role that looks like a mark but is not valid."""
 
     context: Context
     problem: str
@@ -126,8 +127,9 @@ Mark = NumberMark | WordMark | BrokenMark
 
 
 def read_marks(text: str, suffix: str) -> Iterator[Mark]:
-    """Yield the marks of a text in a file whose name ends in ``suffix``."""
-    line, counted = 1, 0
+    """Yield the marks of a text from a file whose name ends in ``suffix``."""
+    line = 1
+    counted = 0
     for region in regions(text, suffix):
         line += text.count("\n", counted, region.start)
         counted = region.start
@@ -140,9 +142,9 @@ def read_marks(text: str, suffix: str) -> Iterator[Mark]:
 
 
 def _parsed(region: Region, context: Context) -> Mark | None:
-    """Parse the text of a comment or role; None for a comment that is no mark."""
+    """Return the mark of a comment or role, or None if the comment is not a mark."""
     text = " ".join((region.mark or "").split())
-    text = re.sub(r"\\([#%_&])", r"\1", text)  # as LaTeX wants them
+    text = re.sub(r"\\([#%_&])", r"\1", text)  # LaTeX needs these escapes.
     if region.is_closed and len(text) <= MARK_LIMIT:
         if match := NUMBER_MARK.fullmatch(text):
             return NumberMark(context, **match.groupdict(""))
@@ -151,22 +153,22 @@ def _parsed(region: Region, context: Context) -> Mark | None:
     if not (region.is_role or _looks_like_mark(text)):
         return None
     if not region.is_closed:
-        problem = "is never closed"
+        problem = "is not closed"
     elif len(text) > MARK_LIMIT:
         problem = f"has more than {MARK_LIMIT} characters"
     else:
-        problem = "is no mark; one is written as = FILE#/PLACE"
+        problem = "is not a valid mark: write = FILE#/PLACE"
     return BrokenMark(context, f"{text:.60} {problem}")
 
 
 def _looks_like_mark(text: str) -> bool:
-    """Return whether the author of a comment seems to mean a mark."""
+    """Return whether a comment seems to be intended as a mark."""
     names_place = any("#/" in word and "://" not in word for word in text.split())
     return names_place or (text.startswith("=") and not RULER.match(text))
 
 
 def regions(text: str, suffix: str) -> Iterator[Region]:
-    """Yield comments, roles and code from the beginning of a text to its end."""
+    """Yield the comments, roles and code of a text in their order."""
     openings = OPENINGS_BY_SUFFIX.get(suffix.lower(), OPENINGS_OF_MARKDOWN)
     opening = re.compile("|".join(openings), re.MULTILINE)
     end = 0
@@ -201,7 +203,7 @@ def _comment(text: str, start: int, printed: int) -> Region:
 
 
 def _role(text: str, start: int, content: int) -> Region:
-    """Read a role, or of one that is not written as it should be a few characters."""
+    """Read a role, or the start of one that is not valid."""
     if match := ROLE.match(text, start):
         printed = match.span("printed")
         return Region(start, match.end(), match["mark"], printed, is_role=True)
@@ -210,7 +212,7 @@ def _role(text: str, start: int, content: int) -> Region:
 
 
 def _end_of_fenced_code(text: str, opening: re.Match[str]) -> int:
-    """Return where fenced code ends: at a fence as long, or else with the text."""
+    """Return where fenced code ends: at a closing fence or at the end of the text."""
     fence = opening["fence"]
     closing = re.compile(rf"^[ >]*{fence}{fence[0]}*[ \t\r]*$", re.MULTILINE)
     match = closing.search(text, opening.end())
@@ -218,7 +220,7 @@ def _end_of_fenced_code(text: str, opening: re.Match[str]) -> int:
 
 
 def _end_of_code(text: str, opening: re.Match[str]) -> int:
-    """Return where code in a sentence ends, or its backticks if none close it."""
+    """Return the end of inline code, or of its backticks if it is not closed."""
     ticks = opening["ticks"]
     start = opening.end()
     if len(ticks) > TICK_LIMIT:

@@ -1,4 +1,4 @@
-"""Numbers with a unit and a noise, and arithmetic on them."""
+"""Computes with numbers that have a unit and noise."""
 
 import math
 import re
@@ -10,7 +10,7 @@ from statistics import NormalDist, fmean, stdev
 from number_audit.files import AuditError
 
 SURE = 0.95
-"""Probability that the truth is within a number's noise."""
+"""Probability that the true value is within the noise of a number."""
 
 Z = NormalDist().inv_cdf((1 + SURE) / 2)
 SMALL_SAMPLE_T = (
@@ -27,7 +27,7 @@ SMALL_SAMPLE_T = (
 """Student's t for ``SURE``, with 1 to 9 degrees of freedom."""
 
 SOURCE_LIMIT = 1000
-"""The most places in result files that one number may be computed from."""
+"""Most places in result files from which one number is computed."""
 
 PREFIXES = {
     "": 1.0,
@@ -65,19 +65,19 @@ UNIT_FACTOR = re.compile(f"(/?)([^/·{SUPERSCRIPTS}]+)([{SUPERSCRIPTS[1:]}]*)")
 
 @dataclass(frozen=True)
 class Quantity:
-    """A number with its unit."""
+    """A number with its unit and noise."""
 
     value: float
     unit: str = NO_UNIT
     offsets: Mapping[str, float] | None = field(default_factory=dict)
-    """By source, how far the number moves if the source is off by its noise.
+    """For each source, the change of the number if the source is off by its noise.
 
     None if the noise of a source is unknown.
     """
 
     @property
     def noise(self) -> float:
-        """Return how far the number may be from the truth; 0 if that is unknown."""
+        """Return the distance within which the true value lies; 0 if it is unknown."""
         return math.hypot(*(self.offsets or {}).values())
 
     def __str__(self) -> str:
@@ -94,7 +94,7 @@ class Quantity:
 
     def _sum(self, other: "Quantity", sign: float) -> "Quantity":
         if self.unit != other.unit:
-            raise AuditError(f"{self} and {other} have no unit in common")
+            raise AuditError(f"{self} and {other} have different units")
         value = self.value + sign * other.value
         return Quantity(value, self.unit, self._offsets(1.0, other, sign))
 
@@ -105,7 +105,7 @@ class Quantity:
 
     def __truediv__(self, other: "Quantity") -> "Quantity":
         if not other.value:
-            raise AuditError("it would be a division by zero")
+            raise AuditError("the expression divides by zero")
         value = self.value / other.value
         offsets = self._offsets(1.0 / other.value, other, -value / other.value)
         return Quantity(value, product_unit(self.unit, other.unit, -1), offsets)
@@ -114,20 +114,20 @@ class Quantity:
         return Quantity(0.0, self.unit) - self
 
     def scaled(self, factor: float, unit: str) -> "Quantity":
-        """Return the number in a unit of which ``factor`` make one of its own."""
+        """Return the number in a unit that is 1 / ``factor`` of the present one."""
         offsets = self.offsets and {
             name: factor * offset for name, offset in self.offsets.items()
         }
-        # 12 digits, without the dust that floating point leaves behind them.
+        # Rounding to 12 digits removes the errors of floating point.
         return Quantity(float(f"{factor * self.value:.12g}"), unit, offsets)
 
     def _offsets(
         self, slope: float, other: "Quantity", other_slope: float
     ) -> Mapping[str, float] | None:
-        """Add the offsets of two numbers, as JCGM 100:2008, 5.1.2, has it.
+        """Combine the offsets of two numbers (JCGM 100:2008, 5.1.2).
 
-        A source that both depend on moves both at once. Slopes are derivatives of the
-        result by the two numbers.
+        A source on which both numbers depend moves both at once. The slopes are the
+        derivatives of the result with respect to the two numbers.
         """
         if self.offsets is None or other.offsets is None:
             return None
@@ -135,12 +135,12 @@ class Quantity:
         for name, offset in other.offsets.items():
             offsets[name] = offsets.get(name, 0.0) + other_slope * offset
         if len(offsets) > SOURCE_LIMIT:
-            raise AuditError(f"it is computed from more than {SOURCE_LIMIT} places")
+            raise AuditError(f"the number depends on more than {SOURCE_LIMIT} places")
         return offsets
 
 
 def scale_of(unit: str) -> tuple[float, str]:
-    """Split ``mm/s`` into 0.001 and ``m/s``; an unknown unit gives 1 and no text."""
+    """Split ``mm/s`` into 0.001 and ``m/s``; an unknown unit gives 1 and ""."""
     symbol, slash, below = unit.partition("/")
     if symbol not in UNITS:
         return 1.0, ""
@@ -149,14 +149,14 @@ def scale_of(unit: str) -> tuple[float, str]:
 
 
 def is_known(unit: str) -> bool:
-    """Return whether numbers of this unit can be converted."""
+    """Return whether numbers in this unit can be converted."""
     return scale_of(unit)[1] != ""
 
 
 def in_unit(quantity: Quantity, unit: str) -> Quantity | None:
-    """Convert a number; None if the two units measure different things.
+    """Convert a number, or return None if the units measure different things.
 
-    The number stays as it is if its unit, or ``unit``, is unknown.
+    The number stays as it is if one of the units is unknown.
     """
     if not (is_known(quantity.unit) and is_known(unit)):
         return quantity
@@ -168,13 +168,13 @@ def in_unit(quantity: Quantity, unit: str) -> Quantity | None:
 
 
 def in_base_unit(quantity: Quantity) -> Quantity:
-    """Convert a number to its unit without a prefix, in which arithmetic is done."""
+    """Convert a number to its unit without a prefix, which arithmetic needs."""
     base = scale_of(quantity.unit)[1]
     return in_unit(quantity, base) or quantity
 
 
 def product_unit(first: str, second: str, sign: int) -> str:
-    """Return the unit of a product, or with a sign of -1 that of a ratio."""
+    """Return the unit of a product, or of a ratio if the sign is -1."""
     powers: Counter[str] = Counter()
     for unit, direction in ((first, 1), (second, sign)):
         for slash, symbol, exponent in UNIT_FACTOR.findall(unit):
@@ -192,19 +192,20 @@ def product_unit(first: str, second: str, sign: int) -> str:
 
 
 def mean_noise(deviation: float, count: float) -> float:
-    """Bound how far the mean of ``count`` samples is from the truth, by Student's t."""
+    """Return the confidence interval of the mean of ``count`` samples (Student's t)."""
     return student_t(count - 1) * deviation / math.sqrt(count)
 
 
 def sample_mean(samples: Sequence[float]) -> tuple[float, float]:
-    """Return the mean of two samples or more, and its noise."""
+    """Return the mean of at least two samples, and its noise."""
     return fmean(samples), mean_noise(stdev(samples), len(samples))
 
 
 def student_t(freedom: float) -> float:
-    """Return Student's t that ``SURE`` of all lie within.
+    """Return Student's t for the probability ``SURE``.
 
-    Beyond the table it is expanded in 1 / freedom (Abramowitz and Stegun 1964, 26.7.5).
+    Beyond the table it is an expansion in 1 / freedom (Abramowitz and Stegun 1964,
+    26.7.5).
     """
     if freedom <= len(SMALL_SAMPLE_T):
         return SMALL_SAMPLE_T[max(0, math.floor(freedom) - 1)]

@@ -1,7 +1,7 @@
-"""Result files: each number in them by the names that lead to it, with unit and noise.
+"""Reads result files and finds each number by the names that lead to it.
 
-They are CSV tables and any JSON. That of pytest-benchmark, hyperfine, criterion,
-google-benchmark and asv has units and noise that are known here.
+CSV tables and any JSON are supported. For pytest-benchmark, hyperfine, criterion,
+google-benchmark and asv, the units and the noise are known as well.
 """
 
 import csv
@@ -28,39 +28,39 @@ from number_audit.quantities import (
 )
 
 NAMES = ("name", "case", "command", "benchmark", "operation", "label", "id")
-"""Keys whose text names an element of a list."""
+"""Keys whose text is the name of an element of a list."""
 
 SAMPLES = ("times", "data", "samples")
-"""Keys of a list that is one number, measured several times."""
+"""Keys of a list with several samples of one number."""
 
 IN_SECONDS = {
     *("mean", "median", "min", "max", "stddev", "iqr", "q1", "q3"),
     *("total", "user", "system", "times", "data"),
 }
-"""Keys of pytest-benchmark and of hyperfine."""
+"""Keys of pytest-benchmark and hyperfine with a value in seconds."""
 
 ERROR_RATIO = {"mean": 1.0, "median": 1.2533}
-"""Standard error, in standard errors of the mean of many samples."""
+"""Ratio of the standard error to that of the mean of many samples."""
 
 CELL = re.compile(r"[-+]?\d{1,20}(\.\d{0,20})?(e[-+]?\d{1,3})?", re.IGNORECASE)
-"""A number in a CSV table."""
+"""Matches a number in a CSV table."""
 
 NoiseOfRecord = Callable[[Path, int, str], float | None]
 """Returns the noise of a number in a record by its file, row and column.
 
-A record is JSON with the keys "identity" and "rows". It does not say how far its
-numbers scatter, but the program that measured them may know.
+A record is JSON with the keys "identity" and "rows". It has no noise, but the program
+that measured it may know the noise.
 """
 
 
 @dataclass(frozen=True)
 class Place:
-    """Where a number, or several samples of one, is in a file."""
+    """A number, or several samples of it, in a file."""
 
     key: str
     value: Any
     beside: Mapping[str, Any] = field(default_factory=dict)
-    """The object or the row that it is in."""
+    """The object or the row that contains it."""
 
 
 class Source:
@@ -75,7 +75,7 @@ class Source:
         if path.suffix.lower() == ".csv":
             self._data: Any = _table(text)
         else:
-            # As floats, numbers of any length are read in no time.
+            # Floats can be read quickly however many digits they have.
             self._data = json.loads(text, parse_int=float)
         self.places = dict(_places(self._data, ""))
 
@@ -83,7 +83,7 @@ class Source:
         """Return the number at a place, such as ``/benchmarks/sort/stats/mean``."""
         way = unquote(pointer)
         if way not in self.places:
-            raise AuditError(f"there is no number at {way:.120}{self._similar(way)}")
+            raise AuditError(f"no number at {way:.120}{self._similar(way)}")
         place = self.places[way]
         noise: float | None
         if isinstance(place.value, list):
@@ -99,14 +99,14 @@ class Source:
         return Quantity(value, self._unit(place), offsets)
 
     def _similar(self, way: str) -> str:
-        """List places with the same key whose names are like a mistyped one."""
+        """Return a text that lists similar places with the same key, or ""."""
         key = way.rpartition("/")[2]
         ways = [other for other, place in self.places.items() if place.key == key]
         matches = get_close_matches(way, ways[:99], n=4, cutoff=0.5)
         return f"; similar: {', '.join(matches)}" if matches else ""
 
     def _noise(self, way: str, place: Place) -> float | None:
-        """Bound how far a number may be from the truth; None if that is unknown."""
+        """Return the noise of a number, or None if it is unknown."""
         is_in_record = "identity" in self._data and way.startswith("/rows/")
         if is_in_record and self._noise_of_record:
             row = self._data["rows"].index(place.beside)
@@ -114,8 +114,9 @@ class Source:
         return _stated_noise(place.key, place.beside)
 
     def _unit(self, place: Place) -> str:
-        """Return the unit that the file states or that the key ends in, as slip_mm."""
-        key, beside = place.key, place.beside
+        """Return the unit that the file states or the key ends in, such as slip_mm."""
+        key = place.key
+        beside = place.beside
         has_seconds = "machine_info" in self._data or "command" in beside
         if key in IN_SECONDS and has_seconds:  # pytest-benchmark, hyperfine
             return "s"
@@ -131,20 +132,20 @@ class Source:
 
 
 def _table(text: str) -> list[dict[str, str]]:
-    """Read a CSV table, whose first column names its rows."""
+    """Read a CSV table whose first column names the rows."""
     first_line = text.partition("\n")[0]
     delimiter = max(",;", key=first_line.count)
     try:
         header, *rows = csv.reader(io.StringIO(text, newline=""), delimiter=delimiter)
     except csv.Error as error:
-        raise AuditError(f"the table can't be read: {error}") from None
+        raise AuditError(f"the table cannot be read: {error}") from None
     return [dict(zip(("name", *header[1:]), row, strict=False)) for row in rows]
 
 
 def _places(
     node: Any, way: str, key: str = "", beside: Mapping[str, Any] | None = None
 ) -> Iterator[tuple[str, Place]]:
-    """Yield each number below a node by the names that lead there."""
+    """Yield each number below a node, with the names that lead to it."""
     if isinstance(node, Mapping):
         for name, child in node.items():
             yield from _places(child, f"{way}/{name}", name, node)
@@ -159,7 +160,7 @@ def _places(
 
 
 def _names(elements: Sequence[Any]) -> list[str]:
-    """Name each element of a list by what it is called, or by its index."""
+    """Return the name of each element if it is unique, otherwise its index."""
     names = []
     for element in elements:
         table = element if isinstance(element, Mapping) else {}
@@ -173,7 +174,7 @@ def _names(elements: Sequence[Any]) -> list[str]:
 
 
 def _stated_noise(key: str, beside: Mapping[str, Any]) -> float | None:
-    """Compute the noise of a number from the scatter that stands beside it."""
+    """Compute the noise of a number from the scatter that the file states beside it."""
     if key == "value":
         noise = beside.get("noise")
         return noise if is_number(noise) else None
@@ -188,7 +189,7 @@ def _stated_noise(key: str, beside: Mapping[str, Any]) -> float | None:
 
 
 def _sample_count(beside: Mapping[str, Any]) -> float:
-    """Return how many samples a number is the mean of; 0 if that is not stated."""
+    """Return the number of samples of a mean; 0 if the file does not state it."""
     for key in ("rounds", "runs", "times"):
         count = beside.get(key)
         if isinstance(count, list) and count:
@@ -199,5 +200,5 @@ def _sample_count(beside: Mapping[str, Any]) -> float:
 
 
 def is_number(value: Any) -> TypeGuard[float]:
-    """Return whether a value is a number, and neither NaN nor infinite."""
+    """Return whether a value is a finite number."""
     return isinstance(value, float) and math.isfinite(value)

@@ -1,4 +1,4 @@
-"""Suggestions: marks for numbers in a text that are one number of the results."""
+"""Suggests marks for numbers in a text that occur exactly once in the results."""
 
 import re
 from collections.abc import Iterator
@@ -21,13 +21,13 @@ PLAIN_IN_PLACES = "/~!$&()*+,:;=@[]|"
 """Characters of a place that are not percent-encoded in a mark."""
 
 CHOICE_LIMIT = 9
-"""The most places that are listed for one number."""
+"""Most places that are listed for one number."""
 
 
 def suggestions(text: str, suffix: str, file: str, source: Source) -> Iterator[Finding]:
-    """Yield a mark for each unmarked number that is a single number of the results.
+    """Yield a mark for each unmarked number that occurs exactly once in the results.
 
-    A number that is several of them gets a line that lists their places.
+    For a number that occurs several times, yield a line that lists its places.
     """
     form = FORMS.get(suffix, COMMENT_FORM)
     places = [
@@ -53,7 +53,7 @@ def suggestions(text: str, suffix: str, file: str, source: Source) -> Iterator[F
             for place, value in values_in(unit)
             if abs(value - float(printed)) <= limit
         ]
-        # A number such as 2 or 10 is in any results by chance.
+        # Short numbers such as 2 or 10 occur in many results by chance.
         is_telling = len(printed.as_tuple().digits) > (1 if last_digit < 0 else 2)
         if not (near and is_telling) or MARKED.match(text, match.end()):
             continue
@@ -63,18 +63,19 @@ def suggestions(text: str, suffix: str, file: str, source: Source) -> Iterator[F
         number = text[start:end].rstrip()
         line = text.count("\n", 0, start) + 1
         if len(near) > 1:
-            choice = f"{number} is {' or '.join(near[:CHOICE_LIMIT])}"
+            choice = f"{number} may be {' or '.join(near[:CHOICE_LIMIT])}"
             yield Finding(line, "unclear", choice)
             continue
         place = near[0]
         if suffix == ".tex":
             place = re.sub(r"(?=[#%_&])", r"\\", place)
         mark = form.format(number, place)
-        yield Finding(line, "fresh", mark, start, start + len(number), mark)
+        end = start + len(number)
+        yield Finding(line, "fresh", mark, start=start, end=end, replacement=mark)
 
 
 def _without_regions(text: str, suffix: str) -> str:
-    """Return the text with comments, roles and code blotted out."""
+    """Return the text with comments, roles and code blanked out."""
     parts = []
     end = 0
     for region in regions(text, suffix):

@@ -1,4 +1,4 @@
-"""Audits of whole files, through the command: findings, exit status and fixes."""
+"""Tests of the command on whole files: findings, exit status and fixes."""
 
 import json
 import os
@@ -57,7 +57,7 @@ RESULTS = {
 }
 on_posix = pytest.mark.skipif(os.name != "posix", reason="Windows has no such files")
 
-FRESH = [  # each with the number that would be stale, which a fix makes of it again
+FRESH = [  # Each fresh number has a stale one, from which a fix restores it.
     ("12.3 ms", "12.9 ms", "pytest.json#/benchmarks/a[1/2]/stats/mean"),
     ("**0.0123** s", "**0.0133** s", "pytest.json#/benchmarks/a[1/2]/stats/mean ms"),
     ("10 ms", "20 ms", "hyperfine.json#/results/sleep%201%20(b)/times"),
@@ -71,15 +71,15 @@ FRESH = [  # each with the number that would be stale, which a fix makes of it a
     ("2.5 mm", "2.7 mm", "values.json#/section/drag/value"),
 ]
 MISSING = {
-    "nothing.json#/a": "there is no",
+    "nothing.json#/a": "does not exist",
     "table.csv#/z/time_ms": "similar: /x/time_ms",
-    "plain.json#/none": "there is no number",
+    "plain.json#/none": "no number at",
     "../out.json#/a": "out.json is outside",
-    "plain.json#/old / 0": "division by zero",
+    "plain.json#/old / 0": "divides by zero",
     "((plain.json#/old": "never closed",
-    "plain.json#/old (plain.json#/new )": "no arithmetic",
-    "9 ** 9 ** 9": "no arithmetic",
-    "pytest.json#/benchmarks/a[1/2]/stats/mean + plain.json#/old": "no unit in common",
+    "plain.json#/old (plain.json#/new )": "expected FILE#/PLACE",
+    "9 ** 9 ** 9": "expected FILE#/PLACE",
+    "pytest.json#/benchmarks/a[1/2]/stats/mean + plain.json#/old": "have different units",
 }
 
 
@@ -101,7 +101,10 @@ def folder(tmp_path, monkeypatch):
 
 @pytest.fixture
 def audit(folder, capsys):
-    """Return a function that audits a text: status, printed lines, text afterwards."""
+    """Return a function that audits a text.
+
+    It returns the exit status, the printed lines and the text afterwards.
+    """
 
     def run(
         text: str | bytes, *options: str, name: str = "a.md"
@@ -151,16 +154,14 @@ def test_names_make_arithmetic_and_words_that_turn(audit):
         "{}<!-- Faster if new < old else Slower --> "
         "{}<!-- not so if ratio < 1.5 else so -->"
     )
-    right, wrong = (
-        marks + words.format("Faster", "so"),
-        marks + words.format("Slower", "not so"),
-    )
+    right = marks + words.format("Faster", "so")
+    wrong = marks + words.format("Slower", "not so")
     assert audit(right, "--check") == (0, [], right)
     status, lines, _ = audit(wrong, "--check")
     assert (status, [line.split(": ")[1] for line in lines]) == (1, ["false", "false"])
     assert audit(wrong, "--fix", "--check") == (0, [], right)
     assert (
-        "another mark is called old"
+        "the name old is used for another mark"
         in audit(f"{marks} 5<!-- old = plain.json#/new -->", "--check")[1][0]
     )
 
@@ -192,7 +193,7 @@ def test_a_pipe_is_not_read(audit):
     assert (
         status == 1
         and line.startswith("a.md:1: missing: ")
-        and "no regular file" in line
+        and "not a regular file" in line
     )
 
 
@@ -252,7 +253,7 @@ def test_suggestions_mark_what_is_one_number_of_the_results_and_leave_a_choice(
 ):
     status, lines, after = audit(text, "--suggest", source)
     assert (status, after) == (0, marked)
-    has_choice = "unclear: 12.3 ms is twice.json#/a_ms or" in lines[0]
+    has_choice = "unclear: 12.3 ms may be twice.json#/a_ms or" in lines[0]
     assert has_choice == (text == marked)
     assert audit(marked, "--suggest", source)[2] == marked
 
@@ -266,14 +267,14 @@ def test_a_suggestion_in_latex_and_in_restructuredtext_is_audited_as_it_is(audit
 
 def test_a_build_server_gets_annotations_or_json(audit):
     text = f"\n14.3 ms<!-- = {MEAN} -->"
-    annotation = "::error file=a.md,line=2::stale: 14.3 ms is 12.3 ± 0.072 ms"
+    annotation = "::error file=a.md,line=2::stale: the text has 14.3 ms, but pytest.json#/benchmarks"
     assert audit(text, "--format", "github")[1][0].startswith(annotation)
     finding = json.loads(*audit(text, "--format", "json")[1])
     expected = {"file": "a.md", "line": 2, "kind": "stale", "replacement": "12.3"}
     assert finding.items() >= expected.items()
 
 
-HOSTILE = {  # with the kinds of their findings
+HOSTILE = {  # Each text has the kinds of its findings.
     b"\xff\xe9 12.9 ms<!-- = " + MEAN.encode() + b" -->\xff\r\n": ["fresh"],  # no UTF-8
     b"7<!-- a <!-- = no.json#/x -->": ["invalid"],  # a comment in a comment
     b"7<!-- = no.json#/x" + b"<!--" * 9999: ["invalid"],
@@ -372,7 +373,7 @@ def test_a_thousand_marks_take_no_longer_than_a_second(audit, folder):
     )
     audit(
         "1 s<!-- = many.json#/benchmarks/t0/stats/mean -->"
-    )  # what is imported once is
+    )  # The first call imports modules.
     began = time.process_time()
     marks = "".join(
         f"{i + 1} s<!-- = many.json#/benchmarks/t{i}/stats/mean -->\n"
@@ -410,12 +411,12 @@ def test_a_chain_of_names_is_as_long_as_it_is(audit):
     names = "".join(f"9<!-- n{i} = n{i + 1} + n{i + 1} --> " for i in range(61))
     _, lines, _ = audit(names + "2.0<!-- n61 = plain.json#/new -->", "--check")
     assert len(lines) == 61 and lines[0].startswith(
-        "a.md:1: stale: 9 is 4.61169e+18 by"
+        "a.md:1: stale: the text has 9, but n1 + n1 has 4.61169e+18"
     )
 
 
 def test_a_fix_never_overwrites_what_was_saved_in_the_meantime(audit, monkeypatch):
-    """As an editor does, between the reading of the file and the fix."""
+    """An editor may save the file between its reading and the fix."""
     edited = "a new sentence"
 
     def edit_and_copy(path, temporary, copymode=shutil.copymode):
@@ -456,13 +457,13 @@ def test_a_name_of_a_file_writes_no_command_of_github_and_no_second_line(audit):
     assert status == 1
     assert lines == [
         "::error file=a%2Cb%3A%25%0A%3A%3Aerror%3A%3Ax.md,line=1"
-        "::stale: 5 is 4 by plain.json#/old"
+        "::stale: the text has 5, but plain.json#/old has 4"
     ]
     assert len(audit("5<!-- = plain.json#/old -->", name=name)[1]) == 1
 
 
 ABSENT = ("fcntl", "grp", "pwd", "resource", "termios")
-"""Modules of Python that Windows does not have."""
+"""Python modules that do not exist on Windows."""
 
 
 def test_it_needs_no_other_package_and_nothing_that_windows_does_not_have(folder):
@@ -474,11 +475,13 @@ def test_it_needs_no_other_package_and_nothing_that_windows_does_not_have(folder
         f"sys.modules.update(dict.fromkeys({ABSENT!r}))",
         "runpy.run_module('number_audit', run_name='__main__')",
     ]
-    # Isolated, and without the site: only Python's own modules can be imported.
+    # In isolated mode without site, only the standard library can be imported.
     command = [sys.executable, "-I", "-S", "-c", "\n".join(lines), "a.md", "--fix"]
     done = subprocess.run(command, cwd=folder, capture_output=True, text=True)
     assert (done.returncode, done.stderr) == (0, "")
-    assert done.stdout == "a.md:1: fresh: 4.0 is 4 by plain.json#/old\n"
+    assert done.stdout == (
+        "a.md:1: fresh: the text has 4.0, and plain.json#/old has 4\n"
+    )
 
 
 def test_the_program_that_measured_a_record_tells_its_noise(folder, capsys):
@@ -494,4 +497,4 @@ def test_the_program_that_measured_a_record_tells_its_noise(folder, capsys):
 
     assert main(["a.md"], noise_of_record=noise_of_record) == 0
     assert asked == [(folder / "record.json", 0, "slip_mm")]
-    assert "2.3 mm is 2 ± 0.3 mm" in capsys.readouterr().out
+    assert "slip_mm has 2 ± 0.3 mm" in capsys.readouterr().out

@@ -1,4 +1,4 @@
-"""Units, noise and arithmetic, by numbers worked by hand."""
+"""Compares units, noise and arithmetic with numbers computed by hand."""
 
 import math
 
@@ -32,7 +32,7 @@ def test_student_t_is_that_of_the_tables(freedom, t):
 
 
 def test_the_noise_of_a_mean_is_its_confidence_interval():
-    """Deviation 1, 4 samples: 3.182 / 2."""
+    """For a deviation of 1 and 4 samples it is 3.182 / 2."""
     mean, noise = sample_mean(
         [1.0, 1.0, 1.0 + math.sqrt(3) / 2, 1.0 - math.sqrt(3) / 2]
     )
@@ -47,7 +47,7 @@ B = Quantity(2.0, "s", {"b": 0.4})
 @pytest.mark.parametrize(
     ("result", "value", "unit", "noise"),
     [
-        (A + A, 12.0, "m", 0.6),  # the same number twice moves both at once
+        (A + A, 12.0, "m", 0.6),  # Both terms are the same source.
         (A - A, 0.0, "m", 0.0),
         (A + Quantity(1.0, "m", {"c": 0.4}), 7.0, "m", 0.5),
         (A * B, 12.0, "m·s", math.hypot(2 * 0.3, 6 * 0.4)),
@@ -56,7 +56,7 @@ B = Quantity(2.0, "s", {"b": 0.4})
         (A / A, 1.0, "1", 0.0),
         (-A, -6.0, "m", 0.3),
         (Quantity(2.0) * A, 12.0, "m", 0.6),
-        (Quantity(1.0, "1", None) * A, 6.0, "m", 0.0),  # unknown, and so not counted
+        (Quantity(1.0, "1", None) * A, 6.0, "m", 0.0),  # Unknown noise does not count.
     ],
 )
 def test_arithmetic_carries_unit_and_noise(result, value, unit, noise):

@@ -1,4 +1,4 @@
-"""The lint: each rule on a model of two boxes, and all of them on the shake test as the solver really has it."""
+"""Tests of the rules on a Newton model of two boxes, and on the shake test."""
 
 import newton
 import numpy as np
@@ -31,7 +31,7 @@ def builder_of_the_solver() -> newton.ModelBuilder:
 
 
 def two_boxes(first: dict, second: dict, **attributes: tuple) -> newton.Model:
-    """Two boxes that can touch; ``attributes`` are the solver's custom ones, a value for each box."""
+    """Return two boxes that can touch, with custom attributes of the solver for each."""
     builder = builder_of_the_solver()
     for index, config in enumerate((first, second)):
         body = builder.add_body(label=f"body_{index}")
@@ -162,7 +162,7 @@ def test_kf_is_read_by_some_releases_and_cones_and_contacts_and_clamped():
 def test_kf_is_clamped_where_its_timeconst_is_two_substeps_and_none_takes_the_friction_away(
     monkeypatch, impratio
 ):
-    """A timeconst of 2 / (kf w ((1 - dmax) / impratio + dmax)), of which w is of both boxes and dmax is 0.95."""
+    """The timeconst is 2 / (kf w ((1 - dmax) / impratio + dmax)), with dmax of 0.95."""
     monkeypatch.setattr(module, "kf_is_read", lambda: True)
 
     def of(first: float, second: float, **attributes: tuple) -> list[tuple]:
@@ -171,7 +171,8 @@ def test_kf_is_clamped_where_its_timeconst_is_two_substeps_and_none_takes_the_fr
 
     weight = 2.0 / float(two_boxes({}, {}).body_mass.numpy()[0])
     most = 1.0 / (DT * weight * (0.05 / impratio + 0.95))
-    own, mixed = {"geom_priority": (1, 0)}, {"geom_solmix": (1.0, 3.0)}
+    own = {"geom_priority": (1, 0)}
+    mixed = {"geom_solmix": (1.0, 3.0)}
     assert (
         of(0.99 * most, 9.0 * most, **own)
         == of(0.39 * most, 1.19 * most, **mixed)
@@ -222,19 +223,18 @@ def test_models_without_shapes_or_the_solvers_attributes():
 
 
 def test_the_contacts_are_those_that_the_solver_has():
-    """Contacts of the cube on the ground, where neither shape has priority, so that both sides mix."""
+    """The cube and the ground have the same priority, so their parameters are mixed."""
     simulation = Simulation([AS_SHIPPED], wp.get_device("cpu"))
     simulation.frame()
     scene = Shapes.of(simulation.model, Engine())
-    contacts, shapes = scene.contacts, scene.index
+    contacts = scene.contacts
+    shapes = scene.index
     pairs = zip(
         shapes[contacts.first].tolist(), shapes[contacts.second].tolist(), strict=True
     )
     places = {frozenset(pair): index for index, pair in enumerate(pairs)}
-    data, geom_shapes = (
-        simulation.solver.mjw_data,
-        simulation.solver.mjc_geom_to_newton_shape.numpy()[0],
-    )
+    data = simulation.solver.mjw_data
+    geom_shapes = simulation.solver.mjc_geom_to_newton_shape.numpy()[0]
     count = int(data.nacon.numpy()[0])
     geoms = geom_shapes[data.contact.geom.numpy()[:count]]
     assert count

@@ -1,6 +1,6 @@
 #!/bin/sh
-# check.sh [MUJOCO]: compile MuJoCo's engine alone, as released and with the patch, and walk the box of upstream.md.
-# Takes gcc and libccd-dev. MUJOCO is a checkout to take the tag 3.12.0 from in place of GitHub's.
+# check.sh [MUJOCO]: compile only MuJoCo's engine, with and without the patch, and run the box scene of upstream.md.
+# It needs gcc and libccd-dev. MUJOCO is a checkout with the tag 3.12.0 to use instead of GitHub's.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 work=$(mktemp -d)
@@ -15,7 +15,7 @@ cat >run.c <<'END'
 #include <stdio.h>
 #include <stdlib.h>
 long mju_writeResource_stub(void) __asm__("mju_writeResource");
-long mju_writeResource_stub(void) { return -1; }  // of the parser, which is not compiled
+long mju_writeResource_stub(void) { return -1; }  // This is part of the parser, which is not compiled.
 int main(int count, char** arguments) {
   static char buffer[1 << 24];
   mjModel* m = mj_loadModelBuffer(buffer, fread(buffer, 1, sizeof buffer, stdin));

@@ -21,7 +21,7 @@ def test_a_number_of_a_record_is_audited(toy, monkeypatch, capsys):
         path.read_text(encoding="utf-8").replace("6.36", "6.37"), encoding="utf-8"
     )
     assert main() == 1
-    assert "stale: 6.37 mm is 6.3617 mm by" in capsys.readouterr().out
+    assert "stale: the text has 6.37 mm, but " in capsys.readouterr().out
 
 
 def test_a_record_whose_noise_can_not_be_read_is_an_error_of_its_mark(toy):

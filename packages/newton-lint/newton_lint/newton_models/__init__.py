@@ -1,1 +1,1 @@
-"""What the lint says of a Newton model: parameters that `SolverMuJoCo` does not use as they were authored."""
+"""Finds parameters of a Newton model that ``SolverMuJoCo`` does not use as written."""

@@ -1,4 +1,4 @@
-"""Newton's models: read from files that only Newton reads, or returned by a function, and what is said of them."""
+"""Reads and lints the models of Newton."""
 
 import logging
 from pathlib import Path
@@ -15,15 +15,14 @@ from newton_lint.target import Target
 from newton_lint.warp_engine import muted_standard_error
 
 READERS = {".xml": "add_mjcf", ".urdf": "add_urdf"}
-"""The builder's method for a file, by its ending; of any other USD's."""
+"""Maps the ending of a file to the builder's method; ``add_usd`` reads all others."""
 TIMESTEP_S = 0.002
-"""The time step of a model without shapes, as MuJoCo has it."""
+"""MuJoCo's default, which is used for a model without shapes."""
 
 
 wp.config.log_level = wp.LOG_WARNING
-logging.getLogger("trimesh").setLevel(
-    logging.ERROR
-)  # it reads meshes without scipy, and warns with a traceback
+# trimesh reads meshes without scipy, but logs a traceback about it.
+logging.getLogger("trimesh").setLevel(logging.ERROR)
 with muted_standard_error():
     wp.init()
 
@@ -33,17 +32,16 @@ def is_model(scene: Any) -> bool:
 
 
 def imported(path: Path) -> newton.Model:
-    """Return a file as Newton's importer reads it, with the attributes of ``SolverMuJoCo``."""
+    """Return a file as Newton imports it, with the attributes of ``SolverMuJoCo``."""
     builder = newton.ModelBuilder()
     SolverMuJoCo.register_custom_attributes(builder)
     getattr(builder, READERS.get(path.suffix.lower(), "add_usd"))(str(path))
-    return builder.finalize(
-        device="cpu"
-    )  # its arrays are only read, and a GPU may be missing or busy
+    # The arrays are only read, and a GPU may be missing or busy.
+    return builder.finalize(device="cpu")
 
 
 def report_of(target: Target, request: Request) -> Report:
-    """Lint a finalized ``newton.Model``, with ``--engine newton`` by Newton's contacts."""
+    """Lint a finalized ``newton.Model``."""
     model = target.newton_model
     scene = Shapes.of(model, request.engine) if model.shape_count else None
     has_own = (
@@ -51,6 +49,7 @@ def report_of(target: Target, request: Request) -> Report:
         and not kf_unread(scene)
         and (scene.of_geoms("shape_material_kf") > 0.0).any()
     )
+    # Friction has a timeconst of its own if kf is read, so the law does not apply.
     return Report(
         target=target.name,
         dt_s=scene.option.timestep_s
@@ -66,8 +65,6 @@ def report_of(target: Target, request: Request) -> Report:
         ]
         if scene
         else [],
-        creep=predictions(scene, request.load)
-        if scene and not has_own
-        else [],  # kf gives friction its own timeconst
+        creep=predictions(scene, request.load) if scene and not has_own else [],
         newton=newton.__version__,
     )

@@ -1,4 +1,4 @@
-"""The rules of Newton's models: those of MuJoCo's on what ``SolverMuJoCo`` compiles, and what only Newton says."""
+"""Applies the rules to Newton models, and checks ke, kd and kf, which MuJoCo lacks."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass, field
@@ -18,12 +18,12 @@ from newton_lint.scene import Engine, Scene
 from newton_lint.source import Source
 
 CONVERTED = 2
-"""``mujoco.solref_mode`` of a shape whose solref is made from ke and kd."""
+"""Value of ``mujoco.solref_mode`` for a solref that is computed from ke and kd."""
 
 
 @dataclass(frozen=True)
 class Shapes(Scene):
-    """A Newton model as the rules read it: what the solver compiles, whose geoms go by the names of their shapes."""
+    """A Newton model, compiled by the solver, with geoms named after their shapes."""
 
     shapes: newton.Model = field(kw_only=True)
 
@@ -35,19 +35,18 @@ class Shapes(Scene):
 
     @cached_property
     def contacts(self) -> Contacts:
-        return contacts_of(
-            self.model, "warp"
-        )  # SolverMuJoCo steps in MuJoCo Warp unless told otherwise
+        # SolverMuJoCo steps in MuJoCo Warp by default.
+        return contacts_of(self.model, "warp")
 
     @cached_property
     def index(self) -> np.ndarray:
-        """Return the shape of each geom, whose name ends in it."""
+        """Return the shape of each geom, which is the number at the end of its name."""
         names = (self.model.geom(geom).name for geom in range(self.model.ngeom))
         return np.array([int(name.rpartition("_")[2]) for name in names], dtype=int)
 
     @cached_property
     def names(self) -> list[str]:
-        """Return body and shape of each geom, as ``fr3_leftfinger/shape_21``."""
+        """Return body and shape of each geom, such as ``fr3_leftfinger/shape_21``."""
         labels = [label.rsplit("/", 1)[-1] for label in self.shapes.shape_label]
         bodies = [label.rsplit("/", 1)[-1] for label in self.shapes.body_label]
         owners = [
@@ -60,12 +59,12 @@ class Shapes(Scene):
         ]
 
     def of_geoms(self, name: str) -> np.ndarray:
-        """Return an array of the model's shapes, by geom."""
+        """Return an array of the model's shapes, indexed by geom."""
         return getattr(self.shapes, name).numpy()[self.index]
 
 
 def findings_in(scene: Shapes) -> list[Finding]:
-    """Return all that ``SolverMuJoCo`` will not use as it was authored; Newton's contacts read kf, MuJoCo's do not."""
+    """Return all parameters that ``SolverMuJoCo`` does not use as they are written."""
     rules = (ke_without_kd, friction_gain)
     findings = [
         finding
@@ -77,10 +76,10 @@ def findings_in(scene: Shapes) -> list[Finding]:
 
 
 def ke_without_kd(scene: Shapes) -> Iterator[Hits]:
-    """Yield ke or kd of which the other is 0: neither is read, and the contact has the default's solref."""
+    """Yield a ke without kd, or a kd without ke, which the solver ignores."""
     timeconst_s, ratio = DEFAULT_SOLREF
     mode = getattr(getattr(scene.shapes, "mujoco", None), "solref_mode", None)
-    # RAW, as importers of MJCF and USD set it: the authored solref is taken, and ke and kd are not read.
+    # In the mode RAW, which importers of MJCF and USD set, ke and kd are not read.
     converted = scene.counts & (
         True if mode is None else mode.numpy()[scene.index] == CONVERTED
     )
@@ -94,16 +93,17 @@ def ke_without_kd(scene: Shapes) -> Iterator[Hits]:
             Wording(
                 "ke-without-kd",
                 name,
-                f"is not read: {zero} is 0, so that solref is ({timeconst_s:g}, {ratio:g}) whatever {name} is",
+                f"{name} $value of $shapes is not read because {zero} is 0, so the"
+                f" solver uses solref ({timeconst_s:g}, {ratio:g})",
             ),
             hit,
-            values[name][hit],
+            values[name],
             used,
         )
 
 
 def friction_gain(scene: Shapes) -> Iterator[Hits]:
-    """Yield authored kf that is not read, takes the friction away, or asks for a timeconst below two steps."""
+    """Yield a kf that is not read, is clamped, or removes the friction."""
     contacts = scene.contacts
     kf = scene.of_geoms("shape_material_kf")
     opt = scene.option
@@ -111,9 +111,9 @@ def friction_gain(scene: Shapes) -> Iterator[Hits]:
     if reason := kf_unread(scene):
         unread = np.flatnonzero(authored & scene.counts)
         yield Hits(
-            Wording("kf", "kf", f"is not read by SolverMuJoCo {reason}"),
+            Wording("kf", "kf", f"kf $value of $shapes is not read {reason}"),
             unread,
-            kf[unread],
+            kf,
         )
         return
     first = contacts.first
@@ -123,8 +123,13 @@ def friction_gain(scene: Shapes) -> Iterator[Hits]:
     mixed = mix * kf[first] + (1.0 - mix) * kf[second]
     mu = contacts.friction[:, 0]
     lost = np.flatnonzero((contacts.condim > 1) & (mixed == 0.0))
-    wording = Wording("kf", "mu", "is not read: kf is 0, which takes the friction away")
-    yield Hits(wording, first[lost], mu[lost], partner=second[lost])
+    wording = Wording(
+        "kf",
+        "mu",
+        "mu $value of $shapes against $against is not read because a kf of 0 removes"
+        " the friction",
+    )
+    yield Hits(wording, lost, mu, shape=first, partner=second)
     dmax = contacts.solimp[:, 1]
     most = 1.0 / (
         opt.timestep_s * contacts.weight * ((1.0 - dmax) / opt.impratio + dmax)
@@ -136,15 +141,16 @@ def friction_gain(scene: Shapes) -> Iterator[Hits]:
     wording = Wording(
         "kf",
         "kf",
-        "asks for a friction timeconst below two steps, which the engine clamps it to",
+        "kf $value of $shapes against $against needs a friction timeconst below two"
+        " time steps, so the engine clamps it to that of a kf of $used",
     )
-    yield Hits(wording, first[hit], mixed[hit], most[hit], second[hit])
+    yield Hits(wording, hit, mixed, used=most, shape=first, partner=second)
 
 
 def kf_unread(scene: Scene) -> str:
-    """Say why kf is not read; empty where it is."""
+    """Return why kf is not read, or an empty string if it is."""
     if not kf_is_read():
-        return "of this release"
+        return "by SolverMuJoCo in this release"
     if scene.engine.name != "newton":
-        return "in contacts of MuJoCo"
-    return "" if scene.option.cone == "elliptic" else "with a pyramidal cone"
+        return "by SolverMuJoCo with MuJoCo's contacts"
+    return "" if scene.option.cone == "elliptic" else "with a pyramidal friction cone"
