@@ -1,4 +1,7 @@
-"""The command ``measured-report audit``: number-audit, which gets the noise of records from here."""
+"""Run number-audit with the noise that the records of this report imply.
+
+This is the command ``measured-report audit``.
+"""
 
 import sys
 from functools import cache
@@ -21,30 +24,32 @@ def main() -> int:
     except ImportError:
         install = "pip install ./packages/number-audit"
         print(
-            f"measured-report audit needs the package number-audit: {install}",
+            "number-audit is not installed, and measured-report audit needs it: "
+            f"{install}",
             file=sys.stderr,
         )
         return 2
-    sys.path.insert(0, str(report().root))  # a report names modules of its own
+    # The package number-audit imports modules of the report.
+    sys.path.insert(0, str(report().root))
     return number_audit(
         sys.argv[2:], prog="measured-report audit", noise_of_record=noise_of_record
     )
 
 
 def noise_of_record(path: Path, row: int, column: str) -> float | None:
-    """Return the noise of a number in a record, from all that was measured of it."""
+    """Return the noise of a number in a record, computed from all its measurements."""
     try:
         cells = load_record(path).rows[row]
         evidence = _evidence_of(path.parent.name).get(path.stem, Evidence())
         estimate = evidence.estimate(column, cells, report().columns)
     except (ReportError, LookupError) as error:
-        raise ValueError(f"the noise of {column} is not known: {error}") from None
+        raise ValueError(f"cannot compute the noise of {column}: {error}") from None
     return estimate.written_noise if estimate else None
 
 
 @cache
 def _evidence_of(folder: str) -> dict[str, Evidence]:
-    """Return the evidence of each section of the edition in a folder of results."""
+    """Return the evidence of each section for the edition in a folder of results."""
     settings = report().settings
     project = Project(settings.edition_in(folder), root=report().root)
     tracked = {record.section: record for record in records_of(project)}
