@@ -1,4 +1,4 @@
-"""The contact gap: how many contacts it makes, how many of them ever carry force."""
+"""Measure the number of contacts for each contact gap, and of those that carry force."""
 
 from dataclasses import replace
 

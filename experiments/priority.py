@@ -1,4 +1,8 @@
-"""Which side's material counts? The same stiffness swing on the cube, and the pads without their priority."""
+"""Measure which side's contact parameters matter.
+
+The stiffness of the cube is varied as that of the pads was, also without the priority
+of the pads.
+"""
 
 from dataclasses import replace
 

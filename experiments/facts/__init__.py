@@ -1,1 +1,4 @@
-"""Facts of the scene and of how a run ends: plain Python and NumPy, which both sides read."""
+"""Define facts about the scene and the end of a run, for measuring and for the report.
+
+This package uses only Python and NumPy.
+"""

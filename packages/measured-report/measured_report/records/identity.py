@@ -201,10 +201,9 @@ def files_digest(paths: Iterable[Path], root: Path) -> str:
             info = path.stat()
             if stat.S_ISREG(info.st_mode):
                 # Files of size 0 may be endless, and no command reads larger files.
-                is_read = 0 < info.st_size <= BYTE_LIMIT
+                content = path.read_bytes() if 0 < info.st_size <= BYTE_LIMIT else b""
                 name = f"{path.relative_to(root).as_posix()}\0{info.st_size}\0"
-                digest.update(os.fsencode(name))
-                digest.update(path.read_bytes() if is_read else b"")
+                digest.update(os.fsencode(name) + content)
     return digest.hexdigest()
 
 
