@@ -1,6 +1,4 @@
-"""Measure the sections: each has a module or a folder here, and folders hold shared
-code.
-"""
+"""Measure the sections: each is a module or a folder here; other folders are shared."""
 
 import sys
 from pathlib import Path

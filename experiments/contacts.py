@@ -125,8 +125,7 @@ def contact_table(contacts: ContactRows) -> dict[str, np.ndarray]:
 
 
 def predicted_row(case: Case) -> dict[str, object]:
-    """Return the slide predicted from the ignored term, and the slide of the contact
-    rows.
+    """Return the slide predicted from the ignored term, and that of the contact rows.
 
     A contact row sets the acceleration J q̈ to -b v, where v is the sliding velocity
     and b = 2 / (dmax timeconst) (MuJoCo documentation, "Computation", constraint
@@ -155,9 +154,7 @@ def predicted_row(case: Case) -> dict[str, object]:
 
 
 def restored_row(case: Case) -> dict[str, object]:
-    """Return the same run with the term restored: each contact row aims at -b v - J̇
-    q̇.
-    """
+    """Return the same run with the term restored: rows aim at -b v - J̇ q̇."""
     simulation = _in_c(replace(case, contact_bias=True))
     for _ in range(TWO_PERIODS_FRAME_COUNT):
         simulation.step()

@@ -1,4 +1,4 @@
-"""Measure the time of a frame with and without the remedies, in one world and in many."""
+"""Measure the time of a frame with and without the remedies, for 1 to 16,384 worlds."""
 
 from dataclasses import replace
 

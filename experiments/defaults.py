@@ -33,9 +33,7 @@ def measure(conditions: Conditions) -> Measurement:
 
 
 def own_case() -> Case:
-    """Return the scene as shipped, with this release's default contact parameters and
-    gap.
-    """
+    """Return the scene as shipped with this release's contact defaults and gap."""
     builder = newton.ModelBuilder()
     config = builder.ShapeConfig()
     pads = {

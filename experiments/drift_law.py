@@ -1,4 +1,4 @@
-"""Predict the drift of each run of section stiffness from the motion of the arm alone.
+"""Predict the drift of each run of section stiffness from the arm's motion alone.
 
 The parts are those of ``budget``. Each part is the slope of its sum over the shake,
 just as the drift is the slope of the cube's displacement. They are measured in one run
@@ -80,10 +80,8 @@ def measure_slopes(case: Case) -> Slopes:
     if run.failure:
         return Slopes(*[np.nan] * 5, failure=run.failure)  # type: ignore[misc]  # mypy counts six values, but there are five
     frames = run.frames.copy()
-    frames[: run.shaking[0] + 1] = (
-        # The displacement counts from the end of the first frame.
-        0.0
-    )
+    # The displacement counts from the end of the first frame.
+    frames[: run.shaking[0] + 1] = 0.0
     poses = run.trace.poses[run.shaking[0]].astype(float)
     along = frames.cumsum(axis=0)[run.shaking] @ metrics.rotate_inverse(
         poses[metrics.TCP, 3:], metrics.MAIN_AXIS
@@ -94,7 +92,7 @@ def measure_slopes(case: Case) -> Slopes:
 
 
 def predicted_columns(case: Case, slopes: Slopes) -> dict[str, object]:
-    """Return the predicted drift of a case and the response time of its friction rows."""
+    """Return the predicted drift of a case and the response time of friction rows."""
     columns: dict[str, object] = {"pad_ke": case.pad_ke, "pad_kd": case.pad_kd}
     if slopes.failure:
         return columns | absent(("response_s", *PREDICTED), slopes.failure)

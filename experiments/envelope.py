@@ -1,6 +1,4 @@
-"""Measure the slip for all amplitudes and frequencies of a map, with and without the
-fix.
-"""
+"""Map the slip over amplitude and frequency, with and without the fix."""
 
 from collections.abc import Mapping
 from dataclasses import replace
@@ -16,10 +14,9 @@ MAP_SIZE = {"full": 32, "quick": 3}
 AMPLITUDES_M = (0.005, 0.12)
 FREQUENCIES_HZ = (0.25, 5.0)  # range of the map, with logarithmic spacing
 SIDES = {"as-shipped": AS_SHIPPED, "stiff": STIFF_PADS}
+# Pairs of amplitude [m] and frequency [Hz].
 ROUND = [(0.03, f) for f in (0.5, 1.0, 2.0, 3.0)] + [
-    (a, 1.0)
-    for a in (0.01, 0.06, 0.1)
-    # Pairs of amplitude [m] and frequency [Hz].
+    (a, 1.0) for a in (0.01, 0.06, 0.1)
 ]
 COLUMNS = (
     "shake_amplitude_m",
@@ -62,7 +59,7 @@ def map_cells(sides: Mapping[str, Case], size: int) -> list[Case]:
 
 
 def measure_round(conditions: Conditions) -> list[dict]:
-    """Return a row for each shake with round numbers, including the shake of the scene.
+    """Return a row for each shake with round numbers, including the scene's own.
 
     The runs are as long as those of the map.
     """

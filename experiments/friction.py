@@ -1,4 +1,4 @@
-"""Measure the slip with friction coefficients far below and far above those as shipped.
+"""Measure the slip with friction coefficients far below and above those as shipped.
 
 The coefficients of the pads and of the cube are varied separately.
 """

@@ -1,4 +1,4 @@
-"""Measure the number of contacts for each contact gap, and of those that carry force."""
+"""Measure how many contacts each contact gap creates, and how many carry force."""
 
 from dataclasses import replace
 

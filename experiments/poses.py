@@ -33,10 +33,8 @@ SHAKEN = (
 HELD = replace(
     HOLD, name="hold-60s", frame_count=SETUP_FRAME_COUNT + 60 * FRAME_RATE + 1
 )
-HELD_FRAME_STEP = (
-    # Frames between two kept frames of the held arm, which hardly moves.
-    6
-)
+# Frames between two kept frames of the held arm, which hardly moves.
+HELD_FRAME_STEP = 6
 
 COORDINATES = (*JOINTS, *CUBE_PLACE, *CUBE_TURN)
 
@@ -75,10 +73,8 @@ class KeptSimulation(Simulation):
             (self.case.frame_count, self.state.joint_q.size), dtype=float, device=device
         )
         self.frame_count = 0
-        wp.synchronize_device(
-            device
-            # The array is written on another stream than the one that created it.
-        )
+        # The array is written on another stream than the one that created it.
+        wp.synchronize_device(device)
 
     def frame(self) -> None:
         super().frame()

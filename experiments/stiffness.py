@@ -1,4 +1,4 @@
-"""Measure pad stiffness, damping and solimp, and their values in the solver's contacts."""
+"""Measure pad stiffness, damping and solimp, and the solver's contact parameters."""
 
 from dataclasses import replace
 
@@ -12,12 +12,12 @@ from experiments.simulation.measurement import (
     summarize,
 )
 
+# Values of ke and kd that keep the damping ratio near 1.
 CRITICAL = (
     (2.5e3, 1e2),
     (2.5e4, 3e2),
     (2.5e5, 1e3),
     (2.5e6, 3e3),
-    # Values of ke and kd that keep the damping ratio near 1.
 )
 SWEEP = {"full": np.logspace(2, 8, 40), "quick": np.logspace(2, 8, 7)}
 

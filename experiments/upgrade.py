@@ -60,9 +60,7 @@ ENGINE_ARRAYS = (
 
 
 def measure(conditions: Conditions) -> Measurement:
-    """Return rows of runs, with their contacts in the middle of the shake, and of
-    settings.
-    """
+    """Return rows of runs with their contacts in mid-shake, and of settings."""
     cases = [*RUNS, *(KF_RUNS if compat.kf_is_read() else ())]
     traces = conditions.simulate(
         cases, contact_frames=conditions.contact_frames()[1:2], title="upgrade"
@@ -77,7 +75,7 @@ def measure(conditions: Conditions) -> Measurement:
 
 
 def row_columns(contacts: ContactRows) -> dict[str, object]:
-    """Return the live contacts of a frame: their count and the rows of the strongest.
+    """Return the live contacts of a frame: their count, and the strongest one.
 
     ``friction_damping_per_s`` describes the behaviour of the friction rows instead of
     their parameters. They aim at the acceleration -b v, and this is b of the faster of

@@ -21,10 +21,8 @@ HELD = (
     replace(MINUTE, name="kept", **POSITIONS["kept"]),
     replace(MINUTE, name="best", **BEST),
 )
-SIDES = {
-    "best": replace(AS_SHIPPED, **BEST)
-    # With the whole cure; these are the cases of the map as in section envelope.
-}
+# With the whole cure; these are the cases of the map as in section envelope.
+SIDES = {"best": replace(AS_SHIPPED, **BEST)}
 PARTS = {
     "limits": limits.measure,
     "turntable": turntable.measure,
@@ -35,9 +33,7 @@ PARTS = {
 
 
 def measure(conditions: Conditions) -> Plan:
-    """Measure the combinations, grouped by their source of contacts, and the other
-    parts.
-    """
+    """Measure the combinations by their source of contacts, and the other parts."""
     groups = {
         kind: combinations.cases(kind, conditions.quick)
         for kind in combinations.CONTACTS
@@ -61,7 +57,7 @@ def measure(conditions: Conditions) -> Plan:
 
 
 def measure_held(conditions: Conditions) -> list[dict]:
-    """Return a row for each minute with the arm held still, with the creep at its end.
+    """Return a row for each minute with the arm held still, and its final creep.
 
     The creep is measured in the last second.
     """

@@ -1,5 +1,4 @@
-"""Measure whether bodies other than a grasped cube move correctly with the term
-restored.
+"""Measure whether bodies other than a grasped cube move correctly with the term.
 
 On a plane, a body is dropped, slides or rolls. If a ball rolls and spins at the same
 time, its material point accelerates sideways, but its contact does not. On a turning

@@ -128,7 +128,7 @@ def shake_of(case: Case) -> tuple[str, str]:
 
 
 def row_of(case: Case, trace: Trace, motion: Motion) -> dict[str, object]:
-    """Return the row of a run with its slip and the predicted parts in the TCP frame.
+    """Return the row of a run: its slip and the predicted parts in the TCP frame.
 
     The y axis of the TCP frame is perpendicular to the pads, so that only x and z are
     kept.

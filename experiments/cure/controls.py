@@ -24,10 +24,10 @@ from experiments.facts.case import AS_SHIPPED
 from experiments.simulation.measurement import Conditions, summarize
 from experiments.simulation.reference import NativeShake, pilot_at_shake, starts_of
 
+# The shake of the arm; the cube settles during one period of it.
 SHAKE_M, SHAKE_RAD_S = (
     0.03,
     2.0 * np.pi,
-    # The shake of the arm; the cube settles during one period of it.
 )
 PLACE_M = SHAKE_M * SHAKE_RAD_S**2 / TURN_RAD_S**2
 """Distance from the axis at which the acceleration equals the peak of the shake."""
@@ -45,10 +45,8 @@ HINGE, SLIDE = (
     '<joint type="slide" axis="{axis}" {spring}/>',
 )
 SWING = f'stiffness="{1e3 * SHAKE_RAD_S**2}" armature="1000"'
-ARC_M = SHAKE_M**2 / (
-    4.0 * PLACE_M
-    # Offset of the middle of the arc's radial motion from its lowest point.
-)
+# Offset of the middle of the arc's radial motion from its lowest point.
+ARC_M = SHAKE_M**2 / (4.0 * PLACE_M)
 # The radial motion has twice the frequency of the shake.
 ALONG = f'springref="{-ARC_M}" stiffness="{4e3 * SHAKE_RAD_S**2}" armature="1000"'
 JOINTS = {
@@ -73,9 +71,7 @@ STARTS = {  # at rest at an end of the shake, turning, or in the middle of the a
 
 
 def walls(motion: str) -> str:
-    """Return the scene: walls on joints and a cube on feet between them, without
-    gravity.
-    """
+    """Return the scene: walls on joints, and between them a cube without gravity."""
     place_m = 0.0 if motion == "straight" else PLACE_M
     feet = "".join(
         f'<geom type="sphere" size="0.01" pos="{x} {y} {z}" mass="0"/>'
@@ -96,9 +92,7 @@ def walls(motion: str) -> str:
 
 
 def measure(conditions: Conditions) -> list[dict]:
-    """Return a row for each control and engine, with the creep after the cube has
-    settled.
-    """
+    """Return a row for each control and engine: the creep after settling."""
     return [
         row_of(motion, engine, conditions)
         for motion in JOINTS
@@ -136,7 +130,7 @@ def row_of(motion: str, engine: str, conditions: Conditions) -> dict[str, object
 
 
 def measure_jacobians(conditions: Conditions) -> list[dict]:
-    """Return a row for the shake in MuJoCo's C engine with each form of the Jacobian."""
+    """Return a row for the shake in MuJoCo's C engine with each type of Jacobian."""
     case = replace(
         AS_SHIPPED,
         backend="mujoco",

@@ -22,7 +22,7 @@ GRID_SUBSTEPS = {"full": (4, 16), "quick": (4,)}
 
 
 def probes(profile: str) -> list[Probe]:
-    """Return the probes: long steps, soft and stiff pads, masses, and initial overlaps."""
+    """Return the probes: long steps, soft and stiff pads, masses and overlaps."""
     grid = [
         families.grid_cell(family, float(ke), count)
         for family in DAMPING

@@ -73,10 +73,8 @@ class Variant:
 
     contact_bias: bool = False
     bias_centred: bool = False
-    options: Mapping[str, Any] = field(
-        default_factory=dict
-        # Options of MJCF that differ from the scene.
-    )
+    # Options of MJCF that differ from the scene.
+    options: Mapping[str, Any] = field(default_factory=dict)
     timeconst_s: float = 0.02
 
     @property
@@ -122,7 +120,7 @@ TERM = {"warp": contact_bias.install, "c": contact_bias_c.subtract_bias}  # type
 
 
 def measure(conditions: Conditions) -> list[dict]:
-    """Return a row for each run with the measured and predicted growth of the radius."""
+    """Return a row for each run: the measured and predicted growth of the radius."""
     runs = list(product(TERM, VARIANTS))
     return [
         row_of(engine, name, conditions)
@@ -179,7 +177,8 @@ def run(
     The positions are sampled every SAMPLE_S [m], shape [samples, 3].
 
     Args:
-        term: Installed in MuJoCo Warp, or called by MuJoCo's C engine before it solves. None leaves the engine unchanged.
+        term: Installed in MuJoCo Warp, or called by MuJoCo's C engine before it solves.
+            None leaves the engine unchanged.
 
     Raises:
         RunFailed: The engine has diverged or raised a warning.

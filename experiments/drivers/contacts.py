@@ -78,7 +78,7 @@ class Contacts:
 def forecast_creep_m_s(
     contacts: Contacts, load_n: float, contact: Contact, option: Option
 ) -> float:
-    """Return the same prediction from a contact's parameters and the mean depth [m/s]."""
+    """Return the same prediction from contact parameters and the mean depth [m/s]."""
     impedance = impedance_at(contact.solimp, contacts.depth_m)
     response = response_of(contact, option, impedance)
     return response.load_m_s_n * load_n / contacts.count
@@ -87,7 +87,7 @@ def forecast_creep_m_s(
 def load_columns(
     contacts: Contacts, load_n: float, contact: Contact, option: Option
 ) -> dict[str, float]:
-    """Return both predictions of the creep under a load, and the supporting contacts."""
+    """Return both predictions of the creep under a load, and its contacts."""
     predicted_m_s = 0.0 if option.noslip else contacts.creep_m_s(load_n)
     forecast_m_s = forecast_creep_m_s(contacts, load_n, contact, option)
     return {

@@ -7,11 +7,11 @@ from experiments.facts.case import Case
 from experiments.facts.trace import Trace
 from measured_report.measuring.measurement import absent
 
+# Columns of a trace.
 FORCES = (
     "normal_force_n",
     "tangential_force_n",
     "penetration_m",
-    # Columns of a trace.
 )
 GRASP = ("creep_mm_per_cycle", "normal_force_n", "friction_share", "penetration_mm")
 

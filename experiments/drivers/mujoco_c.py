@@ -6,11 +6,9 @@ import numpy as np
 from experiments.drivers.contacts import Contacts
 from experiments.simulation.c_warnings import refuse_warned
 
-STEPS = (
-    # Steps of ``advance``. It is two because Newton steps from one state into another
-    # and back.
-    2
-)
+# Steps of ``advance``. It is two because Newton steps from one state into another and
+# back.
+STEPS = 2
 
 
 def start(model: mujoco.MjModel) -> mujoco.MjData:
@@ -52,9 +50,7 @@ class InC:
             refuse_warned(data)
 
     def body(self) -> tuple[np.ndarray, np.ndarray]:
-        """Return position [m] and velocity [m/s] of the free body, shape [world, 3]
-        each.
-        """
+        """Return the free body's position [m] and velocity [m/s], [world, 3] each."""
         position, velocity = self.free
         return (
             np.array([data.qpos[position] for data in self.worlds]),
@@ -62,7 +58,7 @@ class InC:
         )
 
     def contacts(self) -> Contacts:
-        """Return the contacts of the first world that carry force after the last step."""
+        """Return the loaded contacts of the first world after the last step."""
         return contacts_in_c(self.model, self.worlds[0])
 
 

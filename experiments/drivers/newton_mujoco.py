@@ -37,16 +37,12 @@ class ThroughNewton(InWarp):
             update_data_interval=0,
         )
         self.states = newton_model.state(), newton_model.state()
-        self.control: Any = (
-            newton_model.control()
-            # This has the attributes that the solver adds.
-        )
+        # This has the attributes that the solver adds.
+        self.control: Any = newton_model.control()
         self.time_step = float(self.model.opt.timestep)
         self.model = self.solver.mj_model
-        self.model.opt.timestep = (
-            self.time_step
-            # Newton sets the time step only if it steps in C.
-        )
+        # Newton sets the time step only if it steps in C.
+        self.model.opt.timestep = self.time_step
         self.engine, self.data = self.solver.mjw_model, self.solver.mjw_data
 
     def command(self, control: np.ndarray) -> None:

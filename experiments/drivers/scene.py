@@ -78,13 +78,13 @@ class Trace:
     """Hold the results of a run; a result that an engine does not provide is None.
 
     Attributes:
-        poses: Poses of the body and the robot's tool, or of the body in each world, at the
-            start and after each sample. A pose is a position [m] with a quaternion
+        poses: Poses of the body and the robot's tool, or of the body in each world, at
+            the start and after each sample. A pose is a position [m] with a quaternion
             (x, y, z, w), or a position alone. Shape [1 + samples, bodies, 7 or 3].
         forces: Sums of normal and of tangential forces [N] and the largest depth [m] of
             all contacts after each sample, shape [samples, 3]; NaN if they are unknown.
         joints: Final positions of all joints [rad, m].
-        velocity_m_s: Velocity of the body in each world, shape [1 + samples, worlds, 3].
+        velocity_m_s: Velocity of the body, shape [1 + samples, worlds, 3].
         contacts: Final contacts of the first world.
         model: The model in the engine.
     """
@@ -98,7 +98,5 @@ class Trace:
 
     @property
     def path_m(self) -> np.ndarray:
-        """Return the positions of the body [m] in the first world, shape [1 + samples,
-        3].
-        """
+        """Return the body's positions in the first world [m], [1 + samples, 3]."""
         return self.poses[:, 0, :3]

@@ -1,4 +1,4 @@
-"""Measure the box on the turntable, the pinched capsule and the shake in other engines.
+"""Measure the box on the turntable, the capsule and the shake in other engines.
 
 The capsule ends between the pads, so that the balls at its ends hold it. The SimReady
 test FET028 of NVIDIA (2 cm at 2 Hz for 2 s, slip below 3 cm) is done with the shake of
@@ -120,9 +120,7 @@ PADS_KD = (100.0, 5.0)  # damping of the pads in FET028: as shipped, and softer
 
 
 def measure(conditions: Conditions) -> Plan:
-    """Return a row for each model, scene and step, for each shake, and for published
-    scenes.
-    """
+    """Return rows for each model, scene and step, for shakes, and published scenes."""
     models = [each for each in MODELS if not conditions.quick or each.name in QUICK]
     found = yield [
         Batch("models", model_rows, (models, conditions.profile)),
@@ -155,9 +153,7 @@ def model_rows(models: Sequence[Model], profile: str) -> list[dict[str, object]]
 
 
 def columns(name: str, trace: Trace | str) -> dict[str, object]:
-    """Return the growth of the box's distance from the axis, or the creep of the
-    capsule.
-    """
+    """Return the growth of the box's radius, or the creep of the capsule."""
     column, drop_m, lost = LOST[name]
     if isinstance(trace, str):
         return absent([column], trace)
@@ -175,7 +171,7 @@ def columns(name: str, trace: Trace | str) -> dict[str, object]:
 
 
 def shake_rows(conditions: Conditions) -> Sequence[Mapping[str, object]]:
-    """Return rows for the shake by the rule of FET028, until 2 s after its first frame."""
+    """Return rows for the shake of FET028, until 2 s after its first frame."""
     shipped = replace(
         AS_SHIPPED,
         shake_amplitude_m=0.02,

@@ -68,7 +68,7 @@ final joint positions.
 
 
 def in_c(mjcf: str, qpos: Sequence[float], controls: np.ndarray) -> Shown:
-    """Run MuJoCo's C engine from these joint positions, with a control for each step."""
+    """Run MuJoCo's C engine from joint positions, with a control for each step."""
     model = mujoco.MjModel.from_xml_string(mjcf)
     data = mujoco.MjData(model)
     data.qpos[: len(qpos)] = qpos
@@ -78,10 +78,10 @@ def in_c(mjcf: str, qpos: Sequence[float], controls: np.ndarray) -> Shown:
         data.ctrl[:] = control
         mujoco.mj_step(model, data)
         refuse_warned(data)
+        # For each contact: whether it exists, and its force.
         felt = data.sensordata.reshape(
             -1,
             4,
-            # For each contact: whether it exists, and its force.
         )
         height_m.append(data.body("object").xpos[2])
         force_n.append(felt[felt[:, 0] > 0.0, 1].sum())
@@ -111,7 +111,7 @@ def grasp_mjcf(friction: float, integrator: str) -> str:
 def hold(
     conditions: Conditions, show: Callable[..., Shown], integrator: str = "Euler"
 ) -> dict[str, object]:
-    """Lift the cube, determine the critical friction, and hold it with slightly more."""
+    """Lift the cube, determine its critical friction, and hold it with a margin."""
     controls = pick.pick_controls(np.arange(0.0, HOLD_S, STEP_S))
     lifted_m, force_n, qpos = show(grasp_mjcf(1.0, integrator), START, controls)
     count = round(FORCE_S / STEP_S)
@@ -155,7 +155,7 @@ def press(conditions: Conditions, engine: str) -> dict[str, object]:
 
 
 def orbit(_: Conditions) -> dict[str, object]:
-    """Hold the capsule, move it on an orbit, hold it again, and return its total creep."""
+    """Hold the capsule, move it on an orbit, hold it again; return its creep."""
     world = InC(capsule.Pinch("orbit", impratio=1.0).mjcf())
     world.command([capsule.TARGET])
     height_m = []

@@ -52,7 +52,7 @@ class Reference(NamedTuple):
 
 
 def rows(conditions: Conditions, models: Sequence[Any]) -> list[dict[str, object]]:
-    """Return a row for each shake in MuJoCo C and in each model that can load a robot."""
+    """Return a row for each shake in MuJoCo C and in each model that loads a robot."""
     base = replace(
         WEIGHTLESS, frame_count=conditions.frame_count(AS_SHIPPED.frame_count)
     )
@@ -157,7 +157,7 @@ def scene_of(own: Reference, file: str) -> Scene:
 
 
 def traced(shown: Shown, own: Trace) -> Trace:
-    """Return the trace of an engine with the phases of the run that gave the targets."""
+    """Return the trace of an engine with the phases of the original run."""
     contacts = np.full((len(own.phase), len(FRAME_COLUMNS)), np.nan)
     contacts[:, [FRAME_COLUMNS.index(name) for name in FORCES]] = shown.forces
     poses = shown.poses[1:]

@@ -63,19 +63,17 @@ CAP_S = 64.0  # time limit for the comparison of settings [s]
 # Time limit for the numbers of worlds [s]. Times of C on a shared core never reach the
 # resolution, so there must be a limit.
 WORLDS_CAP_S = 10.0
-REFERENCE = (
-    # The setting with which all times are compared.
-    "as-shipped/newton/substeps-16"
-)
+# The setting with which all times are compared.
+REFERENCE = "as-shipped/newton/substeps-16"
 ERROR_COLUMNS = ("grasp_error_mm_per_cycle", "numerical_error_mm")
 RATIO = ("time_ratio", "time_ratio_p5", "time_ratio_p95", "ratio_resolution")
 TIME_COLUMNS = ("ms_per_s", "ms_per_s_p5", "ms_per_s_p95", *RATIO)
+# The fixed scene in C on one core.
 ONE_CORE = replace(
     FIXED,
     name="one-core",
     backend="mujoco",
     frame_count=FRAME_COUNT,
-    # The fixed scene in C on one core.
 )
 
 
@@ -123,10 +121,8 @@ def measure_points(conditions: Conditions, pads: str) -> list[dict]:
         for point in (*references, *points)
         if point.is_native
     }
-    with ThreadPoolExecutor(
-        max(1, (os.cpu_count() or 1) - 1)
-        # C runs on the CPU, beside the GPU.
-    ) as pool:
+    # C runs on the CPU, beside the GPU.
+    with ThreadPoolExecutor(max(1, (os.cpu_count() or 1) - 1)) as pool:
         native_traces = pool.map(NativeShake.run, natives.values())
         traces = run_shakes(shakes)
         traces |= dict(zip(natives, native_traces, strict=True))
@@ -174,11 +170,11 @@ def in_warp(point: Setting, pilot: Simulation, device: wp.Device) -> Simulation:
     world = list(PADS).index(point.pads)
     put_in_state_of(simulation, pilot, world)
     simulation.step()
+    # The frame that was captured must not count.
     put_in_state_of(
         simulation,
         pilot,
         world,
-        # The frame that was captured must not count.
     )
     simulation.recorder.cursor.zero_()
     wp.synchronize_device(simulation.device)

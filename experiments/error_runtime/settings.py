@@ -78,15 +78,13 @@ CONVERGED = {
     "tolerance": 1e-12,
     "ls_tolerance": 1e-6,
 }  # type: dict
+# Parameters that change the model, which then converges to another solution.
 MODEL_FIELDS = (
     "cone",
     "impratio",
-    # Parameters that change the model, which then converges to another solution.
 )
-CYCLE_COUNT = (
-    # Shake cycles: one to settle, and two after which the whole motion repeats.
-    3
-)
+# Shake cycles: one to settle, and two after which the whole motion repeats.
+CYCLE_COUNT = 3
 FRAME_COUNT = 60 * CYCLE_COUNT + 1
 
 

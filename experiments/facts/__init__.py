@@ -1,4 +1,4 @@
-"""Define facts about the scene and the end of a run, for measuring and for the report.
+"""Define facts about the scene and the ends of runs, for measuring and reporting.
 
 This package uses only Python and NumPy.
 """

@@ -27,22 +27,14 @@ class Case:
     name: str
 
     # Parameters that can differ between the worlds of a batch.
-    pad_ke: float = (
-        # Contact stiffness of the finger pads as authored (``ShapeConfig`` default).
-        2.5e3
-    )
-    pad_kd: float = (
-        # Contact damping of the finger pads as authored (``ShapeConfig`` default).
-        100.0
-    )
-    pad_mu: float = (
-        # Friction coefficient of the finger pads (``ShapeConfig`` default).
-        1.0
-    )
-    pad_dmax: float = (
-        # Second entry of the pads' solimp: the impedance at full penetration.
-        0.95
-    )
+    # Contact stiffness of the finger pads as authored (``ShapeConfig`` default).
+    pad_ke: float = 2.5e3
+    # Contact damping of the finger pads as authored (``ShapeConfig`` default).
+    pad_kd: float = 100.0
+    # Friction coefficient of the finger pads (``ShapeConfig`` default).
+    pad_mu: float = 1.0
+    # Second entry of the pads' solimp: the impedance at full penetration.
+    pad_dmax: float = 0.95
     pad_kf: float = 1e3
     """Friction gain of the finger pads as authored (``ShapeConfig`` default).
 
@@ -58,20 +50,16 @@ class Case:
     add up.
     """
     robot_gap_m: float = 0.005
-    shake_amplitude_m: float = (
-        # Amplitude A of the shake along its main axis [m]; 0 holds the arm still.
-        0.03
-    )
+    # Amplitude A of the shake along its main axis [m]; 0 holds the arm still.
+    shake_amplitude_m: float = 0.03
     shake_frequency_hz: float = 1.0  # frequency f of the shake along its main axis [Hz]
     pad_direct: bool = False
     """Whether the pads' solref is (-pad_ke, -pad_kd), which the engine uses without a
     clamp.
     """
     cube_edge_m: float = 0.04
-    cube_offset_m: float = (
-        # Shift of the cube's start along the shake's main axis [m].
-        0.0
-    )
+    # Shift of the cube's start along the shake's main axis [m].
+    cube_offset_m: float = 0.0
     cube_in_hand: bool = False
     """Whether the run starts at the place of the shake, with the fingers closed on the
     cube.
@@ -104,10 +92,8 @@ class Case:
     # geom_priority, one set of geoms and one solver.
     ground_gap_m: float = 0.005
     pad_priority: int = 1
-    pad_shape: str = (
-        # ``box``, or ``convex-mesh`` for the same boxes as convex meshes.
-        "box"
-    )
+    # ``box``, or ``convex-mesh`` for the same boxes as convex meshes.
+    pad_shape: str = "box"
     hand_collides: bool = True
     visuals: bool = True  # whether the robot keeps its visual shapes
     # ``warp`` (MuJoCo Warp) or ``mujoco`` (MuJoCo's C engine, always on the CPU).
@@ -139,20 +125,14 @@ class Case:
     the release.
     """
     refsafe: bool = True  # whether the engine limits timeconst to at least two substeps
-    sensors: bool = (
-        # Whether the engine's sensor stage runs; the scene has no sensor.
-        True
-    )
+    # Whether the engine's sensor stage runs; the scene has no sensor.
+    sensors: bool = True
     limits: bool = True  # whether the engine checks joints for their limits
-    contact_max: int | None = (
-        # Contacts per world that the buffers can hold; None sizes them for the scene.
-        None
-    )
-    constraint_max: int | None = (
-        # Constraint rows per world that the buffers can hold; None sizes them for the
-        # scene.
-        None
-    )
+    # Contacts per world that the buffers can hold; None sizes them for the scene.
+    contact_max: int | None = None
+    # Constraint rows per world that the buffers can hold; None sizes them for the
+    # scene.
+    constraint_max: int | None = None
     ik_iterations: int = 8
     """IK iterations per frame.
 
@@ -247,9 +227,7 @@ def batch_key(case: Case) -> Case:
 
 
 def build_key(case: Case) -> Case:
-    """Return the parameters that must be equal for cases that one simulation runs in
-    turn.
-    """
+    """Return the parameters that must be equal to run cases in one simulation."""
     baseline = Case(name="")
     return replace(
         case, name="", **{name: getattr(baseline, name) for name in RUN_TIME_FIELDS}
@@ -257,9 +235,7 @@ def build_key(case: Case) -> Case:
 
 
 def differences(case: Case) -> dict[str, object]:
-    """Return the parameters in which ``case`` differs from the scene as shipped, by
-    name.
-    """
+    """Return the parameters that differ from the scene as shipped, by name."""
     baseline = Case(name="")
     names = (field.name for field in fields(case) if field.name != "name")
     return {
@@ -297,18 +273,18 @@ LEAN = replace(
 
 With the small gap, the peaks are 21 contacts and 50 rows.
 """
+# The one change that holds the cube.
 STIFF_PADS = replace(
     AS_SHIPPED,
     name="stiff-pads",
     pad_ke=2.5e5,
     pad_kd=1e3,
-    # The one change that holds the cube.
 )
+# The same grasp with the arm held still.
 HOLD = replace(
     AS_SHIPPED,
     name="hold",
     shake_amplitude_m=0.0,
-    # The same grasp with the arm held still.
 )
 FIXED = replace(LEAN, name="fixed", pad_ke=STIFF_PADS.pad_ke, pad_kd=STIFF_PADS.pad_kd)
 """The recommended scene: stiff pads, without parts that it does not need."""

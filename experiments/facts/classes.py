@@ -72,8 +72,7 @@ def is_exploded(case: Case, trace: Trace) -> bool:
 
 
 def excess_speed_m_s(case: Case, trace: Trace) -> np.ndarray:
-    """Return the cube's speed without the part due to its fall [m/s], shape [frames -
-    1].
+    """Return the cube's speed without its fall [m/s], shape [frames - 1].
 
     The fall counts from frame 0.
     """
@@ -86,8 +85,7 @@ def excess_speed_m_s(case: Case, trace: Trace) -> np.ndarray:
 def excess_energy(
     position_m: np.ndarray, gravity_m_s2: float, frame_dt: float
 ) -> np.ndarray:
-    """Return the kinetic energy per mass minus the work of gravity since frame 0
-    [J/kg].
+    """Return the kinetic energy per mass minus the work of gravity [J/kg].
 
     The result has the shape [frames - 1] and is never negative. It is zero for a free
     fall, because 1/2 v² = g h. If gravity slows the body, the whole kinetic energy
@@ -104,7 +102,7 @@ def excess_energy(
 
 
 def is_energy_growing(case: Case, trace: Trace) -> bool:
-    """Return whether the cube's energy relative to the hand doubles in the last cycle.
+    """Return whether the cube's energy against the hand doubles in the last cycle.
 
     The last two shake cycles are compared. The cube must be in the grasp in both, and
     slow motion does not count.
@@ -125,8 +123,7 @@ def is_energy_growing(case: Case, trace: Trace) -> bool:
 
 
 def creep_mm_s(case: Case, trace: Trace) -> float:
-    """Return the speed of the cube in the grasp over the last period of the shake
-    [mm/s].
+    """Return the speed of the cube in the grasp over the last period [mm/s].
 
     The period is 2/f, after which the targets of all three axes repeat, so that
     oscillations cancel. If the shake is shorter than a period, all of it is used.
@@ -151,7 +148,8 @@ def cycle_increments(
 
     Args:
         time_s: Time since the first frame of the shake, shape [frames].
-        along: Displacement along the axis, shape [frames]; the result has the same unit.
+        along: Displacement along the axis, shape [frames]; the result has
+            the same unit.
     """
     cycle_count = int(np.floor(time_s[-1] * frequency_hz + 1e-9))
     return np.diff(np.interp(np.arange(cycle_count + 1) / frequency_hz, time_s, along))

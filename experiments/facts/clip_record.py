@@ -103,8 +103,7 @@ def files_of(record: Record) -> list[tuple[str, str]]:
 
 
 def _digest(record: Path, name: str) -> str:
-    """Return the digest of a file beside the record, or an empty string if it is
-    missing.
+    """Return the digest of a file beside the record, or an empty string.
 
     Raise ValueError for a name that leads to another folder.
     """

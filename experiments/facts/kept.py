@@ -45,14 +45,12 @@ class KeptRun:
     each.
     """
     cube_edge_m: float
-    left_grasp_s: (
-        float | None
-        # Time in the shake at which the cube leaves the grasp; None if it never does.
-    )
+    # Time in the shake at which the cube leaves the grasp; None if it never does.
+    left_grasp_s: float | None
 
     @property
     def slip_mm(self) -> np.ndarray:
-        """Return the length of the displacement, shape [frames]; NaN before the shake."""
+        """Return the length of the displacement, [frames]; NaN before the shake."""
         return np.linalg.norm(self.moved_mm, axis=1)
 
     @property
@@ -62,8 +60,7 @@ class KeptRun:
 
     @property
     def begin_in_hand(self) -> np.ndarray:
-        """Return the cube's pose in the TCP frame at the start of the shake, shape [4,
-        4].
+        """Return the cube's pose in the TCP frame at the start, shape [4, 4].
 
         The start of the shake need not be a kept frame.
         """
@@ -73,8 +70,7 @@ class KeptRun:
 
     @property
     def start(self) -> np.ndarray:
-        """Return the pose the cube would have without slip since the start of the
-        shake.
+        """Return the pose of the cube if it had not slipped during the shake.
 
         Shape [frames, 4, 4].
         """

@@ -101,7 +101,7 @@ def _turns(axis: np.ndarray, angle: np.ndarray) -> np.ndarray:
 
 
 def _cross_matrices(vectors: np.ndarray) -> np.ndarray:
-    """Return the matrix of each vector v that maps w to v × w, shape [vectors, 3, 3]."""
+    """Return the matrix for each v that maps w to v × w, shape [vectors, 3, 3]."""
     return np.cross(np.eye(3), vectors[:, None])
 
 

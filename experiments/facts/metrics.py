@@ -30,8 +30,7 @@ def rotate_inverse(quaternion: np.ndarray, vector: np.ndarray) -> np.ndarray:
 
 
 def relative_position(poses: np.ndarray, body: int, frame: int) -> np.ndarray:
-    """Return the position [m] of ``body`` in the frame of another body, shape [frames,
-    3].
+    """Return the position [m] of ``body`` in the frame of another, [frames, 3].
 
     Args:
         poses: Position and quaternion of each body, shape [frames, bodies, 7].
@@ -42,7 +41,7 @@ def relative_position(poses: np.ndarray, body: int, frame: int) -> np.ndarray:
 
 @dataclass(frozen=True)
 class Displacement:
-    """Hold the displacement of the cube in the TCP frame since the start of the shake."""
+    """Hold the displacement of the cube in the TCP frame during the shake."""
 
     time_s: np.ndarray  # time since the first frame of the shake, shape [frames]
     vector_m: np.ndarray  # displacement in the axes of the TCP frame, shape [frames, 3]
@@ -69,16 +68,13 @@ def slip_mm(moved: Displacement) -> float:
 
 
 def fit_line(moved: Displacement) -> tuple[float, float]:
-    """Return a line fitted to the component along the main axis: slope [m/s] and offset
-    [m].
-    """
+    """Return slope [m/s] and offset [m] of a line fitted along the main axis."""
     slope, offset = np.polyfit(moved.time_s, moved.along_m, 1)
     return float(slope), float(offset)
 
 
 def drift_mm_s(moved: Displacement) -> float:
-    """Return the slope of the component along the main axis over the whole shake
-    [mm/s].
+    """Return the slope along the main axis over the whole shake [mm/s].
 
     The line is fitted by least squares.
     """
@@ -94,9 +90,7 @@ def oscillation_mm(moved: Displacement) -> float:
 
 
 def wander_mm(moved: Displacement) -> float:
-    """Return the largest distance from the position in the first frame of the shake
-    [mm].
-    """
+    """Return the largest distance from the position at the start of the shake [mm]."""
     return 1e3 * float(np.linalg.norm(moved.vector_m, axis=1).max())
 
 
@@ -122,9 +116,7 @@ def cycle_drift_mm(moved: Displacement, frequency_hz: float) -> float:
 
 
 def distance_rms_mm(position_m: np.ndarray, reference_m: np.ndarray) -> float:
-    """Return the root mean square distance between two paths [mm], shape [frames, 3]
-    each.
-    """
+    """Return the root mean square distance between two paths [mm]."""
     return 1e3 * float(
         np.sqrt(np.mean(np.sum((position_m - reference_m) ** 2, axis=1)))
     )
@@ -146,7 +138,7 @@ def is_dropped(trace: Trace) -> bool:
 
 
 def shake_mean(trace: Trace, column: str) -> float:
-    """Return the mean of a frame statistic over the shake, without frames that are NaN."""
+    """Return the mean of a frame statistic over the shake, without NaN."""
     return float(np.nanmean(trace.column(column)[trace.phase == SHAKE]))
 
 
@@ -161,9 +153,7 @@ def slide_mm(trace: Trace) -> float:
 
 
 def total_drift_mm(moved: Displacement) -> float:
-    """Return the length of the fitted drift in three dimensions over the whole shake
-    [mm].
-    """
+    """Return the length of the fitted drift in 3D over the whole shake [mm]."""
     slope = np.polyfit(moved.time_s, moved.vector_m, 1)[0]
     return 1e3 * float(np.linalg.norm(slope) * moved.time_s[-1])
 
@@ -176,39 +166,29 @@ class Grasp:
     loaded_row_count: int
     normal_force_n: float  # sum over the loaded contacts
     tangential_force_n: float
-    cone_use: (
-        # Largest ratio of tangential force to friction times normal force; 1 means
-        # sliding.
-        float
-    )
+    # Largest ratio of tangential force to friction times normal force; 1 means sliding.
+    cone_use: float
     penetration_mm: float  # mean over the loaded contacts
     # mean ratio of normal force to penetration of the loaded contacts
     stiffness_n_m: float
     timeconst_s: float
     dampratio: float
-    friction_timeconst_s: (
-        # Timeconst of solreffriction; 0 if the friction rows use that of the normal
-        # row.
-        float
-    )
+    # Timeconst of solreffriction; 0 if the friction rows use that of the normal row.
+    friction_timeconst_s: float
     friction_dampratio: float
     friction: float
     dmin: float
     dmax: float
     dim: int
-    normal_residual_mm: (
-        # Largest position residual of a loaded contact's normal row.
-        float
-    )
-    friction_residual_mm: (
-        # Largest position residual of a loaded contact's friction rows.
-        float
-    )
+    # Largest position residual of a loaded contact's normal row.
+    normal_residual_mm: float
+    # Largest position residual of a loaded contact's friction rows.
+    friction_residual_mm: float
     normal_velocity_mm_s: float  # largest velocity of those normal rows
 
 
 def grasp(rows: ContactRows) -> Grasp | None:
-    """Return numbers about the loaded contacts of a frame, or None if there are none.
+    """Return numbers about the loaded contacts of a frame, or None without any.
 
     The solver parameters are those of the contact with the largest force.
     """

@@ -83,18 +83,14 @@ class Trace:
     # Poses of ``scene.TRACKED_BODIES`` at the end of each frame, shape [frames, bodies,
     # 7].
     poses: np.ndarray
-    contacts: (
-        np.ndarray
-        # FRAME_COLUMNS of each frame, shape [frames, len(FRAME_COLUMNS)].
-    )
+    # FRAME_COLUMNS of each frame, shape [frames, len(FRAME_COLUMNS)].
+    contacts: np.ndarray
     failure: Failure | None = None  # the first failure, if there is one
     peak_contact_count: int = 0  # largest number of contacts in any frame
     peak_constraint_count: int = 0  # largest number of constraint rows in any substep
     peak_iteration_count: int = 0  # largest number of solver iterations in any substep
-    contact_rows: tuple[ContactRows, ...] = field(
-        default=()
-        # The requested frames with all their contacts.
-    )
+    # The requested frames with all their contacts.
+    contact_rows: tuple[ContactRows, ...] = field(default=())
     world_count: int = 1  # number of worlds that were simulated together
     # Wall time of all frames of the batch, without building, compiling and capturing.
     wall_s: float = 0.0
@@ -105,8 +101,7 @@ class Trace:
 
 
 def first_failure(poses: np.ndarray, seen: Failure | None) -> Failure | None:
-    """Return the earlier of a recorded failure and the first frame with a non-finite
-    pose.
+    """Return the earlier of a recorded failure and the first non-finite pose.
 
     Args:
         poses: Shape [frames, bodies, 7].

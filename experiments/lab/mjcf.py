@@ -24,8 +24,8 @@ def mjcf_of(model: mujoco.MjModel, sites: dict[str, tuple[int, np.ndarray]]) -> 
     The model has boxes and planes on hinges, slides and free joints.
 
     Args:
-        sites: Body and pose of each additional site by name. A pose has a position [m] and a
-            quaternion (w, x, y, z), shape [7].
+        sites: Body and pose of each additional site by name. A pose has a position [m]
+            and a quaternion (w, x, y, z), shape [7].
     """
     root = Element("mujoco", model="shake")
     SubElement(root, "compiler", angle="radian", autolimits="false")
@@ -164,10 +164,8 @@ def _add_excluded(contact: Element, model: mujoco.MjModel) -> None:
 
 
 def _add_equalities(equality: Element, model: mujoco.MjModel) -> None:
-    for index in np.flatnonzero(
-        model.eq_active0
-        # Newton 1.8 adds welds to the world that are inactive.
-    ):
+    # Newton 1.8 adds welds to the world that are inactive.
+    for index in np.flatnonzero(model.eq_active0):
         joints = (model.eq_obj1id[index], model.eq_obj2id[index])
         names = (model.joint(joint).name for joint in joints)
         element = SubElement(

@@ -54,10 +54,8 @@ WITH_MOST_WORLDS = (
 """Parts left out with the most worlds, where building a batch takes longer than timing
 it.
 """
-ON_CPU = (
-    "buffers",
-    # Parts left out on a CPU, where frames with large buffers take long.
-)
+# Parts left out on a CPU, where frames with large buffers take long.
+ON_CPU = ("buffers",)
 # Worlds of a case that runs to the end on a GPU; on a CPU all of them would be equal.
 RUN_COUNT = 8
 AUDIT_FRAME_COUNT = {"full": 250, "quick": 130}
@@ -108,16 +106,14 @@ def measure(conditions: Conditions) -> Plan:
 def measure_times(
     conditions: Conditions, kind: str, world_count: int
 ) -> dict[str, dict[str, object]]:
-    """Return the times of the variants with this number of worlds, as columns by case."""
+    """Return the times of the variants in this number of worlds, by case."""
     many = kind == "cuda" and world_count == WORLD_COUNTS[kind][-1]
     timed = variants(
         conditions.quick,
         ON_CPU if kind == "cpu" else WITH_MOST_WORLDS if many else WITHOUT,
     )
-    timed.sort(
-        key=lambda case: case is not UNTRIMMED and has_large_buffers(case)
-        # Small ones first.
-    )
+    # Small ones first.
+    timed.sort(key=lambda case: case is not UNTRIMMED and has_large_buffers(case))
     untimed = absent(TIMED, "not timed here, where it would take long")
     columns = dict.fromkeys((case.name for case in variants(conditions.quick)), untimed)
     return columns | time_cases(timed, world_count, wp.get_device(kind))
@@ -131,8 +127,7 @@ def measure_audit(conditions: Conditions) -> list[dict[str, object]]:
 def run_to_end(
     conditions: Conditions, kinds: Sequence[str]
 ) -> dict[str, dict[str, dict]]:
-    """Run every variant to the end on each kind of device; return columns by kind and
-    case.
+    """Run every variant to the end on each kind of device.
 
     The reference is the untrimmed scene. On the CPU, large buffers take minutes, so all
     cases run without them. The reference there is the case that leaves out only the

@@ -19,12 +19,12 @@ FRAME_COUNT = 300
 # Frames between two checks of the inverse kinematics and of the writes of Newton's
 # state.
 LOOK_FRAME_STEP = 10
+# Numbers of rows in the engine's data: all, those of limits, and those of equality
+# constraints.
 PEAKS = (
     "nefc",
     "nl",
     "ne",
-    # Numbers of rows in the engine's data: all, those of limits, and those of equality
-    # constraints.
 )
 OUTPUTS = ("ten_length", "sensordata")
 

@@ -30,10 +30,8 @@ Both pictures are at the bottom, so that the controls of a player cover only the
 """
 GAP = 2  # half the space between the two pictures [pixels]
 LEAD_S = 2.5  # time before the shake at which a clip begins [s]
-APPROACH_S = (
-    # Time in which the camera approaches [s]; it arrives at the start of the shake.
-    1.2
-)
+# Time in which the camera approaches [s]; it arrives at the start of the shake.
+APPROACH_S = 1.2
 # Time after a cube has left the grasp [s]; the camera moves back to show where it fell.
 FALL_S = 4.0
 STAY_S = 1.0  # time for which the last picture is shown [s]
@@ -41,10 +39,10 @@ ENCODER = {"crf": "28", "preset": "veryslow", "threads": "2"}
 JPEG_QUALITY = 85
 
 INK, SOFT, GRID, STRIP = "#f2f4f6", "#aab4be", "#3d444c", "#14171a"
+# Colours of the two runs in text and curves, from the page's dark theme.
 COLOURS = (
     "#f59a5f",
     "#6db3f2",
-    # Colours of the two runs in text and curves, from the page's dark theme.
 )
 CUBE_RGB = ((0.87, 0.37, 0.08), (0.10, 0.45, 0.82))  # colours of their cubes
 
@@ -56,16 +54,16 @@ CLOSE = ((0.19, -0.30, 0.075), (0.0, 0.0, 0.001), 18.5)
 The camera moves with the hand.
 """
 
+# Size of the long exposure [pixels], as required for link previews.
 STILL = (
     1200,
     630,
-    # Size of the long exposure [pixels], as required for link previews.
 )
+# View of the long exposure, relative to the TCP.
 STILL_VIEW = (
     (0.15, -0.35, 0.075),
     (0.010, 0.0, 0.004),
     14.5,
-    # View of the long exposure, relative to the TCP.
 )
 MAGNIFIED = 5
 
@@ -98,7 +96,7 @@ class Clip:
         return np.append(moving, np.full(round(STAY_S * FRAME_RATE), last))
 
     def readout(self) -> dict[str, np.ndarray]:
-        """Return the time since the start of the shake and the displacements by frame.
+        """Return the time since the shake began and the displacements.
 
         A displacement is NaN before the shake and after the cube has left the grasp.
         """
@@ -245,7 +243,7 @@ def bodies(run: KeptRun, frame: int) -> dict[str, np.ndarray]:
 
 
 class Sheet:
-    """Compose a picture of two panels with text above them, and other text and plots."""
+    """Compose a picture of two panels with text above them, and other drawings."""
 
     def __init__(self, width: int, height: int, top: int):
         self.width, self.height, self.top = width, height, top
@@ -264,7 +262,7 @@ class Sheet:
         )
 
     def name_panel(self, number: int, name: str, colour: str) -> Text:
-        """Write the name of a run above its panel and return the text for its number."""
+        """Write a run's name above its panel and return the text for its number."""
         left = number * self.width / 2 + 26
         self.write(left, HEAD - 26, name.replace("-", " "), 40, INK)
         return self.write(left + 240, HEAD - 26, "", 58, colour, weight="bold")

@@ -1,4 +1,4 @@
-"""Render kept runs without a window and without a GPU, by Newton's tiled camera sensor."""
+"""Render kept runs without a window or a GPU, with Newton's tiled camera sensor."""
 
 import json
 from collections.abc import Iterator, Mapping, Sequence
@@ -25,24 +25,22 @@ LINKS = ARM_LINKS | {
 Both fingers use the same meshes, because the description already rotates the right
 finger by π.
 """
-CREASE_DEG = (
-    # Faces that meet at a larger angle have an edge between them [°].
-    35.0
-)
+# Faces that meet at a larger angle have an edge between them [°].
+CREASE_DEG = 35.0
+# The cube, and the edges of a cube at its position when the shake began.
 CUBE, START = (
     "cube",
     "start",
-    # The cube, and the edges of a cube at its position when the shake began.
 )
 EDGE_M = 0.0005  # width of those edges
 GROUND_RGB = (0.40, 0.43, 0.46)
 GRID_RGB = (0.46, 0.49, 0.52)
 EDGE_RGB = (0.98, 0.98, 0.98)
 GRID_STEP_M, GRID_COUNT = 0.2, 20
+# Half the width and the height of the lines on the ground.
 GRID_WIDTH_M, GRID_HEIGHT_M = (
     0.003,
     1e-4,
-    # Half the width and the height of the lines on the ground.
 )
 SUN = (-0.42, 0.50, -0.76)  # direction of the light
 EXPOSURE = 0.92
@@ -63,7 +61,7 @@ class Camera:
 
     @property
     def pose(self) -> np.ndarray:
-        """Return the pose of the camera, which looks along its −z axis, shape [4, 4]."""
+        """Return the pose of the camera, which looks along −z, shape [4, 4]."""
         back = self.eye - self.target
         back = back / np.linalg.norm(back)
         right = np.cross((0.0, 0.0, 1.0), back)
@@ -120,7 +118,7 @@ class Stage:
         )
 
     def place(self, poses: Sequence[Mapping[str, np.ndarray]]) -> None:
-        """Set the poses of the bodies in each world; bodies without a pose are hidden.
+        """Set the poses of the bodies in each world; bodies without one are hidden.
 
         A pose is a matrix, shape [4, 4].
         """
@@ -283,9 +281,7 @@ def _edges(half: float) -> list[tuple[np.ndarray, np.ndarray]]:
 
 
 def _is_edge(brightness: np.ndarray, shape: np.ndarray) -> np.ndarray:
-    """Return the pixels that differ from a neighbour in any world; shape [height,
-    width].
-    """
+    """Return the pixels that differ from a neighbour in any world, [height, width]."""
     edge = np.zeros(brightness.shape, dtype=bool)
     for axis in (1, 2):
         ahead = [slice(None)] * 3

@@ -52,10 +52,10 @@ SHAKES = {
     "held": replace(WEIGHTLESS, shake_amplitude_m=0.0),
     "weight": replace(WEIGHTLESS, gravity_m_s2=AS_SHIPPED.gravity_m_s2),
 }
+# The solver of ``simulation``, with which the others are compared.
 MUJOCO = box.Variant(
     "warp",
     "SolverMuJoCo",
-    # The solver of ``simulation``, with which the others are compared.
 )
 QUICK_VARIANTS = ("warp", "xpbd", "steel", "steel-points", "steel-32-rows")
 TIMED_VARIANTS = ("warp", "steel", "steel-points", "xpbd", "vbd", "kamino")

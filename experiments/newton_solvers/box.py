@@ -1,5 +1,4 @@
-"""Run the box on a turning table, a slope and a still table in each of Newton's
-solvers.
+"""Run the box on a turning, a sloped and a still table in Newton's solvers.
 
 The path of the box is curved by the acceleration ω² r. If a solver makes the velocity
 at the contact vanish at the end of each step of length h, and moves the box by the
@@ -192,12 +191,12 @@ def build(scene_name: str, device: str) -> newton.Model:
                 -GRAVITY_M_S2 / np.hypot(1.0, SLOPE),
             )
         )
+    # VBD reads the previous poses of the bodies from here.
     newton.eval_fk(
         model,
         model.joint_q,
         model.joint_qd,
         model,
-        # VBD reads the previous poses of the bodies from here.
     )
     return model
 
@@ -225,10 +224,8 @@ def run(
                 stepper.step(state_in, state_out, control, contacts, step_s)
 
         path = [states[0].body_q.numpy()[1, :3].copy()]
-        advance = (
-            # The first call compiles, which is not allowed during a capture.
-            sample
-        )
+        # The first call compiles, which is not allowed during a capture.
+        advance = sample
         for _ in range(round(seconds / SAMPLE_S)):
             advance()
             path.append(states[0].body_q.numpy()[1, :3].copy())

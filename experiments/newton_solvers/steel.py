@@ -9,10 +9,8 @@ from experiments.newton_solvers.box import STEEL, Variant
 from experiments.newton_solvers.stepper import SolverRecorder, SolverStepper
 from experiments.simulation.scene import Scene
 
-ROWS = {
-    "articulation_constraint_max": 256
-    # Instead of 32; rows that do not fit are dropped.
-}
+# Instead of 32; rows that do not fit are dropped.
+ROWS = {"articulation_constraint_max": 256}
 # Distance [rad, m] from a joint's limit below which the limit gets a row.
 LIMIT_GAP = 1e-3
 VARIANTS = (  # one change at a time; the last has the solver's default number of rows
@@ -39,9 +37,7 @@ class SteelStepper(SolverStepper):
         super().__init__(variant, scene, cases)
 
     def row_peak(self) -> dict[str, object]:
-        """Return the peak number of rows in all worlds, including rows that did not
-        fit.
-        """
+        """Return the peak number of rows in all worlds, including dropped rows."""
         return {
             "peak_constraint_count": self.solver.constraint_row_watermarks()[
                 "articulation_raw_high_water"

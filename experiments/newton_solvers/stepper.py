@@ -79,10 +79,10 @@ class SolverStepper(Stepper):
         return pipeline, pipeline.contacts()
 
     def _build_solver(self) -> SolverBase:
+        # Some solvers keep the previous poses of the bodies.
         wp.copy(
             self.model.body_q,
             self.state.body_q,
-            # Some solvers keep the previous poses of the bodies.
         )
         self.model.body_color_groups = colours_of(self.model)
         return getattr(solvers, self.variant.solver)(self.model, **self._options())
@@ -102,7 +102,7 @@ class SolverStepper(Stepper):
 
 
 def weight_of_the_arm(stepper: Stepper) -> wp.array:
-    """Return forces that carry the weight of each moving link [N, N m], shape [bodies]."""
+    """Return forces that carry the weight of the moving links [N, N m], [bodies]."""
     model, cube = stepper.model, stepper.scene.links["cube"].body
     names = [label.rsplit("/", 1)[-1] for label in model.body_label]
     carried = np.array([name not in FIXED_BODIES for name in names]).reshape(

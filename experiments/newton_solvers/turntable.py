@@ -5,10 +5,8 @@ from typing import Any
 from experiments.cure.turntable import MASS_KG, MJCF, RADIUS_M, SAMPLE_S, TURN_RAD_S
 from experiments.drivers.scene import GRAVITY_M_S2
 
-TABLE_INERTIA = (
-    # Inertia of the table [kg m²], which is so large that the box cannot slow it down.
-    1000.0
-)
+# Inertia of the table [kg m²], which is so large that the box cannot slow it down.
+TABLE_INERTIA = 1000.0
 HALF_EDGE_M, FOOT_M = 0.05, 0.01
 FEET = [(x, y, -0.04) for x in (0.04, -0.04) for y in (0.04, -0.04)]
 

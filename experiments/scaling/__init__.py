@@ -25,11 +25,11 @@ from measured_report.measuring.batch import Batch, Plan
 
 WORLD_COUNTS = {"full": (1, 4, 16, 64, 256, 1024, 4096, 16384), "quick": (1, 4, 16)}
 STEPS = ("mjw_step_ms", "mjw_step_ms_p5", "mjw_step_ms_p95")
+# Columns without a number if the frames are not valid.
 ABSENT = (
     *TIMES,
     *STEPS,
     "world_substeps_per_s",
-    # Columns without a number if the frames are not valid.
 )
 
 

@@ -32,16 +32,14 @@ from experiments.simulation.paired_timing import time_in_turn
 from experiments.simulation.simulation import Simulation, captured
 from experiments.simulation.timing import elapsed_ms
 
+# Steps of the benchmark by the number of worlds.
 STEP_COUNTS = {
     1: 1000,
     4096: 300,
     16384: 200,
-    # Steps of the benchmark by the number of worlds.
 }
-CAP_S = (
-    # Approximate time limit for all ways to run with one number of worlds [s].
-    12.0
-)
+# Approximate time limit for all ways to run with one number of worlds [s].
+CAP_S = 12.0
 TIMEOUT_S = 300.0
 
 
@@ -182,10 +180,8 @@ class Bare:
                 captured, (self._step, self._steps, self._steps_collision_once)
             )
         for run in (self.step, self.steps, self.steps_collision_once):
-            self.frame_ms(
-                run
-                # The first launch of a graph takes 20 ms more, and allocates memory.
-            )
+            # The first launch of a graph takes 20 ms more, and allocates memory.
+            self.frame_ms(run)
 
     def each_step(self) -> None:
         """Run the steps of a frame and wait after each one, as the benchmark does."""

@@ -1,4 +1,4 @@
-"""Measure other scenes by the same law: a box on a slope, and published grasps in MJCF."""
+"""Measure a box on a slope and published grasps, which follow the same law."""
 
 from experiments.scenes import capsule, pick, slope
 from measured_report.measuring.batch import Batch, Plan

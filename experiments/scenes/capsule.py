@@ -102,7 +102,7 @@ CASES = [
 
 
 def rows(conditions: Conditions) -> list[dict[str, object]]:
-    """Return a row for each run with the measured and predicted creep of the capsule."""
+    """Return a row for each run: the measured and predicted creep of the capsule."""
     seconds = SECONDS[conditions.profile]
     rows = []
     for case in tqdm(CASES, desc="capsule", unit="run", delay=3.0):
@@ -128,10 +128,8 @@ def sink(case: Pinch, seconds: float, device: str) -> dict[str, float]:
     height_m = trace.path_m[settled:, 2]
     speed_m_s = -trace.velocity_m_s[settled + 1 :, 0, 2]
     pad, capsule = trace.model.body_invweight0[[1, -1], 0].tolist()
-    noslip = bool(
-        trace.model.opt.noslip_iterations
-        # An engine may drop noslip from the MJCF.
-    )
+    # An engine may drop noslip from the MJCF.
+    noslip = bool(trace.model.opt.noslip_iterations)
     option = Option(0.0, cone=case.cone, impratio=case.impratio, noslip=noslip)
     contact = Contact((case.timeconst_s, 1.0), SOLIMP, FRICTION[0], pad + capsule)
     return {

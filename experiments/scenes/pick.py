@@ -21,10 +21,8 @@ from measured_report.files.root import ROOT
 from measured_report.measuring.measurement import Conditions, absent
 from newton_lint.law import Contact, Option
 
-SCENE = (
-    # Robot, floor and one free object; the file names the source of the robot.
-    "assets/panda.xml"
-)
+# Robot, floor and one free object; the file names the source of the robot.
+SCENE = "assets/panda.xml"
 OPEN_M = 0.04  # opening of each finger
 # Poses of the arm [rad].
 READY = (0.0, 0.0, 0.0, -1.5708, 0.0, 1.5708, -0.7853)
@@ -109,6 +107,7 @@ SETTINGS: dict[str, dict[str, Any]] = {
 }
 
 
+# Every setting with either step, in C and through Newton.
 SHAKEN = [
     Pick(
         f"{kind}-{1e3 * step_s:g}ms-{name}-{engine}",
@@ -120,7 +119,6 @@ SHAKEN = [
     for kind, step_s, name, engine in product(
         OBJECTS, (0.002, 0.01), SETTINGS, ("c", "newton")
     )
-    # Every setting with either step, in C and through Newton.
 ]
 STILL = [
     Pick(f"{kind}-{name}-held", object=kind, **SETTINGS[name])
@@ -129,7 +127,7 @@ STILL = [
 
 
 def rows(conditions: Conditions) -> list[dict[str, object]]:
-    """Return a row for each case, and one for each setting with the grasp held still."""
+    """Return a row for each case, and one for each setting held still."""
     rows = []
     for case in tqdm(SHAKEN, desc="pick", unit="case", delay=3.0):
         controls = shake_controls(case, conditions.profile)
@@ -205,7 +203,7 @@ def shake(case: Pick, controls: np.ndarray, device: str) -> dict[str, object]:
 
 
 def hold(case: Pick) -> dict[str, float]:
-    """Hold the object still in MuJoCo's C engine; return its creep and the prediction.
+    """Hold the object still in MuJoCo's C engine; return its creep and margin.
 
     The margin is the distance that the object can still sink before the lower edge of
     the pads loses contact with it.

@@ -1,6 +1,4 @@
-"""Measure a box on a slope that is too flat for sliding: the simplest creep of a
-contact.
-"""
+"""Measure a box on a slope too flat for sliding: the simplest creep of a contact."""
 
 import math
 from dataclasses import asdict, dataclass

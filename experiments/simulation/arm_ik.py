@@ -120,7 +120,8 @@ def solve_arm(
     Args:
         parent_pose: Pose of each joint in its parent body, shape [joints].
         child_pose: Pose of the child body in the joint, shape [joints].
-        coordinate: Coordinate of the robot for each joint, −1 if it is fixed, shape [joints].
+        coordinate: Coordinate of the robot for each joint, −1 if it is fixed, shape
+            [joints].
         angles: Present and proposed coordinates, shape [worlds, 2, coordinates].
         columns: Columns of the Jacobian at both, shape [worlds, 2, joints].
     """

@@ -37,23 +37,17 @@ BISECTION_COUNT = 50
 
 @dataclass(frozen=True)
 class Motion:
-    """Hold sums over the shake of a run in C, in the axes of the TCP frame, shape [3]
-    each.
-    """
+    """Hold sums over the shake of a run in C, in the TCP frame, shape [3] each."""
 
     bias_m_s: np.ndarray  # ∫ g dt
     damping_m_s: np.ndarray  # ∫ e dt with implicitfast
     # ∫ R f dt with the shipped impratio and cone, mean over the loaded contacts.
     load_m_s: np.ndarray
     depth_m: float  # final mean depth of these contacts
-    rounding_m: (
-        np.ndarray
-        # Displacement of the cube minus the integral of its velocity, in single precision.
-    )
-    inverse_mass_1_kg: (
-        # Sum of the engine's inverse weights of a finger and the cube [1/kg].
-        float
-    )
+    # Displacement of the cube minus the integral of its velocity, in single precision.
+    rounding_m: np.ndarray
+    # Sum of the engine's inverse weights of a finger and the cube [1/kg].
+    inverse_mass_1_kg: float
     failure: str | None = None  # reason why the sums are not valid, if there is one
 
 
@@ -71,8 +65,7 @@ def measure_motion(case: Case) -> Motion:
 
 
 class Watched:
-    """Run a case in MuJoCo's C engine with the term restored, and sum the causes of
-    motion.
+    """Run a case in C with the term restored, and sum the causes of its motion.
 
     The term is restored so that the sums do not contain any slide of the cube.
     ``frames``, shape [frames, 4, 3], contains the sums of bias, damping, load and
@@ -181,7 +174,7 @@ def predicted_mm(case: Case, motion: Motion) -> dict[str, np.ndarray]:
 
 
 def softness(case: Case, reference: Case, depth_m: float) -> float:
-    """Return the ratio of R in a case to R in a reference case with an elliptic cone.
+    """Return the ratio of R in a case to R in a reference with an elliptic cone.
 
     Both cases have the same grip. R is proportional to (1 - d) / (d impratio), and the
     impedance d depends on the depth r of the pads. At this depth the normal rows
@@ -211,10 +204,10 @@ def softness(case: Case, reference: Case, depth_m: float) -> float:
 
 def balanced_depth_m(solimp: tuple[float, ...], pull_m: float) -> float:
     """Return the depth r [m] with d(r) r = pull_m (1 - d) / d."""
+    # The impedance d is never below the first value of solimp.
     shallow_m, deep_m = (
         0.0,
         pull_m * yielding(solimp[0]) / solimp[0],
-        # The impedance d is never below the first value of solimp.
     )
     for _ in range(BISECTION_COUNT):
         middle_m = 0.5 * (shallow_m + deep_m)

@@ -15,9 +15,7 @@ from newton.solvers import SolverMuJoCo
 
 
 def warp_has_noslip() -> bool:
-    """Return whether the installed MuJoCo Warp has the noslip pass; all C engines have
-    it.
-    """
+    """Return whether MuJoCo Warp has the noslip pass here; all C engines have it."""
     return any(
         field.name == "noslip_iterations" for field in fields(mujoco_warp.Option)
     )

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Sum the joint positions of MuJoCo Warp with compensation for rounding, without a
-patch.
+"""Sum joint positions of MuJoCo Warp with compensation for rounding, without a patch.
 
     import compensated_positions
-    compensated_positions.install(solver)    # before the first step of a SolverMuJoCo on MuJoCo Warp
+    compensated_positions.install(solver)
+
+The solver is a SolverMuJoCo on MuJoCo Warp, before its first step.
 
 In single precision, a position of 1 rad changes in steps of 1e-7 rad. A joint that
 creeps moves by less than half of that in a short time step, so its position never
@@ -45,8 +46,8 @@ def install(solver, *, worlds: Sequence[bool] | None = None) -> None:
     An existing control callback is called first.
 
     Raises:
-        ValueError: The solver does not run MuJoCo Warp, or its actuation is disabled, so that
-            the callback is never called.
+        ValueError: The solver does not run MuJoCo Warp, or its actuation is disabled, so
+            that the callback is never called.
     """
     model = getattr(solver, "mjw_model", None)
     if model is None:
@@ -81,16 +82,14 @@ class _Sums:
 
     def __init__(self, d: mujoco_warp.Data, worlds: wp.array):
         self.worlds = worlds
+        # NaN is not near any position, so that the first step takes the current one.
         self.position = wp.full_like(
             d.qpos,
             wp.nan,
-            # NaN is not near any position, so that the first step takes the current one.
         )
         self.lost = wp.zeros_like(d.qpos)
-        self.velocity = wp.zeros_like(
-            d.qvel
-            # Mean velocity of the step so far, over the stages of RK4.
-        )
+        # Mean velocity of the step so far, over the stages of RK4.
+        self.velocity = wp.zeros_like(d.qvel)
         # Stage of RK4. It is counted while calls are queued, so a graph must contain
         # whole steps.
         self.stage = 0

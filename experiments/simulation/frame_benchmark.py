@@ -52,10 +52,8 @@ BUILD_COUNT = {"cuda": 2, "cpu": 1}
 
 See ``paired_timing`` for the reason.
 """
-SHARE_AGAIN = (
-    1 / 32
-    # Share of a device's memory up to which a simulation is built again.
-)
+# Share of a device's memory up to which a simulation is built again.
+SHARE_AGAIN = 1 / 32
 SHARE_BUILT = 1 / 8
 """Share of a device's memory for the cases beside the first one.
 
@@ -119,8 +117,7 @@ def _state_of(simulation: Simulation) -> Any:
 
 
 class Clone(Simulation):
-    """Build a simulation once more, with its own memory for everything that frames
-    change.
+    """Build a simulation once more, with its own memory for changing state.
 
     The model and the collision pipeline are shared.
     """
@@ -298,14 +295,10 @@ class Comparison:
     def __init__(self, cases: Sequence[Case], world_count: int, device: wp.Device):
         self.first, self.world_count, self.device = cases[0], world_count, device
         self.warm = warm_state(device.alias)
-        self.reference: Frames | None = (
-            # The first build of the first case, after it was timed.
-            None
-        )
-        self.rows: dict[
-            str, dict
-            # Columns by case of its first build, or the reason if there are none.
-        ] = {}
+        # The first build of the first case, after it was timed.
+        self.reference: Frames | None = None
+        # Columns by case of its first build, or the reason if there are none.
+        self.rows: dict[str, dict] = {}
         self.builds: dict[str, list[PairedTimes]] = {}
         """The builds of the first case, and of the cases that have other simulations.
         """
@@ -343,9 +336,7 @@ class Comparison:
         return [frames for frames in built if frames.case.name not in self.rows]
 
     def time(self, built: Sequence[Frames], cap_s: float) -> None:
-        """Time the builds of all cases together, against the reference if it has a
-        time.
-        """
+        """Time the builds of all cases together, against the reference if possible."""
         if not built:
             return
         if self.reference is None and built[0].case is self.first:

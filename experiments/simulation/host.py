@@ -125,11 +125,11 @@ def _compile(kind: str, index: int) -> None:
 
 def be_quiet() -> None:
     """Let Warp print only errors."""
+    # Old releases of Warp lack it, and compile_first reports the features that they
+    # lack.
     if hasattr(
         wp,
         "LOG_ERROR",
-        # Old releases of Warp lack it, and compile_first reports the features that they
-        # lack.
     ):
         wp.config.log_level = wp.LOG_ERROR
 

@@ -105,11 +105,9 @@ def launched_kernels(
         *_: Any,
         **options: Any,
     ) -> None:
-        if (
-            kernel.is_generic
-            # A launch creates the overload for its arguments, and only this overload is
-            # compiled.
-        ):
+        # A launch creates the overload for its arguments, and only this overload is
+        # compiled.
+        if kernel.is_generic:
             kernel.add_overload(kernel.infer_argument_types([*inputs, *outputs]))
         block_dim = options.get("block_dim", 256) if device.is_cuda else 1
         kernels.setdefault((kernel.module, block_dim), []).append(kernel)
@@ -121,9 +119,7 @@ def launched_kernels(
 
 
 class UnlaunchedRecorder(MuJoCoRecorder):
-    """Skip the search for the cube among the geoms, because kernels have not filled
-    them.
-    """
+    """Skip the search for the cube, because no kernel has filled the geoms."""
 
     def __init__(self, stepper: Stepper, frame_count: int):
         Recorder.__init__(

@@ -23,9 +23,7 @@ def solref(ke: float, kd: float) -> tuple[float, float]:
 
 
 def is_clamped(case: Case) -> bool:
-    """Return whether the engine raises the timeconst to two steps (mujoco_warp,
-    ``_efc_row``).
-    """
+    """Return whether the engine raises the timeconst to two steps."""
     return (
         case.refsafe
         and not case.pad_direct
@@ -86,7 +84,7 @@ def demand_m_s2(case: Case, trace: Trace) -> float:
 
 
 def friction_load(case: Case, demand: float, grip_force_n: float) -> float:
-    """Return the required friction relative to the limit of two pads, m |a| / (μ Σ N).
+    """Return the required friction over the limit of two pads, m |a| / (μ Σ N).
 
     Above 1, the cube slides. This is Coulomb's law, which the engine's elliptic cone
     imposes on each contact (MuJoCo documentation, "Computation", friction cones). Only

@@ -16,10 +16,8 @@ from measured_report.measuring import measurement as conditions
 from measured_report.measuring.measurement import Measurement, absent
 
 QUICK_FRAME_COUNT = 420  # frames of a quick run: the set-up and about 3.5 s of shake
-CONTACT_FRAME_STEP = (
-    # Frames between the three recordings of contacts: a quarter of a 1 Hz cycle.
-    15
-)
+# Frames between the three recordings of contacts: a quarter of a 1 Hz cycle.
+CONTACT_FRAME_STEP = 15
 # Frames before the shake if no phase has to wait for the TCP.
 SETUP_FRAME_COUNT = 212
 SHAKE_COLUMNS = (

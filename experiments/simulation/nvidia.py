@@ -15,10 +15,10 @@ MPS, MPS_FOLDER = "CUDA_MPS_PIPE_DIRECTORY", "/tmp/nvidia-mps"
 MPS is the daemon through which processes share a GPU.
 """
 ALONE = {MPS: "/nonexistent"}
+# Numbers of processes that share a GPU; without MPS they take turns.
 SHARE_COUNT, MPS_SHARE_COUNT = (
     4,
     16,
-    # Numbers of processes that share a GPU; without MPS they take turns.
 )
 SHARE_MIB = 2048  # memory of a GPU that each of them needs
 

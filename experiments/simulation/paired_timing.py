@@ -28,11 +28,11 @@ import numpy as np
 RESOLUTION = 0.01
 BATCH_COUNT = 8
 LOOK_COUNT = 5  # looks after 8, 16, 32, 64 and 128 rounds, each with an error of 1 %
+# Student's t, two-sided 99 %, by degrees of freedom.
 T_99 = {
     4: 4.6041,
     6: 3.7074,
     7: 3.4995,
-    # Student's t, two-sided 99 %, by degrees of freedom.
 }
 T_95 = (12.7062, 4.3027, 3.1824, 2.7764, 2.5706, 2.4469, 2.3646, 2.3060, 2.2622, 2.2281)
 """Student's t, two-sided 95 %, from one degree of freedom on.
@@ -47,10 +47,8 @@ class PairedTimes:
     """Hold the times of a case and its ratios to the reference in the same rounds."""
 
     times: np.ndarray  # time of a frame in each round [ms]
-    ratios: (
-        np.ndarray
-        # Ratio to the reference's time in the same round; 1 for the reference itself.
-    )
+    # Ratio to the reference's time in the same round; 1 for the reference itself.
+    ratios: np.ndarray
     ratio: float  # geometric mean of the ratios
     resolution: float  # half of the 95 % interval of ``ratio``, relative to it
 
@@ -68,7 +66,7 @@ def time_in_turn(
     only.
 
     Args:
-        blocks: Functions that return the time of a frame of a case [ms] in a given round.
+        blocks: Functions that return the time of a case's frame [ms] in a given round.
         cap_s: Time [s] that another look must not exceed.
     """
     if not blocks:
@@ -95,10 +93,8 @@ def _compared(times: Sequence[float], reference: Sequence[float]) -> PairedTimes
     ratios = times_ms / np.array(reference[: len(times)])
     batches = np.log(ratios).reshape(BATCH_COUNT, -1).mean(axis=1)
     pass_count = len(times_ms) // BATCH_COUNT
-    state_count = (
-        1 if pass_count == 1 else max(1, BATCH_COUNT // pass_count)
-        # The number of different start states of the batches.
-    )
+    # The number of different start states of the batches.
+    state_count = 1 if pass_count == 1 else max(1, BATCH_COUNT // pass_count)
     by_state = batches.reshape(-1, state_count)
     freedom = BATCH_COUNT - state_count
     deviation = math.sqrt(np.square(by_state - by_state.mean(axis=0)).sum() / freedom)

@@ -27,16 +27,13 @@ ENGINES_AGREE = {"pad_kf": -1.0} if kf_is_read() else {}  # type: dict
 The C engine does not support the timeconst that kf sets for friction rows.
 """
 SETUP_FRAME_LIMIT = 600
-BODIES = TRACKED_BODIES[
-    : max(metrics.CUBE, metrics.TCP)
-    + 1
-    # The bodies in a trace of the native loop.
-]
+# The bodies in a trace of the native loop.
+BODIES = TRACKED_BODIES[: max(metrics.CUBE, metrics.TCP) + 1]
 
 
 @dataclass(frozen=True)
 class Start:
-    """Hold the start state of a run in the solver's coordinates, and its joint targets."""
+    """Hold the start state of a run in solver coordinates, and its joint targets."""
 
     qpos: np.ndarray
     qvel: np.ndarray
@@ -62,8 +59,7 @@ def pilot_at_shake(cases: Sequence[Case], device: wp.Device) -> Simulation:
 
 
 def starts_of(pilot: Simulation, frame_count: int) -> list[Start]:
-    """Return the state of each of the pilot's worlds, and the targets of the next
-    frames.
+    """Return the state of each pilot world and the targets of the next frames.
 
     The pilot runs on to compute them. The targets of the shake depend only on time and
     on the place where the shake began, so all runs get the same targets.
@@ -194,12 +190,12 @@ class DoubleShake(NativeShake):
         bare = replace(case, contact_bias=False, bias_centred=False, backend="mujoco")
         self.simulation = Simulation([bare], wp.get_device("cpu"))
         qpos = self.simulation.model.joint_q.numpy().astype(float)
+        # The orientation of the cube, which MuJoCo writes with w first.
         qpos[ROBOT_DOF_COUNT + 3 :] = (
             1.0,
             0.0,
             0.0,
             0.0,
-            # The orientation of the cube, which MuJoCo writes with w first.
         )
         rest = np.zeros(len(qpos) - 1)
         super().__init__(
@@ -215,11 +211,9 @@ class DoubleShake(NativeShake):
         self.newton_bodies = self.simulation.solver.mjc_body_to_newton.numpy()[0]
 
     def run(self) -> Trace:
-        mujoco.set_mjcb_control(
-            self.term
-            # The callback applies to all models, so it is set only while this one is
-            # stepped.
-        )
+        # The callback applies to all models, so it is set only while this one is
+        # stepped.
+        mujoco.set_mjcb_control(self.term)
         try:
             return super().run()
         finally:

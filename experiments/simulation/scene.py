@@ -1,4 +1,4 @@
-"""Build the scene: an FR3 arm and a cube on the ground, once for each case of a batch."""
+"""Build the scene: an FR3 arm and a cube on the ground for each case of a batch."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -33,15 +33,10 @@ CUBE_IN_HAND = (0.0, -0.44, 0.22)
 
 Its height above the ground is that to which the task lifts the cube.
 """
-PAD_FACE = (
-    # Distance [m] of the pads' faces from the origins of the fingers.
-    2e-5
-)
-SOLREF_MODE_RAW = (
-    # Newton's mark of a shape with an explicit solref, which ke and kd do not
-    # determine.
-    1
-)
+# Distance [m] of the pads' faces from the origins of the fingers.
+PAD_FACE = 2e-5
+# Newton's mark of a shape with an explicit solref, which ke and kd do not determine.
+SOLREF_MODE_RAW = 1
 GROUND_MU = 0.8
 
 TRACKED_BODIES = (
@@ -54,10 +49,10 @@ TRACKED_BODIES = (
 )
 """Bodies in a trace, in this order; they are found by the last part of their label."""
 FINGERS = ("fr3_leftfinger", "fr3_rightfinger")
+# Bodies that do not move, and therefore need no gravity compensation.
 FIXED_BODIES = (
     "base",
     "fr3_link0",
-    # Bodies that do not move, and therefore need no gravity compensation.
 )
 
 
@@ -208,7 +203,7 @@ def build_scene(cases: list[Case], device: wp.Device) -> Scene:
 
 
 def _world_builder(case: Case) -> tuple[ModelBuilder, dict[str, Link]]:
-    """Return the robot with the cube as its last body and shape, and the tracked links."""
+    """Return the robot with the cube as its last body and shape, and the links."""
     robot, links = robot_builder(case)
     world = ModelBuilder()
     SolverMuJoCo.register_custom_attributes(world)

@@ -26,19 +26,15 @@ from experiments.simulation.stepper_c import (
 from experiments.simulation.task import FRAME_RATE, Task
 from measured_report.measuring.pool import gather, processes, start
 
-PROGRESS_FRAMES = (
-    # Frames between two updates of the progress bar, which wait for the devices.
-    30
-)
+# Frames between two updates of the progress bar, which wait for the devices.
+PROGRESS_FRAMES = 30
 
 
 class Simulation:
-    """Run a batch of cases with the same ``batch_key``, one world each, frame by frame."""
+    """Run a batch of cases with the same ``batch_key``, one world for each."""
 
-    stepper_of: Callable[..., Stepper] = (
-        # Creates the stepper from the scene and the cases.
-        MuJoCoStepper
-    )
+    # Creates the stepper from the scene and the cases.
+    stepper_of: Callable[..., Stepper] = MuJoCoStepper
 
     def __init__(self, cases: Sequence[Case], device: wp.Device):
         newton.use_coord_layout_targets = True
@@ -62,20 +58,16 @@ class Simulation:
             if case.ik_beside:
                 self.task.plan(self.body_q)
                 self.task.solve()
-        wp.synchronize_device(
-            device
-            # The arrays were written on the device's own stream and are used on another.
-        )
+        # The arrays were written on the device's own stream and are used on another.
+        wp.synchronize_device(device)
         self._start_uncaptured()
 
     def _build_state(self) -> None:
-        """Build all state that frames change, except for the contacts of the stepper."""
+        """Build all state that frames change, except for the stepper's contacts."""
         self.task = Task(self.scene, self.cases)
         self._start_at_approach_pose()
-        self.stepper = copy(
-            self.stepper
-            # A simulation that is built again has its own contacts.
-        )
+        # A simulation that is built again has its own contacts.
+        self.stepper = copy(self.stepper)
         self.stepper.contacts = self.contacts
         self.stepper.build(self.state, self.case.frame_count)
         self.solver, self.recorder = self.stepper.solver, self.stepper.recorder
@@ -110,10 +102,8 @@ class Simulation:
         joint_q[:, :ARM_DOF_COUNT] = self.task.solution.numpy()[:, :ARM_DOF_COUNT]
         model.joint_q.assign(joint_q.reshape(-1))
         self.state = model.state()
-        self.state.body_f = (
-            # Without external forces, none are written before every substep.
-            None
-        )
+        # Without external forces, none are written before every substep.
+        self.state.body_f = None
         self.control = model.control()
         wp.copy(self.control.joint_target_q, model.joint_q)
         newton.eval_fk(model, model.joint_q, model.joint_qd, self.state)
@@ -196,7 +186,8 @@ def run(
 
     Args:
         title: Title of the progress bar.
-        contact_frames: Frames of the longest simulation after which all live contacts are kept.
+        contact_frames: Frames of the longest simulation after which all live contacts
+            are kept.
     """
     for simulation in simulations:
         simulation.step()  # this compiles and captures, so the clock starts after it
@@ -227,8 +218,7 @@ def run(
 
 
 def is_due(frame: int, count: int, longest: int) -> bool:
-    """Return whether a simulation of ``count`` frames runs at a frame of the longest
-    one.
+    """Return whether a simulation of ``count`` frames runs at this frame.
 
     The first frame is not counted, because it runs before.
     """

@@ -21,10 +21,8 @@ from experiments.simulation.compat import make_solver, warp_has_noslip
 from experiments.simulation.stepper import CONTACT_MAX
 from experiments.simulation.stepper_warp import WarpRecorder, WarpStepper, is_elliptic
 
-CONSTRAINT_MAX = (
-    # Default number of rows per world; see ``stepper.CONTACT_MAX``.
-    96
-)
+# Default number of rows per world; see ``stepper.CONTACT_MAX``.
+CONSTRAINT_MAX = 96
 
 FIELDS = "dist friction frame solref solreffriction solimp dim geom".split()
 """Arrays of the engines' contacts that are copied to the host."""

@@ -1,4 +1,4 @@
-"""Step the worlds of a batch in MuJoCo Warp through Newton, and record their contacts."""
+"""Step the worlds of a batch in MuJoCo Warp through Newton; record their contacts."""
 
 import newton
 import warp as wp

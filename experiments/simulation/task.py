@@ -18,12 +18,12 @@ from experiments.simulation.scene import (
 
 FRAME_RATE = 60
 APPROACH, DESCEND, GRASP, LIFT, SHAKE = range(5)
+# Minimum duration of each phase [s]; the shake has no end.
 PHASE_SECONDS = (
     0.25,
     1.0,
     0.75,
     1.5,
-    # Minimum duration of each phase [s]; the shake has no end.
 )
 
 FINGER_OPEN = wp.constant(0.035)
@@ -34,10 +34,8 @@ SHAKE_RATIO_Z = wp.constant(0.35)
 POSITION_TOLERANCE = wp.constant(0.005)
 ROTATION_TOLERANCE = wp.constant(float(np.radians(2.0)))
 FRAME_DT = wp.constant(1.0 / FRAME_RATE)
-APPROACH_SOLVE_COUNT = (
-    # Number of IK solves from the ready pose to the approach pose.
-    30
-)
+# Number of IK solves from the ready pose to the approach pose.
+APPROACH_SOLVE_COUNT = 30
 
 
 @wp.func
@@ -126,9 +124,7 @@ def apply_targets(
     elapsed: wp.array[float],
     phase_start: wp.array[wp.transform],
 ):
-    """Command the joints, and end the phase if its time is over and the TCP has
-    arrived.
-    """
+    """Command the joints, and end the phase if its time is over at the goal."""
     world = wp.tid()
     for dof in range(ARM_DOF_COUNT):
         joint_target[world, dof] = solution[world, dof]
@@ -159,7 +155,7 @@ def apply_targets(
 
 
 class Task:
-    """Hold the state of the task with one entry per world, and its inverse kinematics.
+    """Hold the state of the task in each world, and its inverse kinematics.
 
     The arm is solved to the approach pose. ``solution``, shape [worlds, 9], is the
     start of the next solve.
@@ -216,8 +212,7 @@ class Task:
             self.solve()
 
     def command(self, body_q: wp.array, joint_target: wp.array) -> None:
-        """Queue the joint targets of this frame, and the end of the phase if it is
-        over.
+        """Queue the joint targets of this frame, and the end of the phase if due.
 
         Args:
             body_q: Body poses, shape [worlds, bodies].
@@ -264,5 +259,5 @@ class Task:
         )
 
     def solve(self) -> None:
-        """Queue the inverse kinematics for the planned target, from the last solution."""
+        """Queue the inverse kinematics of the planned target."""
         self.solver.step(self.solution, self.ik_iterations)

@@ -1,4 +1,4 @@
-"""Provide states in the middle of the shake for timing, and check that times are valid."""
+"""Provide states in the middle of the shake for timing, and validate times."""
 
 import time
 from collections.abc import Callable, Sequence
@@ -35,7 +35,7 @@ def run_frames(simulation: Simulation, frame_count: int) -> None:
 
 
 def in_the_shake(cases: Sequence[Case], device: wp.Device) -> Simulation:
-    """Return a simulation with a world for each case in the first cycle of the shake.
+    """Return a simulation with a world for each case in the shake's first cycle.
 
     Other simulations copy their state from it.
     """

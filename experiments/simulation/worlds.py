@@ -22,9 +22,7 @@ They are only needed for casting rays, are rebuilt here, or are caches.
 
 
 class UnequalWorlds(ValueError):
-    """Signal a part of a model that does not repeat in each world; the message names
-    it.
-    """
+    """Signal a part of a model that differs between worlds; the message names it."""
 
 
 def model_of(world_count: int, build: Callable[[int], newton.Model]) -> newton.Model:
@@ -55,10 +53,8 @@ def _extended(two: object, three: object, count: int, name: str) -> object:
         if three.shape == two.shape:
             return three
         fewer, rows = two.numpy(), three.numpy()
-        if (
-            three.dtype is wp.uint64
-            # Pointers to objects that the model of three worlds and the new one hold.
-        ):
+        # Pointers to objects that the model of three worlds and the new one hold.
+        if three.dtype is wp.uint64:
             stride = len(rows) - len(fewer)
             fewer = np.delete(rows, range(stride), axis=0)
         return wp.array(
@@ -84,10 +80,8 @@ def _extended(two: object, three: object, count: int, name: str) -> object:
         or not hasattr(three, "__dict__")
     ):
         return three
-    extended = type(three).__new__(
-        type(three)
-        # A plain copy of Newton's lazy set of pairs would contain those of three worlds.
-    )
+    # A plain copy of Newton's lazy set of pairs would contain those of three worlds.
+    extended = type(three).__new__(type(three))
     vars(extended).update(vars(three))
     for attribute, value in vars(three).items():
         if isinstance(getattr(type(three), attribute, None), cached_property):

@@ -40,10 +40,10 @@ from experiments.stability.families import (
 )
 from measured_report.measuring.batch import Batch, Plan
 
+# Starts of the repeats: shifts of the cube in the hand.
 OFFSETS_M = {
     "full": (0.0, 2e-4, -2e-4),
     "quick": (0.0,),
-    # Starts of the repeats: shifts of the cube in the hand.
 }
 FLOOR_FAMILY = "steps"
 """The family whose repeats determine the smallest creep that can be distinguished from
@@ -54,10 +54,10 @@ It has two repeats even in a quick run.
 SINGLE_FAMILY = "buffers"
 TRIED_FAMILIES = ("ke-critical", "ke-kd-100")
 TRIAL_FRAME_COUNT = 30
+# Frames in which the grip at rest is measured.
 HOLD_END = slice(
     HOLD_FRAME_COUNT - 11,
     HOLD_FRAME_COUNT - 1,
-    # Frames in which the grip at rest is measured.
 )
 # A cube that has moved farther in the hand at the end of the hold is sliding out.
 GONE_M = 0.005

@@ -16,10 +16,10 @@ from experiments.simulation.limits import (
 from experiments.simulation.scene import EFFORT_LIMIT, PAD_FACE, TARGET_KE
 
 HOLD_FRAME_COUNT = 91  # frames in which a cube that starts in the hand is held still
+# Two periods of the shake as shipped, or one.
 SHAKE_FRAME_COUNT = {
     "full": 241,
     "quick": 121,
-    # Two periods of the shake as shipped, or one.
 }
 LONG_FRAME_COUNT = {"full": HOLD_FRAME_COUNT + 36_001, "quick": HOLD_FRAME_COUNT + 361}
 
@@ -85,7 +85,7 @@ FINGER_FORCE_N = 1.0
 
 @dataclass(frozen=True)
 class Probe:
-    """Describe one case of a family, which is run several times with a perturbed start."""
+    """Describe one case of a family, which runs several times with other starts."""
 
     family: str
     case: Case
@@ -211,9 +211,7 @@ def masses(profile: str) -> list[Probe]:
 
 
 def sizes(profile: str) -> list[Probe]:
-    """Return cubes of one density, in the shipped grip and in a grip that scales with
-    mass.
-    """
+    """Return cubes of one density, in the shipped grip and in one scaled by mass."""
     found = []
     as_shipped_n = TARGET_KE * (
         0.5 * BASE.cube_edge_m + PAD_FACE - AS_SHIPPED.finger_closed_m
