@@ -46,8 +46,8 @@ def install(solver, *, worlds: Sequence[bool] | None = None) -> None:
     An existing control callback is called first.
 
     Raises:
-        ValueError: The solver does not run MuJoCo Warp, or its actuation is disabled, so
-            that the callback is never called.
+        ValueError: The solver does not run MuJoCo Warp, or its actuation is disabled,
+            so that the callback is never called.
     """
     model = getattr(solver, "mjw_model", None)
     if model is None:

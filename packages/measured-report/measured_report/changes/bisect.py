@@ -50,7 +50,10 @@ class Bisection:
             claims = [*self.query.names(chapters)]
             if self.query.text not in claims:
                 similar = suggestion(self.query.text, claims)
-                raise UsageError(f"claim {self.query.text} does not exist{similar}")
+                raise UsageError(
+                    f"claim {self.query.text} does not exist: use the name of a "
+                    f"claim{similar}"
+                )
         return self.query.answer(chapters)
 
     def side(self, release: Release, names: Sequence[str]) -> Project:

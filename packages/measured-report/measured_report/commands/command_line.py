@@ -38,8 +38,8 @@ class Parser(argparse.ArgumentParser):
         if os.environ.get("MAKELEVEL") == "1":
             name = self.prog.rpartition(" ")[2]
             text = re.sub("--[a-z-]+", _variable_of_flag, text)
-            raise UsageError(f"make {name}: {text}: see make help")
-        raise UsageError(f"{text}: see {self.prog} --help")
+            raise UsageError(f"make {name}: {text} (see make help)")
+        raise UsageError(f"{text} (see {self.prog} --help)")
 
 
 def main() -> int:

@@ -132,8 +132,10 @@ def _of_record(
         row = record.rows[index]
         parameters = columns.changed_parameters(row).items()
         changed = ", ".join(f"{name} {value}" for name, value in parameters)
-        but = f", but {changed}" if changed else ""
-        changes = f" ({columns.settings.baseline}{but})" if columns.parameters else ""
+        exception = f", except {changed}" if changed else ""
+        changes = (
+            f" ({columns.settings.baseline}{exception})" if columns.parameters else ""
+        )
         number = _cell(records, pointer)
         text = _text(number) if number else row[column]
         yield f"  row {index}, case {row['case']}{changes}: {column} = {text}"

@@ -144,10 +144,12 @@ class Schema:
         self._columns: dict[str, Column] = {}
         known = _LENGTHS | _TIMES | _OTHERS
         for end, unit in settings.units.items():
-            if not unit or known.get(end, unit) != unit:
+            if not unit:
+                raise ReportError(f"{FILE}: units has {end} without a unit: add one")
+            if known.get(end, unit) != unit:
                 raise ReportError(
-                    f"{FILE}: units has {end}, which already means "
-                    f"{known.get(end, 'empty')}: use another ending"
+                    f"{FILE}: units has {end}, which already means {known[end]}: "
+                    "use another ending"
                 )
         self.units: Mapping[str, str] = known | dict(settings.units)
         """The units by the end of a column's name; the longest end that matches counts.

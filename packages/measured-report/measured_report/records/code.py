@@ -182,7 +182,7 @@ def imported_names(
         start = package[: len(package) - node.level + 1] if node.level else ()
         module = ".".join([*start, *filter(None, [node.module])])
         for alias in node.names:
-            # A module outside of a package may import one beside it, as from . import x.
+            # A module outside of a package may import a module beside it.
             path = f"{module}.{alias.name}".lstrip(".")
             yield alias.asname or alias.name, path
 

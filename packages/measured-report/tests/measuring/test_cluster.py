@@ -121,9 +121,11 @@ def test_a_killed_worker_costs_nothing_but_what_it_measured(
     with cluster_pools(scheduler) as pools:
         assert not Loop([whole, mortal], *pools).run()
         assert Loop([doomed], *pools).run()
-    reason = "die: its process was killed, and once more when it was alone"
+    reason = (
+        "the process of die was killed twice, the second time alone: use less memory"
+    )
     assert (
-        f"doomed: measuring failed; what was there is kept: {reason}"
+        f"doomed could not be measured (an existing record is kept): {reason}"
         in capsys.readouterr().err
     )
     assert [row["case"] for row in rows_of(toy)] == [*"abcdef", "sum"]
@@ -152,7 +154,9 @@ def test_a_worker_that_returns_garbage_costs_its_section_alone(
     lines = capsys.readouterr().err.splitlines()
     names = [f"s{name}" for name in names]
     assert sorted(line.partition(":")[0] for line in lines) == names, lines
-    assert all("measuring failed; what was there is kept: " in line for line in lines)
+    assert all(
+        "could not be measured (an existing record is kept): " in line for line in lines
+    )
     kept = [path.name for path in toy.record_path.parent.glob("*.json")]
     assert kept == ["toy.json"]
 
