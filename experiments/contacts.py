@@ -125,7 +125,7 @@ def contact_table(contacts: ContactRows) -> dict[str, np.ndarray]:
 
 
 def predicted_row(case: Case) -> dict[str, object]:
-    """Return the slide predicted from the ignored term, and that of the contact rows.
+    """Return the slide predicted from the ignored term, and the actual slide.
 
     A contact row sets the acceleration J q̈ to -b v, where v is the sliding velocity
     and b = 2 / (dmax timeconst) (MuJoCo documentation, "Computation", constraint

@@ -37,8 +37,8 @@ PREDICTED = (
 class Slopes:
     """Hold the slopes of the sums in ``budget.Motion`` over the shake.
 
-    They are taken along the main axis of the shake [m/s²]. The other fields are needed
-    for a prediction.
+    The slopes are taken along the main axis of the shake [m/s²]. The other fields are
+    needed for a prediction.
     """
 
     left_out: float

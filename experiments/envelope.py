@@ -61,7 +61,7 @@ def map_cells(sides: Mapping[str, Case], size: int) -> list[Case]:
 def measure_round(conditions: Conditions) -> list[dict]:
     """Return a row for each shake with round numbers, including the scene's own.
 
-    The runs are as long as those of the map.
+    The runs are as long as the runs of the map.
     """
     cases = [
         shaken(case, f"{side}-{100 * a:g}cm-{f:g}hz", a, f)

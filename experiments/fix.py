@@ -1,4 +1,4 @@
-"""Run the files of the fix as a reader would, each in a process of its own."""
+"""Run the files of the fix as a reader would, each in a separate process."""
 
 import json
 import math

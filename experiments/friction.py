@@ -1,4 +1,5 @@
-"""Measure the slip with friction coefficients far below and above those as shipped.
+"""Measure the slip with friction coefficients from far below to far above the shipped
+ones.
 
 The coefficients of the pads and of the cube are varied separately.
 """

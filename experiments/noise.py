@@ -18,7 +18,8 @@ ALONE_COUNT = {"full": 8, "quick": 2}
 def measure(conditions: Conditions) -> Measurement:
     """Return a row for each run.
 
-    The worlds of the batch share one simulation; each other run has its own.
+    The worlds of the batch share one simulation. Each other run has a separate
+    simulation.
     """
     device = wp.get_device(conditions.device)
     shipped, stiff = (

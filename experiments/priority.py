@@ -1,7 +1,7 @@
 """Measure which side's contact parameters matter.
 
-The stiffness of the cube is varied as that of the pads was, also without the priority
-of the pads.
+The stiffness of the cube is varied over the same range as the stiffness of the pads.
+The pads are also run without their priority.
 """
 
 from dataclasses import replace

@@ -45,7 +45,7 @@ def refuse(message: str) -> NoReturn:
 
 
 def create_parser():
-    """Return a parser with Newton's example arguments and those of this scene.
+    """Return a parser with the arguments of Newton's examples and of this scene.
 
     It raises CaseError for invalid arguments.
     """

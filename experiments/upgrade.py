@@ -1,6 +1,7 @@
 """Measure the values to compare between releases.
 
-They are the headline runs, their live contact rows, and the one known cause of changes.
+These are the headline runs, their live contact rows, and the only known cause of
+changes.
 """
 
 from dataclasses import replace

@@ -52,7 +52,7 @@ SETTINGS = {
 }
 """Integrators and values of impratio for each source of contacts.
 
-Each pair needs a simulation of its own. All other parameters vary between its worlds.
+Each pair needs a separate simulation. All other parameters vary between its worlds.
 """
 
 

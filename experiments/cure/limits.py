@@ -1,4 +1,4 @@
-"""Run the cure at the limits of the grasp, with cases of section stability."""
+"""Measure whether the cure breaks the extreme cases of section stability."""
 
 from dataclasses import replace
 

@@ -1,4 +1,4 @@
-"""Run scenes in engines that have environments of their own."""
+"""Run scenes in engines that need separate environments."""
 
 import json
 import subprocess
@@ -14,7 +14,8 @@ from measured_report.editions.environment import python_with
 from measured_report.files.errors import UsageError
 from measured_report.files.root import ROOT
 
-# This path and those of the scripts are digested, so that records depend on the files.
+# Records depend on this file and on the scripts, because their paths appear in the
+# code.
 APART = "experiments/drivers/apart/apart.py"
 
 

@@ -24,7 +24,7 @@ def mean_if_told(trace: Trace, name: str) -> float:
 def grasp_columns(
     case: Case, trace: Trace, more: dict[str, float], untold: str, mean=mean_if_told
 ) -> dict[str, object]:
-    """Return creep and means over the shake, and the columns ``more``.
+    """Return the creep, the means over the shake, and the columns in ``more``.
 
     ``untold`` is the reason for columns that are NaN.
     """

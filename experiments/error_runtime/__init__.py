@@ -186,7 +186,7 @@ def backend_on(device: wp.Device) -> str:
 
 
 def run_shakes(shakes: Mapping[Setting, Simulation]) -> dict[Setting, Trace]:
-    """Run all frames of all settings; those of one device run side by side."""
+    """Run all frames of all settings, side by side on each device."""
     traces: dict[Setting, Trace] = {}
     for device in dict.fromkeys(shake.device.alias for shake in shakes.values()):
         mine = {

@@ -64,8 +64,8 @@ AUDIT_FRAME_COUNT = {"full": 250, "quick": 130}
 def variants(quick: bool, names: Iterable[str] = WITHOUT) -> list[Case]:
     """Return the cases.
 
-    Of those that leave out one part, return only ``names``, or the largest part when
-    ``quick``.
+    ``names`` selects the parts that are left out one at a time. A quick run leaves out
+    only the largest part.
     """
     names = ("buffers",) if quick else names
     single = [

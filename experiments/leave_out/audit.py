@@ -19,7 +19,7 @@ FRAME_COUNT = 300
 # Frames between two checks of the inverse kinematics and of the writes of Newton's
 # state.
 LOOK_FRAME_STEP = 10
-# Numbers of rows in the engine's data: all, those of limits, and those of equality
+# Counts of rows in the engine's data: all rows, rows of limits, and rows of equality
 # constraints.
 PEAKS = (
     "nefc",
@@ -104,7 +104,7 @@ def audit(scene: AuditedScene, frame_count: int = FRAME_COUNT) -> list[Item]:
     for frame in tqdm(range(frame_count), desc="audit", unit="frame", delay=3.0):
         is_look = frame % LOOK_FRAME_STEP == 0
         before = wp.clone(task.solution) if task and is_look else None
-        wp.synchronize()  # the scene may use streams of its own
+        wp.synchronize()  # the scene may use other streams
         scene.step()
         seen.look(scene)
         if is_look:

@@ -52,7 +52,7 @@ SHAKES = {
     "held": replace(WEIGHTLESS, shake_amplitude_m=0.0),
     "weight": replace(WEIGHTLESS, gravity_m_s2=AS_SHIPPED.gravity_m_s2),
 }
-# The solver of ``simulation``, with which the others are compared.
+# The other solvers are compared with the solver of ``simulation``.
 MUJOCO = box.Variant(
     "warp",
     "SolverMuJoCo",

@@ -147,7 +147,8 @@ def reason_of(error: Exception) -> str:
 def number_of(scene: str) -> str:
     """Return the name of the number that is measured in a scene.
 
-    It is the growth of the radius on the turning table, and the creep on the others.
+    It is the growth of the radius on the turning table, and the creep on the slope and
+    the still table.
     """
     return "creep_mm_s" if scene in STANDING else "growth_per_s"
 

@@ -142,7 +142,7 @@ def rows(conditions: Conditions) -> list[dict[str, object]]:
 def pick_controls(time_s: np.ndarray) -> np.ndarray:
     """Return the controls for picking up and holding [rad, m], shape [time, 8].
 
-    They are those of the arm and the fingers.
+    The columns are the seven joints of the arm and the fingers.
     """
     ends_s = (0.0, *PHASES_S)
     arm = zip(READY, LIFTED, AT_OBJECT, AT_OBJECT, LIFTED, strict=True)

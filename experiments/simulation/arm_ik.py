@@ -1,9 +1,9 @@
 """Compute the joint angles that bring the TCP of a serial arm to a pose.
 
-The Levenberg-Marquardt steps and the damping are those of ``newton.ik``, but only for
-the seven joints that move the TCP: δ = −Jᵀ (J Jᵀ + λ 1)⁻¹ r, which equals −(JᵀJ + λ
-1)⁻¹ Jᵀ r. The linear system is therefore 6×6, one thread solves a world, and the kernel
-compiles in seconds.
+The Levenberg-Marquardt steps and the damping are the same as in ``newton.ik``, but only
+the seven joints that move the TCP are included: δ = −Jᵀ (J Jᵀ + λ 1)⁻¹ r, which equals
+−(JᵀJ + λ 1)⁻¹ Jᵀ r. The linear system is therefore 6×6, one thread solves a world, and
+the kernel compiles in seconds.
 """
 
 import newton
@@ -18,7 +18,7 @@ LEAST_GAIN = wp.constant(1e-3)
 """The initial damping, its changes, and the part of the predicted gain that a step must
 reach.
 
-They are those of ``newton.ik``.
+The values are the same as in ``newton.ik``.
 """
 
 

@@ -14,7 +14,7 @@ along the pads. Across the pads, the normal rows hold the cube. RK4 has neither 
 second nor the third part, and Euler does not have the third. R is proportional to 1 /
 impratio. Rounding of positions is a fifth part. The values of g, e and R f are measured
 in one run in MuJoCo's C engine, with the term restored so that the cube does not slide.
-The values of b, h and the factor of R are those of the predicted case.
+The values of b, h and the factor of R are taken from the predicted case.
 """
 
 from dataclasses import dataclass, replace
@@ -111,7 +111,7 @@ class Watched:
     def _step(self, step, engine: mujoco.MjModel, data: mujoco.MjData) -> None:
         before = data.qvel.copy()
         step(engine, data)
-        # The kinematics are still those at the beginning of the step.
+        # The kinematics still belong to the beginning of the step.
         centre, h = data.xpos[self.cube].copy(), engine.opt.timestep
         mujoco.mj_jac(engine, data, self.jacobian[0], None, centre, self.hand)
         mujoco.mj_jac(engine, data, self.jacobian[1], None, centre, self.cube)

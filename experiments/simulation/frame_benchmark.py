@@ -55,13 +55,13 @@ See ``paired_timing`` for the reason.
 # Share of a device's memory up to which a simulation is built again.
 SHARE_AGAIN = 1 / 32
 SHARE_BUILT = 1 / 8
-"""Share of a device's memory for the cases beside the first one.
+"""Share of a device's memory that the cases after the first one may use.
 
-If they need more, they are timed before others are built.
+If they need more, they are timed before more cases are built.
 """
 PADS = AS_SHIPPED, STIFF_PADS  # cases with the pads of the timed frames
 RATIO = ("frame_ratio", "frame_ratio_p5", "frame_ratio_p95", "ratio_resolution")
-"""Ratio of the frame time to that of the compared case, and half its interval."""
+"""Ratio of the frame time to the time of the reference, and half its interval."""
 TIMES = ("frame_ms", "frame_ms_p5", "frame_ms_p95", *RATIO)
 TIMED = (*TIMES, "buffer_bytes_per_world")
 
@@ -224,7 +224,7 @@ def build_frames(
 ) -> Frames:
     """Return frames of a case in this number of worlds.
 
-    The default device is that of the warm states.
+    The default is the device of the warm states.
     """
     case = replace(case, frame_count=1)  # the recorder keeps only the last frame
     return Frames(Simulation([case] * world_count, device or warm.device), case, warm)
@@ -356,7 +356,7 @@ class Comparison:
                     self.builds.setdefault(name, []).append(times)
 
     def columns(self) -> dict[str, dict]:
-        """Return the columns by case, pooled over its builds."""
+        """Return the columns of each case, pooled over its builds."""
         together = zip(
             self.builds, pool_builds(list(self.builds.values())), strict=True
         )

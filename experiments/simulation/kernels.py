@@ -27,7 +27,7 @@ KEPT_COUNT = 12  # a chosen value: a frame of the scene needs about 55 modules
 def launching(instead: Launch) -> Iterator[None]:
     """Call ``instead`` with each kernel, its size and its options, without a launch.
 
-    Arrays contain zeros meanwhile.
+    Within the block, new arrays contain zeros.
     """
     names = (
         "launch",

@@ -17,7 +17,7 @@ def step_s(case: Case) -> float:
 def solref(ke: float, kd: float) -> tuple[float, float]:
     """Return the timeconst [s] and dampratio that Newton computes from ke and kd.
 
-    They are 2 / kd and kd / (2 √ke) (``convert_solref``).
+    The formulas are 2 / kd and kd / (2 √ke) (``convert_solref``).
     """
     return 2.0 / kd, 0.5 * kd / ke**0.5
 
@@ -84,7 +84,8 @@ def demand_m_s2(case: Case, trace: Trace) -> float:
 
 
 def friction_load(case: Case, demand: float, grip_force_n: float) -> float:
-    """Return the required friction over the limit of two pads, m |a| / (μ Σ N).
+    """a| / (μ Σ N).|Return the required friction as a fraction of the limit, m |a| / (μ
+    Σ N). |a| / (μ Σ N).
 
     Above 1, the cube slides. This is Coulomb's law, which the engine's elliptic cone
     imposes on each contact (MuJoCo documentation, "Computation", friction cones). Only

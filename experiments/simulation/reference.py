@@ -86,9 +86,9 @@ def starts_of(pilot: Simulation, frame_count: int) -> list[Start]:
 class NativeShake:
     """Run one case in MuJoCo's C engine on one core, in Newton's model.
 
-    A frame sets the joint targets and calls ``mj_step`` once for all its substeps.
-    Through Newton, the state would be rounded to float32, but here it is not. Other
-    threads can run during ``mj_step``.
+    A frame sets the joint targets and calls ``mj_step`` once for all its substeps. The
+    state is not rounded to float32, as it would be with Newton. Other threads can run
+    during ``mj_step``.
     """
 
     def __init__(self, case: Case, start: Start):

@@ -69,7 +69,7 @@ def body_index(builder_or_model, name: str) -> int:
 
 @dataclass(frozen=True)
 class Link:
-    """Describe the place of a link on a body.
+    """Describe the body and pose of a link.
 
     The link has its own body unless links with fixed joints are merged.
     """

@@ -102,7 +102,8 @@ class Simulation:
         joint_q[:, :ARM_DOF_COUNT] = self.task.solution.numpy()[:, :ARM_DOF_COUNT]
         model.joint_q.assign(joint_q.reshape(-1))
         self.state = model.state()
-        # Without external forces, none are written before every substep.
+        # There are no external forces. None means that the solver does not copy them in
+        # every substep.
         self.state.body_f = None
         self.control = model.control()
         wp.copy(self.control.joint_target_q, model.joint_q)
@@ -159,11 +160,11 @@ class Simulation:
     def step(self) -> None:
         """Run one frame, as graphs from the second frame on.
 
-        The first step compiles and must not be captured. Work beside the physics is a
-        graph of its own, because the loops of the solver are conditional nodes. Warp
-        cannot capture those while a second stream is part of the capture. Warp also
-        replays graphs on the CPU, which saves the cost of launching from Python.
-        MuJoCo's C engine is not a kernel and is called frame by frame.
+        The first step compiles and must not be captured. The work beside the physics is
+        a separate graph. The loops of the solver are conditional nodes, and Warp cannot
+        capture these while a second stream is part of the capture. Warp also replays
+        graphs on the CPU, which saves the cost of launching from Python. MuJoCo's C
+        engine is not a kernel and is called frame by frame.
         """
         with wp.ScopedDevice(self.device), wp.ScopedStream(self.stream):
             self.frame()
@@ -180,9 +181,9 @@ def run(
 ) -> list[list[Trace]]:
     """Run all frames of all simulations side by side and return the traces by world.
 
-    On CUDA, each simulation has its own stream. A few worlds leave most of the device
-    idle, so batches overlap. For the same reason, the frames of a shorter simulation
-    are spread over those of the longest.
+    On CUDA, each simulation has a separate stream. A few worlds leave most of the
+    device idle, so batches overlap. For the same reason, the frames of a shorter
+    simulation are spread over the duration of the longest.
 
     Args:
         title: Title of the progress bar.
@@ -236,8 +237,8 @@ def simulate(
 
     Cases with the same ``batch_key`` are worlds of one simulation. Cases of MuJoCo's C
     engine have one simulation each, on the CPU. To time a case, run it in a separate
-    call, because the simulations of a call run side by side. If there is a GPU, those
-    on the CPU run in processes of their own.
+    call, because the simulations of a call run side by side. If there is a GPU,
+    simulations on the CPU run in separate processes.
 
     Args:
         device: Warp device; None uses CUDA if it is available.

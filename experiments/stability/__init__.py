@@ -65,9 +65,9 @@ EXIT_FRAMES = 15
 
 
 def measure(conditions: Conditions) -> Plan:
-    """Measure the long run beside all others.
+    """Measure the long run and all other runs in parallel.
 
-    It takes as long as all others together, which use the GPU.
+    The long run takes as long as all other runs together, which use the GPU.
     """
     (rows, floor), (long, trace) = yield [
         Batch("others", measure_others, (conditions,)),
@@ -256,7 +256,7 @@ def exit_speed_m_s(case: Case, trace: Trace) -> float:
 def grip_force_n(trace: Trace) -> float:
     """Return the sum of both pads' normal forces [N] at the end of the hold.
 
-    If the cube slides out, return that of frame 0.
+    If the cube slides out, return the force in frame 0.
     """
     positions = metrics.relative_position(
         trace.poses[:HOLD_FRAME_COUNT], metrics.CUBE, metrics.TCP

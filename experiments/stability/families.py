@@ -276,7 +276,8 @@ def gravities(profile: str) -> list[Probe]:
 def long_run(profile: str) -> Probe:
     """Return the long run: one world for ten minutes.
 
-    A CPU is as fast as a GPU for one world, and runs it beside all other cases.
+    A CPU is as fast as a GPU for one world. It runs this case while the GPU runs all
+    other cases.
     """
     room = {"contact_max": LEAN.contact_max, "constraint_max": LEAN.constraint_max}
     changes = (

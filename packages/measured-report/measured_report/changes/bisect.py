@@ -59,7 +59,7 @@ class Bisection:
     def side(self, release: Release, names: Sequence[str]) -> Project:
         """Return the project that has records of these sections for a release.
 
-        Missing records are measured and kept in a folder of their own.
+        Missing records are measured and kept in a separate folder.
         """
         side = self.project.of(str(release))
         if not _lacking(side, names):

@@ -1,8 +1,9 @@
 """Check whether runs of the old and the new code of a section cover all changes.
 
 A run covers a change in a function that it calls. It does not cover a constant, an
-operator or a name that only the full profile uses. Therefore all changed functions
-together must contain the same ones before and after.
+operator or a name that only the full profile uses. Therefore the changed functions
+together must contain the same constants, operators and names before and after the
+change.
 """
 
 import ast

@@ -106,7 +106,7 @@ def _checked_copy(site: Path, copy: Path) -> Path:
         raise UsageError(
             f"{site.name}/ does not contain a report: build it with make report"
         )
-    # Another process must not replace the site meanwhile.
+    # The lock keeps other processes from replacing the site during the copy.
     with locked(site.parent, alone=False):
         digests = digests_below(site)
         if not digests.pop(SUMS, "") or (site / SUMS).read_text(

@@ -1,7 +1,7 @@
 """Create the environments of editions with uv.
 
-The project's own edition uses the project's environment. Each other edition has its
-own.
+The project's own edition uses the project's environment. Every other edition has a
+separate environment.
 """
 
 import hashlib
@@ -27,7 +27,7 @@ MEASURING = ("measured_report", "msgspec", "packaging", "tqdm", "tomli")
 """The packages that the generator imports while measuring, including itself."""
 VERSION = re.compile(r"[0-9]+(\.[0-9]+)*[a-z0-9.]*(\+[a-z0-9.]+)?")
 NAME = re.compile(r"[^A-Za-z0-9-].*")
-# Variable of uv that sets a date other than that of the release.
+# This variable of uv overrides the date of the release.
 FILTER = "UV_EXCLUDE_NEWER"
 READY = ".ready"  # a file in a complete environment with the digest of its requirements
 
@@ -110,7 +110,7 @@ def python_with(name: str, requirements: Sequence[str]) -> Path:
 def requirements(
     root: Path, packages: Mapping[str, str], settings: Config
 ) -> list[str]:
-    """Return the project's requirements with these versions instead of its own.
+    """Return the project's requirements, with these versions of packages.
 
     Packages with the version ``missing`` get no version.
     """

@@ -145,7 +145,7 @@ class Project:
 
     @property
     def releases(self) -> list[str]:
-        """Return this edition and those with results, sorted by version and date."""
+        """Return this edition and all editions with results, by version and date."""
         records = self.results.parent.glob(self.settings.edition_folder("*/*.json"))
         labels = {self.settings.edition_in(path.parent.name) for path in records}
         releases = {label for label in labels if read_label(label, self.settings)}

@@ -84,9 +84,9 @@ class Report:
         report()._follow(exited)
 
     def _follow(self, former: "Report") -> None:
-        """Replace the root and modules of another report by those of this one.
+        """Replace the root and modules of the former report by this one's.
 
-        Those of the other one are kept until it is entered again.
+        The former report keeps its modules for the next time it is entered.
         """
         if self is former:
             return

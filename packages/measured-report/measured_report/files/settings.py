@@ -105,7 +105,7 @@ class Changes:
 
     @property
     def named(self) -> frozenset[str]:
-        """Return the numbers that have a threshold of their own or are headlines."""
+        """Return the numbers that have a specific threshold or are headlines."""
         return frozenset((*self.thresholds, *self.headlines.values()))
 
 

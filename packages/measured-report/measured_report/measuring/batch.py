@@ -1,7 +1,7 @@
 """Define batches: the parts of a section that any process of any host can measure.
 
-A section with batches yields those that can run now. It receives their results in the
-same order::
+A section yields the batches that can run now, and receives their results in the same
+order::
 
     points, cells = yield [
         Batch("points", measure_points, (conditions,)),
@@ -84,7 +84,8 @@ def measure_batch(packed: bytes, device: str) -> Result:
             start = time.perf_counter()
             value = batch.function(*batch.arguments)
             seconds = time.perf_counter() - start
-        # The clock may be set meanwhile, so that it cannot give the end.
+        # The end is computed, because the clock may have been set during the
+        # measurement.
         ended = started + timedelta(seconds=seconds)
         return Result(
             value=pickle.dumps(value),

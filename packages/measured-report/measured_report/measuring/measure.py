@@ -45,7 +45,7 @@ def measure(
 ) -> Project:
     """Measure sections and return the project that contains them.
 
-    Results of another machine are kept apart, in a project of their own.
+    Results of another machine are kept in a separate project.
     """
     edition, is_done = measure_what_can(
         project, release, sections, device, cluster=cluster
@@ -163,7 +163,7 @@ def _run(
 def kept_by(project: Project, machine: str) -> Project:
     """Return the project that keeps the results of ``machine``.
 
-    This is a project of its own if there are results of other machines.
+    It is a separate project if other machines have results of this edition.
     """
     named = project.named
     option = f"{project.settings.option}={project.release}"

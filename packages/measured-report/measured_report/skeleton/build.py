@@ -1,4 +1,4 @@
-"""Run the command that make names; ``make help`` lists all commands."""
+"""Run a command of make; ``make help`` lists all commands."""
 
 import signal
 import sys

@@ -102,7 +102,7 @@ def test_what_cannot_be_measured_is_passed_over_and_an_end_ends_the_search_as_en
         match=r"claim .* does not exist: use the name of a claim \(similar: toy",
     ):
         searched(replace(search, query=Query("toy.halps", True)))
-    with pytest.raises(UsageError, match=r"from A \(holds\\) to B \\(holds\\)"):
+    with pytest.raises(UsageError, match=r"from A \(holds\) to B \(holds\)"):
         searched(search, "1.5.9")
 
 
