@@ -128,7 +128,7 @@ def _in_warp(simulation: Simulation, seconds: int) -> list[np.ndarray]:
 def _in_c(
     simulation: Simulation, seconds: int, after_step: Callable[[mujoco.MjData], None]
 ) -> list[np.ndarray]:
-    """Return the cube's positions in the TCP frame in a copy without Newton.
+    """Return the cube's positions in the TCP frame from a copy without Newton.
 
     Newton would write its state in single precision at every step.
     """

@@ -21,7 +21,7 @@ HELD = (
     replace(MINUTE, name="kept", **POSITIONS["kept"]),
     replace(MINUTE, name="best", **BEST),
 )
-# With the whole cure; these are the cases of the map as in section envelope.
+# The case of the map in section envelope, here with the whole cure.
 SIDES = {"best": replace(AS_SHIPPED, **BEST)}
 PARTS = {
     "limits": limits.measure,

@@ -82,7 +82,7 @@ def cases(kind: str, quick: bool) -> list[Case]:
             **POSITIONS[positions],
         )
         combinations.append(case)
-    # these cases are worlds in the batches of the others
+    # these cases join the batches of other cases
     if kind == "newton" and kf_is_read():
         stem = f"newton-{AS_SHIPPED.integrator}-{AS_SHIPPED.impratio:g}-shipped"
         for shake, amplitude_m in AMPLITUDES_M.items():

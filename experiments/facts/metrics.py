@@ -188,7 +188,7 @@ class Grasp:
 
 
 def grasp(rows: ContactRows) -> Grasp | None:
-    """Return numbers about the loaded contacts of a frame, or None without any.
+    """Return numbers about the loaded contacts in a frame, or None if none exist.
 
     The solver parameters are those of the contact with the largest force.
     """

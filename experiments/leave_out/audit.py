@@ -41,7 +41,7 @@ class AuditedScene(Protocol):
 
 @dataclass(frozen=True)
 class Item:
-    """Describe a part of a scene with a cost."""
+    """Describe a costly part of a scene."""
 
     name: str
     present: float  # available amount

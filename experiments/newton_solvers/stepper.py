@@ -52,7 +52,7 @@ class SolverStepper(Stepper):
         self.states = state, state_out
 
     def step(self, substep: int, control: newton.Control, step_s: float) -> None:
-        """Queue a substep; after an even number, the result is in the initial state."""
+        """Queue a substep; the first state holds the result of every second one."""
         last, between = (
             self.case.substeps - 1,
             self.variant.steps_between_contacts or self.case.substeps,

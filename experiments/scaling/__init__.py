@@ -72,7 +72,7 @@ class Worlds:
         self.steps = EngineSteps(self.frames) if warm.device.is_cuda else None
 
     def row(self) -> dict[str, object]:
-        """Return the times of both, measured in turn."""
+        """Return a row with the times of frames and steps, measured in turn."""
         frames = self.frames
         row: dict[str, object] = {
             "case": f"worlds-{self.world_count}",

@@ -163,7 +163,7 @@ def predicted_mm(case: Case, motion: Motion) -> dict[str, np.ndarray]:
     runge_kutta = case.integrator == "rk4"
     along = np.array([1.0, 0.0, 1.0])
     as_watched = replace(case, cone=AS_SHIPPED.cone, impratio=AS_SHIPPED.impratio)
-    parts = {  # the name of the term would suggest a run with it, which a column marks
+    parts = {  # a name with "term" would suggest that the term is restored
         "left_out": left_out * motion.bias_m_s / b,
         "step": -(not runge_kutta) * 0.5 * h * motion.bias_m_s,
         "damping": (case.integrator == "implicitfast") * motion.damping_m_s / b,
@@ -230,7 +230,7 @@ def pad_stiffness(case: Case) -> float:
 
 
 def yielding(impedance: float) -> float:
-    """Return the factor of the impedance in R."""
+    """Return the part of R that depends on the impedance."""
     return (1.0 - impedance) / impedance
 
 

@@ -233,9 +233,9 @@ def build_frames(
 def time_columns(
     times: PairedTimes, name: str = "frame_ms", ratio: str = "frame_ratio"
 ) -> dict[str, Any]:
-    """Return the columns of a time, and its ratio with the resolution.
+    """Return columns with the time, the ratio and the resolution of the ratio.
 
-    The spread of the ratio is between rounds.
+    The percentiles of the ratio are taken over the rounds.
     """
     low, high = (float(value) for value in np.percentile(times.ratios, (5, 95)))
     row = spread(name, times.times) | {
@@ -349,7 +349,7 @@ class Comparison:
                 frames.case.name,
                 frames is not reference and frames.simulation is reference.simulation,
             )
-            # otherwise it is the reference, which keeps its first times
+            # the reference keeps its first times
             if frames in built:
                 self.rows.setdefault(name, frames.columns(times))
                 if not is_variant:

@@ -84,8 +84,7 @@ def demand_m_s2(case: Case, trace: Trace) -> float:
 
 
 def friction_load(case: Case, demand: float, grip_force_n: float) -> float:
-    """a| / (μ Σ N).|Return the required friction as a fraction of the limit, m |a| / (μ
-    Σ N). |a| / (μ Σ N).
+    """Return the required friction as a fraction of the limit, m |a| / (μ Σ N).
 
     Above 1, the cube slides. This is Coulomb's law, which the engine's elliptic cone
     imposes on each contact (MuJoCo documentation, "Computation", friction cones). Only

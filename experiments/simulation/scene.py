@@ -31,7 +31,7 @@ CUBE_POSITION = (0.0, -0.44, 0.02)
 CUBE_IN_HAND = (0.0, -0.44, 0.22)
 """Start position of a cube in the hand.
 
-Its height above the ground is that to which the task lifts the cube.
+The task would lift a cube from the ground to this height.
 """
 # Distance [m] of the pads' faces from the origins of the fingers.
 PAD_FACE = 2e-5

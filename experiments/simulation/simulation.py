@@ -74,7 +74,7 @@ class Simulation:
         self._set_flags(self.solver)
 
     def _start_uncaptured(self) -> None:
-        """Start with a step that is captured again."""
+        """Let the next step be captured again."""
         self.parts = [self.queue_targets, self.queue_physics]
         self.part_beside = self.task.solve if self.case.ik_beside else None
         self.captured = False

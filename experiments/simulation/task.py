@@ -124,7 +124,7 @@ def apply_targets(
     elapsed: wp.array[float],
     phase_start: wp.array[wp.transform],
 ):
-    """Command the joints, and end the phase if its time is over at the goal."""
+    """Command the joints, and end the phase when its time and goal are reached."""
     world = wp.tid()
     for dof in range(ARM_DOF_COUNT):
         joint_target[world, dof] = solution[world, dof]

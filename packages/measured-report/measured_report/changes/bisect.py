@@ -105,7 +105,7 @@ def first_change(
     """Return the two neighbours between which the answer changes.
 
     The first and the last point must have different answers. Also return the points
-    between the neighbours whose answer is unknown.
+    between them whose answer is unknown.
     """
     low = 0
     high = len(points) - 1

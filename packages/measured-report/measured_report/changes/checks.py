@@ -158,7 +158,7 @@ def blind_spots(edition: Edition) -> list[str]:
 def idle_settings(edition: Edition) -> list[str]:
     """Return the settings that name columns or cells which no row has.
 
-    A pattern with a typing error is an example.
+    For example, a pattern may have a typing error.
     """
     if edition.left_out:
         return []

@@ -86,7 +86,7 @@ class Program:
 def uncovered(old: Program, new: Program, called: set[Place]) -> str:
     """Return the first change that the runs do not cover, or an empty string.
 
-    Runs of both codes together called these functions.
+    ``called`` contains the functions that the runs of both codes called.
     """
     for name in sorted({*old.statements, *new.statements}):
         if old.statements.get(name, []) != new.statements.get(name, []):

@@ -92,7 +92,8 @@ def _run(name: str, *typed: str) -> int:
     edition = arguments.edition or own
     arguments.release = release_of(edition, arguments.pins, report=report)
     project = Project(str(arguments.release), arguments.profile, report.root, own)
-    # From here on, Ctrl-C is reported. Imports are done, which may take seconds.
+    # All imports are done, which may take seconds. From here on, Ctrl-C prints a
+    # message.
     for stop in (signal.SIGINT, signal.SIGTERM):
         signal.signal(stop, signal.default_int_handler)
     with cached_sources():

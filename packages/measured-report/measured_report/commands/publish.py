@@ -156,7 +156,7 @@ def _to_folder(copy: Path, location: str, site: Path) -> str:
 
 
 def _to_branch(copy: Path, location: str, site: Path) -> str:
-    """Publish to a branch of a remote, which then has this one commit.
+    """Publish a copy as the only commit on a branch of a remote.
 
     The commit is made in the copy and pushed to the address of the remote.
     """
@@ -187,7 +187,8 @@ def _pushed(copy: Path, location: str, root: Path) -> str:
         )
     is_named = remote in here("remote").splitlines()
     address = here("remote", "get-url", "--push", remote) if is_named else remote
-    # Use the settings of the clone to authenticate, and ignore its other effects.
+    # Use the clone's settings to authenticate, and override settings that affect the
+    # copy.
     config = root / here("rev-parse", "--git-path", "config")
     settings = [f"include.path={config}", *ALONE]
     options = [option for setting in settings for option in ("-c", setting)]

@@ -40,7 +40,7 @@ def run(project: Project, arguments: Arguments) -> int:
 
 
 def provenance(project: Project, editions: Mapping[str, Edition], name: str) -> str:
-    """Return lines that say where a number comes from.
+    """Return lines about the origin of a number.
 
     The name is ``section.name``, ``section.case.column`` or a pointer of a page.
     """

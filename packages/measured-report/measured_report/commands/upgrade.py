@@ -64,8 +64,8 @@ def run(project: Project, arguments: Arguments) -> int:
     sides = [project.of(str(release)) for release in releases]
     unmeasured = []
     for side in sides:
-        # Of the base, measure only the missing sections. Of the newer edition, measure
-        # also those whose code changed.
+        # Measure the missing sections of both editions. For the newer edition, also
+        # measure sections whose code has changed.
         kinds = {Kind.MISSING}
         if device and side.release == project.release:
             kinds |= {Kind.STALE, Kind.DAMAGED}
@@ -123,8 +123,8 @@ def timed_in_turn(
 ) -> list[Edition]:
     """Time two editions twice in turn on this machine and return them.
 
-    The machine, its load and its card then have the same speed for both editions.
-    Return an empty list if there is no timed section, or if a timing fails.
+    The speed and the load of the machine are then the same for both editions. Return an
+    empty list if there is no timed section, or if a timing fails.
     """
     report = sides[0].report
     sections_timed = {

@@ -157,7 +157,7 @@ class Project:
         """Return a key that sorts editions.
 
         Editions are sorted by version, and commits by date. An edition with pinned
-        packages follows the same one without.
+        packages follows the same edition without them.
         """
         named = self.named
         date = ""
@@ -176,7 +176,8 @@ class Project:
     def rerun(self, section: str, device: str | None = None) -> str:
         """Return the command that measures a section of this edition.
 
-        It names ``device`` if one is given, and the CPU if these results are of a CPU.
+        The command names ``device`` if it is given, and the CPU if this edition was
+        measured on a CPU.
         """
         options = {
             "SECTION": section,
@@ -201,10 +202,13 @@ def own_release(root: Path | None = None, report: Report | None = None) -> str:
     text = ((root or report.root) / "pyproject.toml").read_text(encoding="utf-8")
     match = re.search(rf'"{re.escape(requirement)}==([0-9.]+)"', text)
     if not match:
-        line = (
+        if not requirement:
+            raise ReportError(
+                f"{FILE} and pyproject.toml do not name the package of the editions: "
+                'add edition = "NAME" and the requirement "NAME==1.2.3"'
+            )
+        raise ReportError(
+            f"pyproject.toml does not require {requirement} with a version: add "
             f'"{requirement}==1.2.3"'
-            if requirement
-            else 'for an edition, and report.toml has no edition = "NAME": add both'
         )
-        raise ReportError(f"pyproject.toml has no line {line}")
     return full_version(match[1])

@@ -98,8 +98,7 @@ TRAITS = (
     "trials",
     "unless",
 )
-"""Properties of a column; the first table of ``report.toml`` that sets one determines
-it.
+"""Properties of a column; each is taken from the first table that sets it.
 """
 
 
@@ -134,8 +133,9 @@ class Schema:
     """Describe the columns of a report: ``schema["depth_mm"]`` is a `Column`.
 
     Args:
-        settings: the settings of ``report.toml``, which add to the names of columns.
-        parameters: the parameters of a case with their defaults, or ``MISSING``.
+        settings: the settings of ``report.toml``, which complement the names of
+        columns. parameters: the parameters of a case with their defaults, or
+        ``MISSING``.
     """
 
     def __init__(self, settings: Config, parameters: Mapping[str, Any]):

@@ -143,7 +143,7 @@ class Config:
     short_names: Mapping[str, str] = field(default_factory=dict)
     """Short names of other packages in labels."""
     trials: Mapping[str, str] = field(default_factory=dict)
-    """Names of labels with other packages in sentences."""
+    """Names in sentences for labels with other packages."""
     host: str = "measured_report.measuring.host"
     """The module that measures on a host; the default measures on the CPU."""
     accelerator: str = "measured_report.measuring.host"

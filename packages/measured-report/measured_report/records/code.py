@@ -33,7 +33,7 @@ class Source:
     digest: str  # of its syntax tree, without comments, docstrings and layout
     modules: tuple[str, ...]  # names in its import statements; some of them are modules
     assets: tuple[str, ...]  # strings that may be paths of assets
-    top: Mapping[str, Any]  # names of constants, and of functions with argument counts
+    top: Mapping[str, Any]  # constants by name, and argument counts of functions
 
 
 class Code:
