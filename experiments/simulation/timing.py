@@ -101,7 +101,7 @@ def memory_bytes(device: wp.Device) -> int:
 
 
 def invalid_reason(case: Case, trace: Trace) -> str | None:
-    """Return the reason why the time of frames of the shake is not valid, or None.
+    """Return the reason why the frame times of a run are not valid, or None.
 
     A run that overflows, stops early or is not finite does not take a representative
     time.

@@ -61,7 +61,7 @@ def run(project: Project, arguments: Arguments) -> int:
 def _keep(project: Project, records: Records, source: str) -> None:
     """Keep the records that measured the same code and packages as this edition.
 
-    Messages name the records by ``source``.
+    ``source`` is the name of the records in messages.
     """
     try:
         left_out = refused(project, records)

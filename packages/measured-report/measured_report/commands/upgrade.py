@@ -244,6 +244,7 @@ def _why(comparison: Comparison, say: Say, after: Edition) -> list[str]:
 
 
 def _advice(comparison: Comparison, before: Project, after: Project) -> str:
+    settings = comparison.report.settings
     if comparison.faults:
         return "fix the faults first, because nothing else can be concluded"
     profile = "" if after.profile == "full" else f" PROFILE={after.profile}"
@@ -262,7 +263,7 @@ def _advice(comparison: Comparison, before: Project, after: Project) -> str:
     if blind := blind_sections(comparison):
         return (
             f"measure again, because a change could be hidden in {few(blind)}: "
-            f"make replicate NEWTON={after.release}"
+            f"make replicate {settings.option}={after.release}"
         )
-    is_part = comparison.report.settings.changes.upgrade_sections
+    is_part = settings.changes.upgrade_sections
     return "nothing; make report measures the other sections" if is_part else "nothing"

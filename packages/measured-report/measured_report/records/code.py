@@ -123,7 +123,7 @@ _known: dict[str, Source] = {}  # by a digest of the file's text and package
 def read_source(path: Path, name: str) -> Source:
     """Return the facts about a file; raise ReportError if it cannot be read.
 
-    Messages call the file ``name``.
+    ``name`` is the name of the file in messages.
     """
     package = PurePosixPath(name).parts[:-1]
     try:

@@ -163,7 +163,9 @@ def test_a_worker_that_returns_garbage_costs_its_section_alone(
 
 def test_workers_with_other_code_are_refused_in_one_line(scheduler, monkeypatch):
     monkeypatch.setenv("GIT_COMMIT", "abc")
-    refused = pytest.raises(ReportError, match=r"commit of a worker: [^\n]+ here: abc")
+    refused = pytest.raises(
+        ReportError, match=r"a worker has commit [^\n]+ this machine has abc"
+    )
     with refused, cluster_pools(scheduler):
         pass
 
@@ -186,14 +188,14 @@ def test_a_scheduler_that_ends_is_noticed(outside, toy, capfd):
     with settings, started(outside, 1) as process:
         address = process.stdout.readline().strip()
         gone = pytest.raises(
-            ReportError, match="the scheduler is gone; what is finished is kept"
+            ReportError, match="the connection to the scheduler is lost"
         )
         with cluster_pools(address) as pools:
             batch = Batch("end", os.kill, (process.pid, signal.SIGKILL))
             with gone:
                 Loop([section_of(toy, batches.single(batch))], *pools).run()
         unreachable = pytest.raises(
-            ReportError, match=f"CLUSTER={address}: no workers could be reached"
+            ReportError, match=f"CLUSTER={address}: cannot reach any worker"
         )
         with unreachable, connected(address):
             pass
