@@ -256,7 +256,7 @@ def world_rate(case: Case, world_count: int, times: PairedTimes) -> dict[str, fl
 
 
 def untimed(names: Sequence[str], reason: str) -> dict[str, object]:
-    """Return columns of times that are not valid."""
+    """Return the columns of times without values, with the reason."""
     return absent(names, f"not timed: {reason}")
 
 

@@ -37,7 +37,7 @@ def run(project: Project, arguments: Arguments) -> int:
 
 class _Handler(SimpleHTTPRequestHandler):
     def send_head(self) -> Any:
-        """Return a file of the site for requests to this machine by a local name.
+        """Return the requested file, if the request names this machine by a local name.
 
         Links that lead out of the site are not followed.
         """

@@ -248,15 +248,14 @@ def _advice(comparison: Comparison, before: Project, after: Project) -> str:
     if comparison.faults:
         return "fix the faults first, because nothing else can be concluded"
     profile = "" if after.profile == "full" else f" PROFILE={after.profile}"
-    lists = (
-        f"make diff A={before.release} B={after.release} FORMAT=json{profile} lists it"
-    )
+    ends = f"A={before.release} B={after.release}"
+    lists = f"make diff {ends} FORMAT=json{profile} lists every change"
     # A number that no longer exists cannot be followed between the editions.
     values = [f"VALUE={move.name}" for move in comparison.alarms if not move.is_gone]
     if queries := [*(f"CLAIM={flip.claim}" for flip in comparison.flips), *values]:
-        ends = shlex.join([f"A={before.asked}", f"B={after.asked}"])
+        asked = shlex.join([f"A={before.asked}", f"B={after.asked}"])
         return (
-            f"make bisect {queries[0]} {ends} finds the change that caused it; {lists}"
+            f"make bisect {queries[0]} {asked} finds the change that caused it; {lists}"
         )
     if comparison.moves:
         return f"check whether the changes were intended: {lists}"

@@ -70,7 +70,7 @@ def identity_at(
     packages: Mapping[str, str] | None = None,
     code: Code | None = None,
 ) -> Identity:
-    """Return the identity of a measurement by a module.
+    """Return the identity of the measurement that a module makes.
 
     ``code`` avoids reading the files of ``root`` again.
     """
