@@ -1,9 +1,10 @@
-"""What is measured: a module, or a folder, for each section, and what these share in folders."""
+"""Measure the sections: each is a module or a folder here; other folders are shared."""
 
 import sys
 from pathlib import Path
 
-# The packages of this repository are found where they lie, installed or not: a host without network needs no more.
+# Find the packages of this repository in its own folders, whether they are installed or
+# not, so that a host without network can run them.
 sys.path[:0] = map(
     str, sorted((Path(__file__).resolve().parent.parent / "packages").glob("*"))
 )

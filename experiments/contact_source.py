@@ -1,4 +1,4 @@
-"""Does it matter who finds the contacts, how often, on which shape, or which engine solves them?"""
+"""Measure whether the source, rate or shape of contacts, or the engine, matters."""
 
 from dataclasses import replace
 

@@ -1,6 +1,8 @@
-"""The solver's live contact rows in the middle of the shake, as shipped and with stiff pads, and what they leave out.
+"""Measure the solver's contact rows in the middle of the shake.
 
-How much slide does the acceleration predict that they leave out, and what happens once it is put back?
+The rows are measured as shipped and with stiff pads. The section also predicts the
+slide from the acceleration that the rows ignore, and measures the slide when this
+acceleration is restored.
 """
 
 from collections.abc import Sequence
@@ -29,13 +31,21 @@ ROW_NAMES = ("normal", "friction 1", "friction 2")
 DOUBLE_STEP = replace(AS_SHIPPED, name="double-step", substeps=AS_SHIPPED.substeps // 2)
 MOTION = ("slide_mm", "along_mm", "slip_mm", "drift_mm_s")
 TWO_PERIODS_FRAME_COUNT = SETUP_FRAME_COUNT + 241
-"""The set-up and 4 s of shake: with its parts at f, 2f and 1.5f the shake repeats every two cycles."""
+"""The set-up and 4 s of shake.
+
+The shake has parts at f, 2f and 1.5f, so that it repeats every two cycles.
+"""
 
 
 def measure(conditions: Conditions) -> Measurement:
-    """Return rows of five kinds: a frame's contacts, a contact's rows, a run's slide, what explains it, the proof."""
+    """Return rows of five kinds.
+
+    They describe the contacts of a frame, the rows of a contact, the slide of a run,
+    the predicted slide, and the slide with the term restored.
+    """
     cases = (AS_SHIPPED, STIFF_PADS)
-    # MuJoCo's C engine runs on the CPU: each run has a process of its own, beside the GPU and the others.
+    # MuJoCo's C engine runs on the CPU. Each run has its own process, beside the GPU
+    # and the other runs.
     restored = (*cases, DOUBLE_STEP)
     with processes(len(cases) + len(restored)) as pool:
         waiting = start(pool, predicted_row, [(case,) for case in cases])
@@ -46,7 +56,7 @@ def measure(conditions: Conditions) -> Measurement:
 
 
 def measure_live(conditions: Conditions, cases: Sequence[Case]) -> Measurement:
-    """Return the live contacts of each case, and what their velocities add up to."""
+    """Return the live contacts of each case and the sum of their velocities."""
     traces = conditions.simulate(
         cases, contact_frames=conditions.contact_frames(), title="contacts"
     )
@@ -80,7 +90,7 @@ def measure_live(conditions: Conditions, cases: Sequence[Case]) -> Measurement:
 
 
 def constraint_rows(case: str, contacts: ContactRows) -> list[dict[str, object]]:
-    """Return the three rows of the contact that carries most force."""
+    """Return the three rows of the contact with the largest force."""
     strongest = int(contacts.force_n[:, 0].argmax())
     if contacts.force_n[strongest, 0] <= 0.0:
         return []
@@ -100,7 +110,7 @@ def constraint_rows(case: str, contacts: ContactRows) -> list[dict[str, object]]
 
 
 def contact_table(contacts: ContactRows) -> dict[str, np.ndarray]:
-    """Return every live contact of a frame, a row each."""
+    """Return a table with a row for each live contact of a frame."""
     return {
         "geom_1": contacts.geom[:, 0],
         "geom_2": contacts.geom[:, 1],
@@ -115,11 +125,13 @@ def contact_table(contacts: ContactRows) -> dict[str, np.ndarray]:
 
 
 def predicted_row(case: Case) -> dict[str, object]:
-    """Say how much slide the term would give that contact rows leave out, next to the slide that they show.
+    """Return the slide predicted from the ignored term, and the actual slide.
 
-    A contact row sets the acceleration J q̈ to -b v, where v is the sliding velocity and b = 2 / (dmax timeconst)
-    (MuJoCo documentation, "Computation", constraint model). The contact's real acceleration is J q̈ + J̇ q̇. Where the
-    cube stays with the pads that is near zero, which leaves v = J̇ q̇ / b. J̇ is MuJoCo's ``mj_jacDot`` in a run in C.
+    A contact row sets the acceleration J q̈ to -b v, where v is the sliding velocity
+    and b = 2 / (dmax timeconst) (MuJoCo documentation, "Computation", constraint
+    model). The real acceleration of the contact is J q̈ + J̇ q̇. It is near zero while
+    the cube stays with the pads, so that v = J̇ q̇ / b. J̇ is computed by MuJoCo's
+    ``mj_jacDot`` in a run with the C engine.
     """
     simulation = _in_c(case)
     bias = np.zeros(TWO_PERIODS_FRAME_COUNT)
@@ -142,7 +154,7 @@ def predicted_row(case: Case) -> dict[str, object]:
 
 
 def restored_row(case: Case) -> dict[str, object]:
-    """Return the same run with the term put back: every contact row asks for -b v - J̇ q̇."""
+    """Return the same run with the term restored: rows aim at -b v - J̇ q̇."""
     simulation = _in_c(replace(case, contact_bias=True))
     for _ in range(TWO_PERIODS_FRAME_COUNT):
         simulation.step()
@@ -177,7 +189,10 @@ def _motion(trace: Trace) -> dict[str, object]:
 
 
 def mean_along_shake_m_s2(simulation: Simulation) -> float:
-    """Return J̇ q̇ of the cube against the pads along the shake's main axis, mean over the loaded contacts [m/s²]."""
+    """Return J̇ q̇ of the cube against the pads along the shake's main axis [m/s²].
+
+    This is the mean over the loaded contacts.
+    """
     engine, data = simulation.solver.mj_model, simulation.solver.mj_data
     cube, now = simulation.recorder.cube_geom, _at_end_of_step(engine, data)
     found = []
@@ -195,7 +210,10 @@ def mean_along_shake_m_s2(simulation: Simulation) -> float:
 
 
 def _at_end_of_step(engine: mujoco.MjModel, data: mujoco.MjData) -> mujoco.MjData:
-    """Return the same state with its own kinematics: after a step ``data`` still has those of its beginning."""
+    """Return the same state with updated kinematics.
+
+    After a step, ``data`` still contains the kinematics of the beginning of the step.
+    """
     now = mujoco.MjData(engine)
     now.qpos[:], now.qvel[:] = data.qpos, data.qvel
     mujoco.mj_kinematics(engine, now)

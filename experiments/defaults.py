@@ -1,6 +1,7 @@
-"""What a release sets where nobody sets anything: its solver's options, its joints, and the scene with its materials.
+"""Measure the defaults of a release: solver options, joints and contact materials.
 
-The scene writes what 1.4.0 had into every release, so that no other section sees another default.
+All other sections set the values of 1.4.0 explicitly in the scene, so that they do not
+depend on these defaults.
 """
 
 from dataclasses import replace
@@ -17,11 +18,14 @@ from experiments.simulation.measurement import (
 )
 
 NEEDS_GPU = False
-"""Read by ``measured_report.measuring.machine``: options are the same on any machine, and the run is one on a CPU."""
+"""Tells ``measured_report.measuring.machine`` that a GPU is not needed.
+
+The options are the same on every machine, and the run is done on the CPU.
+"""
 
 
 def measure(conditions: Conditions) -> Measurement:
-    """Return a row for the run, and one for each default."""
+    """Return a row for the run and one for each default."""
     case = own_case()
     [trace] = conditions.simulate([case], title="defaults")
     run = {"kind": "run", "name": case.name, **summarize(case, trace)}
@@ -29,7 +33,7 @@ def measure(conditions: Conditions) -> Measurement:
 
 
 def own_case() -> Case:
-    """Return the scene as shipped, with the contact parameters and the gap that this release has by default."""
+    """Return the scene as shipped with this release's contact defaults and gap."""
     builder = newton.ModelBuilder()
     config = builder.ShapeConfig()
     pads = {
@@ -48,7 +52,7 @@ def own_case() -> Case:
 
 
 def default_rows() -> list[dict[str, object]]:
-    """Return a row for each option of a solver, and for each number of a joint, that was given none."""
+    """Return a row for each default option of a solver and each default of a joint."""
     builder = newton.ModelBuilder()
     builder.add_shape_box(builder.add_body(), hx=0.1, hy=0.1, hz=0.1)
     engine = SolverMuJoCo(builder.finalize(device="cpu")).mjw_model

@@ -1,8 +1,10 @@
-"""The law of the drift: what each run of section stiffness is predicted to drift, from the arm's motion alone.
+"""Predict the drift of each run of section stiffness from the arm's motion alone.
 
-The parts are those of ``budget``, each as the slope of its sum over the shake, which is what the drift is of the cube's
-displacement. They are taken from one run of the shake through MuJoCo's C engine with the term put back, so that no
-slide of any pads is in them; nothing is fitted. Rounding of positions is no part of it: it is taken out of the runs.
+The parts are those of ``budget``. Each part is the slope of its sum over the shake,
+just as the drift is the slope of the cube's displacement. They are measured in one run
+of the shake in MuJoCo's C engine with the term restored, so that they do not contain
+any slide. No parameter is fitted. The prediction does not include the rounding of
+positions, which is avoided in the compared runs.
 """
 
 from dataclasses import dataclass, replace
@@ -33,7 +35,11 @@ PREDICTED = (
 
 @dataclass(frozen=True)
 class Slopes:
-    """Of the sums of ``budget.Motion`` over the shake, along its main axis [m/s²], and what else a prediction takes."""
+    """Hold the slopes of the sums in ``budget.Motion`` over the shake.
+
+    The slopes are taken along the main axis of the shake [m/s²]. The other fields are
+    needed for a prediction.
+    """
 
     left_out: float
     damping: float
@@ -44,7 +50,11 @@ class Slopes:
 
 
 def measure(conditions: Conditions) -> Measurement:
-    """Return a row for each case of section stiffness: its parts, their sum, and its drift with no position rounded."""
+    """Return a row for each case of section stiffness.
+
+    It contains the predicted parts, their sum, and the measured drift without rounded
+    positions.
+    """
     shaken = replace(
         AS_SHIPPED, frame_count=conditions.frame_count(AS_SHIPPED.frame_count)
     )
@@ -65,14 +75,13 @@ def measure(conditions: Conditions) -> Measurement:
 
 
 def measure_slopes(case: Case) -> Slopes:
-    """Measure the slopes in one run of a case through MuJoCo's C engine."""
+    """Measure the slopes in one run of a case in MuJoCo's C engine."""
     run = Watched(case)
     if run.failure:
-        return Slopes(*[np.nan] * 5, failure=run.failure)  # type: ignore[misc]  # five are no sixth
+        return Slopes(*[np.nan] * 5, failure=run.failure)  # type: ignore[misc]  # mypy counts six values, but there are five
     frames = run.frames.copy()
-    frames[: run.shaking[0] + 1] = (
-        0.0  # the displacement counts from the end of the first
-    )
+    # The displacement counts from the end of the first frame.
+    frames[: run.shaking[0] + 1] = 0.0
     poses = run.trace.poses[run.shaking[0]].astype(float)
     along = frames.cumsum(axis=0)[run.shaking] @ metrics.rotate_inverse(
         poses[metrics.TCP, 3:], metrics.MAIN_AXIS
@@ -83,7 +92,7 @@ def measure_slopes(case: Case) -> Slopes:
 
 
 def predicted_columns(case: Case, slopes: Slopes) -> dict[str, object]:
-    """Return what a case of section stiffness is predicted to drift, and in what time its friction rows respond."""
+    """Return the predicted drift of a case and the response time of friction rows."""
     columns: dict[str, object] = {"pad_ke": case.pad_ke, "pad_kd": case.pad_kd}
     if slopes.failure:
         return columns | absent(("response_s", *PREDICTED), slopes.failure)

@@ -1,4 +1,4 @@
-"""How hard can one shake? Amplitude and frequency, before and after the fix, as a map."""
+"""Map the slip over amplitude and frequency, with and without the fix."""
 
 from collections.abc import Mapping
 from dataclasses import replace
@@ -12,11 +12,12 @@ from measured_report.measuring.batch import Batch, Plan
 FRAME_COUNT = 660
 MAP_SIZE = {"full": 32, "quick": 3}
 AMPLITUDES_M = (0.005, 0.12)
-FREQUENCIES_HZ = (0.25, 5.0)  # range of the map, spaced evenly on a log scale
+FREQUENCIES_HZ = (0.25, 5.0)  # range of the map, with logarithmic spacing
 SIDES = {"as-shipped": AS_SHIPPED, "stiff": STIFF_PADS}
+# Pairs of amplitude [m] and frequency [Hz].
 ROUND = [(0.03, f) for f in (0.5, 1.0, 2.0, 3.0)] + [
     (a, 1.0) for a in (0.01, 0.06, 0.1)
-]  # amplitudes [m], at [Hz]
+]
 COLUMNS = (
     "shake_amplitude_m",
     "shake_frequency_hz",
@@ -41,7 +42,10 @@ def measure(conditions: Conditions) -> Plan:
 
 
 def map_cells(sides: Mapping[str, Case], size: int) -> list[Case]:
-    """Return all cells of a map, one side after the other; ``size`` amplitudes by as many frequencies."""
+    """Return all cells of a map, one side after the other.
+
+    Each side has ``size`` amplitudes and ``size`` frequencies.
+    """
     grid = [
         (a, f)
         for a in np.geomspace(*AMPLITUDES_M, size)
@@ -55,7 +59,10 @@ def map_cells(sides: Mapping[str, Case], size: int) -> list[Case]:
 
 
 def measure_round(conditions: Conditions) -> list[dict]:
-    """Return a row for each shake at round numbers, as long as those of the map, that of the scene among them."""
+    """Return a row for each shake with round numbers, including the scene's own.
+
+    The runs are as long as the runs of the map.
+    """
     cases = [
         shaken(case, f"{side}-{100 * a:g}cm-{f:g}hz", a, f)
         for side, case in SIDES.items()
@@ -68,7 +75,7 @@ def measure_round(conditions: Conditions) -> list[dict]:
 def measure_map(
     conditions: Conditions, sides: Mapping[str, Case]
 ) -> dict[str, np.ndarray]:
-    """Return a table of all cells of a map, which are one batch."""
+    """Return a table of all cells of a map, which form one batch."""
     cells = map_cells(sides, MAP_SIZE[conditions.profile])
     traces = conditions.simulate(cells, title="envelope map")
     summaries = [

@@ -1,4 +1,4 @@
-"""The fix that the report offers, tried as a reader would: the very files, each run in a process of its own."""
+"""Run the files of the fix as a reader would, each in a separate process."""
 
 import json
 import math
@@ -36,7 +36,10 @@ def measure(conditions: Conditions) -> Measurement:
 def try_script(
     row: dict[str, object], device: str, frame_count: int
 ) -> dict[str, object]:
-    """Run the row's script in an empty folder and return the row with what it says of itself, and of its test."""
+    """Return the row with the numbers and the test result of its script.
+
+    The script runs in an empty folder.
+    """
     with tempfile.TemporaryDirectory() as folder:
         script, summary = (
             Path(folder) / str(row["script"]),

@@ -1,4 +1,4 @@
-"""What moves against what: the scene as shipped, taken apart into relative poses."""
+"""Measure which bodies move relative to each other in the scene as shipped."""
 
 from experiments.facts import metrics
 from experiments.facts.case import AS_SHIPPED

@@ -1,4 +1,8 @@
-"""Is it friction? The pads' coefficient and the cube's, each from far below to far above as shipped."""
+"""Measure the slip with friction coefficients from far below to far above the shipped
+ones.
+
+The coefficients of the pads and of the cube are varied separately.
+"""
 
 from dataclasses import replace
 

@@ -1,4 +1,4 @@
-"""The contact gap: how many contacts it makes, how many of them ever carry force."""
+"""Measure how many contacts each contact gap creates, and how many carry force."""
 
 from dataclasses import replace
 

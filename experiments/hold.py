@@ -1,4 +1,7 @@
-"""The same grasp with the arm held still: what is left without the load cycle, and does rounding move the cube?"""
+"""Measure the same grasp with the arm held still.
+
+This shows the creep without a load cycle, and whether rounding moves the cube.
+"""
 
 import copy
 from collections.abc import Callable
@@ -36,7 +39,7 @@ CASES = (
 )
 CREEP_COLUMNS = ("creep_z_mm_s", "increment_final_mm")
 SETTLE_FRAME_COUNT = SETUP_FRAME_COUNT + 5 * FRAME_RATE
-"""Frames before the motion is measured: the set-up and what the arm takes to come to rest."""
+"""Frames before the measurement: the set-up, and the time until the arm is at rest."""
 SECONDS = {"full": 4, "quick": 1}
 
 
@@ -57,8 +60,11 @@ def measure(conditions: Conditions) -> Measurement:
 
 
 def creep(trace: Trace) -> dict[str, object]:
-    """Return the rate along the tool, and how far the cube goes in the last whole second, in the direction in which it
-    ends up; None without a whole second."""
+    """Return the creep rate along the tool, and the path in the last whole second.
+
+    The path is measured in the direction of the final displacement. The columns are
+    absent if there is no whole second.
+    """
     moved = metrics.displacement(trace)
     if trace.failure or len(moved.time_s) <= FRAME_RATE:
         reason = str(
@@ -77,7 +83,11 @@ def creep(trace: Trace) -> dict[str, object]:
 
 
 def measure_precision(conditions: Conditions) -> list[dict[str, object]]:
-    """Measure MuJoCo Warp, and MuJoCo's C engine alone with positions in double and rounded to single precision."""
+    """Measure the creep in MuJoCo Warp and in MuJoCo's C engine.
+
+    The C engine runs without Newton, with positions in double precision and rounded to
+    single precision.
+    """
     seconds = SECONDS[conditions.profile]
     hold = replace(HOLD, frame_count=1, **ENGINES_AGREE)
     in_c = _settled(replace(hold, backend="mujoco"), "cpu")
@@ -105,7 +115,7 @@ def _settled(case: Case, device: str) -> Simulation:
 
 
 def _in_warp(simulation: Simulation, seconds: int) -> list[np.ndarray]:
-    """Return the cube's places in the TCP frame, a second apart."""
+    """Return the cube's positions in the TCP frame, one second apart."""
     held = []
     for second in range(seconds + 1):
         for _ in range(FRAME_RATE if second else 0):
@@ -118,7 +128,10 @@ def _in_warp(simulation: Simulation, seconds: int) -> list[np.ndarray]:
 def _in_c(
     simulation: Simulation, seconds: int, after_step: Callable[[mujoco.MjData], None]
 ) -> list[np.ndarray]:
-    """Step a copy without Newton, which would hand its state over in single precision at every step."""
+    """Return the cube's positions in the TCP frame from a copy without Newton.
+
+    Newton would write its state in single precision at every step.
+    """
     engine, data = simulation.solver.mj_model, copy.copy(simulation.solver.mj_data)
     cube = engine.geom_bodyid[simulation.recorder.cube_geom]
     tcp = next(

@@ -1,4 +1,7 @@
-"""An A/A test: the same case many times, in one batch and alone. The spread is the report's noise floor."""
+"""Run the same cases many times, in one batch and alone (an A/A test).
+
+The scatter is the noise floor of the report.
+"""
 
 from dataclasses import replace
 
@@ -13,7 +16,11 @@ ALONE_COUNT = {"full": 8, "quick": 2}
 
 
 def measure(conditions: Conditions) -> Measurement:
-    """Run all the worlds of the batch in one simulation, and each of the others in one of its own; a row for each."""
+    """Return a row for each run.
+
+    The worlds of the batch share one simulation. Each other run has a separate
+    simulation.
+    """
     device = wp.get_device(conditions.device)
     shipped, stiff = (
         replace(case, frame_count=conditions.frame_count(case.frame_count))

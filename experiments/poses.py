@@ -1,4 +1,4 @@
-"""The runs that are shown moving: where the arm's joints and the cube are, frame by frame."""
+"""Record the joint positions and the cube's pose in each frame of the runs in clips."""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -21,7 +21,7 @@ from experiments.simulation.scene import ROBOT_POSITION
 from experiments.simulation.simulation import Simulation, run
 from experiments.simulation.task import FRAME_RATE
 
-FAR_SHAKE_M = 0.10  # an amplitude at which the cube falls as shipped
+FAR_SHAKE_M = 0.10  # amplitude at which the cube falls as shipped
 SHAKEN = (
     AS_SHIPPED,
     STIFF_PADS,
@@ -33,9 +33,8 @@ SHAKEN = (
 HELD = replace(
     HOLD, name="hold-60s", frame_count=SETUP_FRAME_COUNT + 60 * FRAME_RATE + 1
 )
-HELD_FRAME_STEP = (
-    6  # frames between two that are kept of the held arm, which hardly moves
-)
+# Frames between two kept frames of the held arm, which hardly moves.
+HELD_FRAME_STEP = 6
 
 COORDINATES = (*JOINTS, *CUBE_PLACE, *CUBE_TURN)
 
@@ -63,7 +62,10 @@ def measure(conditions: Conditions) -> Measurement:
 
 
 class KeptSimulation(Simulation):
-    """A simulation that keeps its joint coordinates, which the recorder leaves out, after every frame."""
+    """Run a simulation and keep its joint coordinates after every frame.
+
+    The recorder does not keep them.
+    """
 
     def __init__(self, cases: Sequence[Case], device: wp.Device):
         super().__init__(cases, device)
@@ -71,9 +73,8 @@ class KeptSimulation(Simulation):
             (self.case.frame_count, self.state.joint_q.size), dtype=float, device=device
         )
         self.frame_count = 0
-        wp.synchronize_device(
-            device
-        )  # it is written on another stream than it was made on
+        # The array is written on another stream than the one that created it.
+        wp.synchronize_device(device)
 
     def frame(self) -> None:
         super().frame()
@@ -81,7 +82,10 @@ class KeptSimulation(Simulation):
         self.frame_count += 1
 
     def kept(self) -> list[np.ndarray]:
-        """Return the joint positions and the cube's pose of each world, shape [frames, len(COORDINATES)]."""
+        """Return the joint positions and the cube's pose in each world.
+
+        The shape is [frames, len(COORDINATES)].
+        """
         worlds = self.coordinates.numpy().reshape(
             self.case.frame_count, self.world_count, -1
         )
@@ -89,7 +93,10 @@ class KeptSimulation(Simulation):
 
 
 def left_grasp(trace: Trace) -> dict[str, object]:
-    """Say when in the shake the cube is first too far from the TCP to be held; None when it never is."""
+    """Return the time in the shake at which the cube leaves the grasp.
+
+    It is absent if the cube stays close enough to the TCP.
+    """
     shaken = trace.poses[trace.phase == metrics.SHAKE]
     distance = np.linalg.norm(
         metrics.relative_position(shaken, metrics.CUBE, metrics.TCP), axis=1
@@ -103,7 +110,10 @@ def left_grasp(trace: Trace) -> dict[str, object]:
 
 
 def drawing_columns(case: Case, frame_step: int) -> dict[str, float]:
-    """Return what a picture needs beside the poses: the robot's place, the cube's size, and which frames are kept."""
+    """Return the columns that a picture needs in addition to the poses.
+
+    These are the position of the robot, the size of the cube, and the kept frames.
+    """
     base = dict(zip(("base_x_m", "base_y_m", "base_z_m"), ROBOT_POSITION, strict=True))
     return base | {
         "cube_edge_m": case.cube_edge_m,
@@ -115,9 +125,12 @@ def drawing_columns(case: Case, frame_step: int) -> dict[str, float]:
 def pose_table(
     trace: Trace, coordinates: np.ndarray, frame_step: int
 ) -> dict[str, np.ndarray]:
-    """Return every ``frame_step``-th frame, so that the last is among them: coordinates as they are, in single
-    precision, the displacement of the cube in the TCP frame since the first frame of the shake (NaN before it), and
-    what the contacts carry."""
+    """Return every ``frame_step``-th frame, including the last one.
+
+    The table contains the coordinates in single precision, the displacement of the cube
+    in the TCP frame since the first frame of the shake (NaN before it), and the contact
+    forces.
+    """
     frames = np.arange(len(trace.phase))[
         (len(trace.phase) - 1) % frame_step :: frame_step
     ]

@@ -1,4 +1,8 @@
-"""Which side's material counts? The same stiffness swing on the cube, and the pads without their priority."""
+"""Measure which side's contact parameters matter.
+
+The stiffness of the cube is varied over the same range as the stiffness of the pads.
+The pads are also run without their priority.
+"""
 
 from dataclasses import replace
 

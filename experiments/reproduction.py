@@ -1,4 +1,7 @@
-"""The shake test as shipped, with stiff pads and with the arm held still, on every engine and device at hand."""
+"""Run the shake on every available engine and device.
+
+The cases are the scene as shipped, with stiff pads, and with the arm held still.
+"""
 
 from dataclasses import replace
 
@@ -14,7 +17,7 @@ from measured_report.measuring.batch import Batch, Plan
 
 BATCH_SIZE = {"cuda": 64, "cpu": 16}
 BATCH_FRAME_COUNT = {"cuda": 900, "cpu": 120}
-QUICK_FRAME_COUNT = 24  # of a batch, in a quick run
+QUICK_FRAME_COUNT = 24  # frames of a batch in a quick run
 
 
 def measure(conditions: Conditions) -> Plan:
@@ -46,9 +49,10 @@ def measure_runs(conditions: Conditions) -> Measurement:
 
 
 def batch_rows(conditions: Conditions) -> list[dict[str, object]]:
-    """Return the wall time of the same case alone and as every world of a batch.
+    """Return the wall time of the same case alone and in every world of a batch.
 
-    On the CPU also without graphs: there launching costs more than computing, and a batch shares the launches.
+    On the CPU, it is also measured without graphs. Launching then costs more than
+    computing, and a batch shares the launches.
     """
     kind = "cuda" if conditions.is_cuda else "cpu"
     case = replace(

@@ -1,7 +1,8 @@
-"""The shake test as a Newton example.
+"""Run the shake test as a Newton example.
 
 python -m experiments.shake --viewer gl
-python -m experiments.shake --viewer null --pad-ke 2.5e5 --pad-kd 1e3 --test --json summary.json
+python -m experiments.shake --viewer null --pad-ke 2.5e5 --pad-kd 1e3 --test --json
+summary.json
 """
 
 import argparse
@@ -21,8 +22,9 @@ from experiments.simulation.measurement import absent, summarize
 from experiments.simulation.simulation import Simulation
 from experiments.simulation.stepper_c import device_of
 
-SLIP_LIMIT_MM = 20.0  # half the cube's edge: with more slip the pads no longer cover the cube's centre
-OPTIONS = {  # options, and what they are, by the parameters of a case
+# Half the cube's edge. With more slip, the pads no longer cover the cube's centre.
+SLIP_LIMIT_MM = 20.0
+OPTIONS = {  # the option and its description for each parameter of a case
     "shake_amplitude_m": ("--shake-amplitude", "[m]"),
     "shake_frequency_hz": ("--shake-frequency", "[Hz]"),
     "pad_ke": ("--pad-ke", "authored pad stiffness"),
@@ -34,16 +36,19 @@ OPTIONS = {  # options, and what they are, by the parameters of a case
 
 
 class TestFailed(ValueError):
-    """The scene's own test failed; the message is one line."""
+    """Signal that the scene's own test failed; the message is one line."""
 
 
 def refuse(message: str) -> NoReturn:
-    """Raise CaseError with what the command line can't be."""
+    """Raise CaseError with an error of the command line."""
     raise CaseError(" ".join(message.split()))
 
 
 def create_parser():
-    """Return Newton's example arguments and the scene's own; bad ones are a CaseError."""
+    """Return a parser with the arguments of Newton's examples and of this scene.
+
+    It raises CaseError for invalid arguments.
+    """
     parser = newton.examples.create_parser()
     parser.error = refuse
     parser.set_defaults(num_frames=AS_SHIPPED.frame_count)
@@ -65,7 +70,10 @@ def create_parser():
 
 
 def case_of(args: argparse.Namespace) -> Case:
-    """Return the case that the command line describes; CaseError when a value makes no sense."""
+    """Return the case that the command line describes.
+
+    Raise CaseError if a value is invalid.
+    """
     if args.num_frames < 1:
         raise CaseError("--num-frames must be at least 1")
     parameters = {name: getattr(args, name) for name in (*OPTIONS, "backend")}
@@ -73,7 +81,10 @@ def case_of(args: argparse.Namespace) -> Case:
 
 
 class Example:
-    """The scene as ``newton.examples.run`` drives it: a frame a step, drawn after it, and a test at the end."""
+    """Provide the scene to ``newton.examples.run``.
+
+    Each step runs a frame, which is then drawn. There is a test at the end.
+    """
 
     def __init__(self, viewer, case: Case):
         self.viewer = viewer
@@ -110,7 +121,7 @@ class Example:
         return row
 
     def test_final(self) -> None:
-        """Raise TestFailed if the cube is not in the grasp any more."""
+        """Raise TestFailed if the cube has left the grasp."""
         summary = self.summary()
         if summary["slip_mm"] is None:
             raise TestFailed(
@@ -123,15 +134,17 @@ class Example:
 
 
 def run() -> int:
-    """Run the scene as the command line says and return the exit status."""
+    """Run the scene with the options of the command line and return the exit status."""
     parser = create_parser()
     args = parser.parse_args()
     case = case_of(args)
     if args.json:
-        args.json.open("a").close()  # what cannot be written is said before the run
+        # report a file that cannot be written before the run
+        args.json.open("a").close()
     try:
         viewer, args = newton.examples.init(parser)
-    except Exception as error:  # viewers raise what they like
+    # Viewers can raise any exception.
+    except Exception as error:
         raise CaseError(
             f"--viewer {args.viewer} --device {args.device}: {' '.join(str(error).split())}"
         ) from None

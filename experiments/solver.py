@@ -1,4 +1,7 @@
-"""Is it the solver? More iterations, a tighter tolerance, another cone, more impratio, smaller steps, and noslip."""
+"""Measure the influence of solver settings on the slip.
+
+The settings are iterations, tolerance, cone, impratio, steps and noslip.
+"""
 
 from dataclasses import replace
 from importlib import metadata
@@ -32,7 +35,7 @@ NOSLIP = tuple(
 
 
 def measure(conditions: Conditions) -> Measurement:
-    """Measure a row for each case; without numbers where MuJoCo Warp has no noslip."""
+    """Return a row for each case, without numbers if MuJoCo Warp has no noslip."""
     there = [case for case in NOSLIP if has_noslip(case)]
     rows = [
         *conditions.measure(CASES, "solver").rows,

@@ -1,4 +1,4 @@
-"""Speed of one world, as shipped and as fixed, in frames of the shake, and of many worlds with stiff pads."""
+"""Measure the speed of one world, as shipped and as fixed, and of many worlds."""
 
 from dataclasses import replace
 
@@ -23,7 +23,7 @@ CASES = (  # compared with the first of them
     ),
     FIXED,
 )
-MANY = 16384  # worlds in which only the pads are compared
+MANY = 16384  # number of worlds in which only the pads are compared
 
 
 def measure(conditions: Conditions) -> Plan:
@@ -36,7 +36,8 @@ def measure(conditions: Conditions) -> Plan:
 
 def measure_times(conditions: Conditions) -> list[dict[str, object]]:
     """Return a row for each case."""
-    # On a CPU the large buffers take a quarter of a second a frame: that case is left to a GPU there.
+    # On a CPU the large buffers take a quarter of a second per frame, so that case runs
+    # only on a GPU.
     cases = (
         CASES
         if conditions.is_cuda
@@ -59,7 +60,7 @@ def measure_many(conditions: Conditions) -> list[dict[str, object]]:
 
 
 def with_rates(row: dict) -> dict[str, object]:
-    """Add the speeds that a time is."""
+    """Return a row with the speeds that correspond to its time."""
     if row["frame_ms"] is None:
         return row | absent(("frames_per_s", "realtime_factor"), row["frame_ms_reason"])
     per_s = 1e3 / row["frame_ms"]

@@ -1,4 +1,4 @@
-"""Pad stiffness and damping, solimp, and what they become in the contact that the solver really has."""
+"""Measure pad stiffness, damping and solimp, and the solver's contact parameters."""
 
 from dataclasses import replace
 
@@ -12,12 +12,13 @@ from experiments.simulation.measurement import (
     summarize,
 )
 
+# Values of ke and kd that keep the damping ratio near 1.
 CRITICAL = (
     (2.5e3, 1e2),
     (2.5e4, 3e2),
     (2.5e5, 1e3),
     (2.5e6, 3e3),
-)  # ke and kd that keep the damping ratio near 1
+)
 SWEEP = {"full": np.logspace(2, 8, 40), "quick": np.logspace(2, 8, 7)}
 
 
@@ -35,7 +36,8 @@ def cases(profile: str) -> list[Case]:
         for dmax in (0.99, 0.9999)
     ]
     for ke in (float(value) for value in SWEEP[profile]):
-        # Damping ratio 1 means kd = 2 sqrt(ke): dampratio = kd / (2 sqrt(ke)).
+        # A damping ratio of 1 means kd = 2 sqrt(ke), because dampratio = kd / (2
+        # sqrt(ke)).
         variants.append(
             replace(
                 AS_SHIPPED, name=f"sweep-ke-{ke:.3g}", pad_ke=ke, pad_kd=2.0 * ke**0.5
@@ -48,7 +50,7 @@ def cases(profile: str) -> list[Case]:
 
 
 def name(ke: float) -> str:
-    """Write 2500.0 as ``2.5e3``."""
+    """Return 2500.0 as ``2.5e3``."""
     return f"{ke:.1e}".replace("e+0", "e")
 
 

@@ -1,4 +1,7 @@
-"""Bodies that wobble, spin, roll on an edge or tumble, with the exact term and without: its package's benchmark."""
+"""Measure bodies that wobble, spin, roll or tumble, with and without the exact term.
+
+This is the benchmark of the package contact-bias.
+"""
 
 from tqdm import tqdm
 

@@ -1,4 +1,8 @@
-"""What to compare between releases: the headline runs, their live contact rows, and the one cause that is known."""
+"""Measure the values to compare between releases.
+
+These are the headline runs, their live contact rows, and the only known cause of
+changes.
+"""
 
 from dataclasses import replace
 
@@ -21,8 +25,9 @@ from measured_report.measuring.measurement import Measurement, absent
 from newton_lint.newton_models import compat
 
 REFSAFE_TIMECONST_S = 2.0 / (FRAME_RATE * AS_SHIPPED.substeps)
-"""What the engine makes of any smaller timeconst: two time steps."""
-RUNS = (  # Runs of every release. The last two take a timeconst of its own from the friction rows, or give them one.
+"""The timeconst to which the engine raises any smaller one: two time steps."""
+# Runs of every release. The last two remove or add a timeconst of the friction rows.
+RUNS = (
     AS_SHIPPED,
     STIFF_PADS,
     HOLD,
@@ -39,7 +44,7 @@ RUNS = (  # Runs of every release. The last two take a timeconst of its own from
         friction_timeconst_override_s=REFSAFE_TIMECONST_S,
     ),
 )
-KF_RUNS = (  # the same through what a user can set, where the release reads it
+KF_RUNS = (  # the same with a parameter that users can set, if the release uses it
     *(
         replace(case, name=f"{case.name}-kf-off", pad_kf=-1.0)
         for case in (AS_SHIPPED, STIFF_PADS, HOLD)
@@ -56,7 +61,7 @@ ENGINE_ARRAYS = (
 
 
 def measure(conditions: Conditions) -> Measurement:
-    """Return rows of runs, with their contacts in the middle of the shake, and of settings."""
+    """Return rows of runs with their contacts in mid-shake, and of settings."""
     cases = [*RUNS, *(KF_RUNS if compat.kf_is_read() else ())]
     traces = conditions.simulate(
         cases, contact_frames=conditions.contact_frames()[1:2], title="upgrade"
@@ -71,10 +76,11 @@ def measure(conditions: Conditions) -> Measurement:
 
 
 def row_columns(contacts: ContactRows) -> dict[str, object]:
-    """Return the live contacts of a frame: how many, and the rows of the one that carries most force.
+    """Return the live contacts of a frame: their count, and the strongest one.
 
-    ``friction_damping_per_s`` is what the friction rows do rather than what is stored for them: they aim at the
-    acceleration -b v, and this is b, from the one of the two that moves faster.
+    ``friction_damping_per_s`` describes the behaviour of the friction rows instead of
+    their parameters. They aim at the acceleration -b v, and this is b of the faster of
+    the two rows.
     """
     strongest = int(contacts.force_n[:, 0].argmax())
     velocity, reference = (
@@ -91,7 +97,10 @@ def row_columns(contacts: ContactRows) -> dict[str, object]:
 
 
 def unread(case: Case) -> dict[str, object]:
-    """Return a row without numbers, for a run that would only repeat the one without the parameter."""
+    """Return a row without numbers, for a run that would only repeat another one.
+
+    The release does not use the parameter that differs.
+    """
     reason = f"the contact solver of newton {newton.__version__} does not read kf"
     columns = (*SHAKE_COLUMNS, "friction_timeconst_s", "friction_damping_per_s")
     row = {"kind": "run", "case": case.name, "pad_kf": case.pad_kf}
@@ -99,13 +108,13 @@ def unread(case: Case) -> dict[str, object]:
 
 
 def setting_rows(device: str) -> list[dict[str, object]]:
-    """Return a row for each setting that the scene as shipped does not make itself.
+    """Return a row for each setting that the scene as shipped does not set itself.
 
-    Those are the options that the solver ends up with, the defaults of a shape, and sums over the engine's arrays, in
-    which a change of how the scene is converted shows.
+    These are the final options of the solver, the defaults of a shape, and sums over
+    the engine's arrays. The sums reveal a change in the conversion of the scene.
     """
     simulation = Simulation([replace(AS_SHIPPED, frame_count=1)], wp.get_device(device))
-    simulation.step()  # a step sets the options that are set last
+    simulation.step()  # some options are set only by a step
     engine, builder = simulation.solver.mjw_model, newton.ModelBuilder()
     settings = {
         "option": dict(numbers_of(engine.opt)),

@@ -66,7 +66,7 @@ def test_a_misspelt_variable_is_refused_and_not_executed(name, word, tmp_path):
     ]
     assert (done.returncode, done.stdout) == (2, "")
     assert (
-        line.startswith(f"{name}= is no variable of make here")
+        line.startswith(f"{name}= is not a variable of make here")
         and "similar: SECTION" in line
     )
     assert not canary.exists()

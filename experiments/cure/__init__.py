@@ -1,7 +1,8 @@
-"""The cure: causes of the slip taken out one by one and together, and where else that holds.
+"""Remove the causes of the slip one by one and together, and test other scenes.
 
-With the robot: ``combinations`` beside their predicted ``budget``, a minute held still, the limits of the grasp and an
-envelope of harder shakes. Without it: the box on a turntable, its controls, and other bodies.
+With the robot, the section measures ``combinations`` and their predicted ``budget``, a
+minute without motion, the limits of the grasp, and an envelope of harder shakes.
+Without the robot, it measures the box on a turntable, its controls, and other bodies.
 """
 
 from dataclasses import replace
@@ -20,9 +21,8 @@ HELD = (
     replace(MINUTE, name="kept", **POSITIONS["kept"]),
     replace(MINUTE, name="best", **BEST),
 )
-SIDES = {
-    "best": replace(AS_SHIPPED, **BEST)
-}  # the one side of the map of section envelope: with the whole cure
+# The case of the map in section envelope, here with the whole cure.
+SIDES = {"best": replace(AS_SHIPPED, **BEST)}
 PARTS = {
     "limits": limits.measure,
     "turntable": turntable.measure,
@@ -33,7 +33,7 @@ PARTS = {
 
 
 def measure(conditions: Conditions) -> Plan:
-    """Measure the combinations by their kind of contacts, and each other part."""
+    """Measure the combinations by their source of contacts, and the other parts."""
     groups = {
         kind: combinations.cases(kind, conditions.quick)
         for kind in combinations.CONTACTS
@@ -57,7 +57,10 @@ def measure(conditions: Conditions) -> Plan:
 
 
 def measure_held(conditions: Conditions) -> list[dict]:
-    """Measure a row for each minute with the arm held still, with the creep in its last second."""
+    """Return a row for each minute with the arm held still, and its final creep.
+
+    The creep is measured in the last second.
+    """
     runs = zip(HELD, conditions.simulate(HELD, title="cure, held"), strict=True)
     return [
         summarize(case, trace) | {"contact_bias": case.contact_bias} | creep(trace)

@@ -1,8 +1,9 @@
-"""Other bodies and other contacts than a grasp: do they move as they should with the term put back?
+"""Measure whether bodies other than a grasped cube move correctly with the term.
 
-On a plane a body is dropped, slides or rolls. A ball that rolls and spins at once has the material point accelerate
-sideways while its contact does not. On a table that turns, as in ``turntable``, a body stands on feet of different
-shapes, from the start or after it has slid into step.
+On a plane, a body is dropped, slides or rolls. If a ball rolls and spins at the same
+time, its material point accelerates sideways, but its contact does not. On a turning
+table, as in ``turntable``, a body stands on feet of different shapes. It turns with the
+table from the start, or slides until it does.
 """
 
 from dataclasses import dataclass
@@ -21,14 +22,20 @@ from experiments.simulation.measurement import Conditions, absent
 
 IN_C = (("plain", "c"), ("term", "c"))
 EXACT = (("plain", "warp"), ("exact", "warp"))
-"""Variants and engines that a motion is run in. The exact term goes to the normal rows as well, and counts how the
-contact moves. On the table it is centred, since the step's error would hide what is left."""
+"""Variants and engines in which a motion is run.
+
+The exact term is also applied to the normal rows, and includes the motion of the
+contact. On the table it is centred, because the error of the time step would otherwise
+hide the remaining error.
+"""
 SPEED_M_S, SPIN_RAD_S, RADIUS_M, FRICTION = 1.0, 20.0, 0.03, 0.5
 HEIGHT_M = 0.1
 TABLE_M = 0.5
 SECONDS = {"plane": {"full": 1.0, "quick": 0.5}, "table": {"full": 4.0, "quick": 3.0}}
 COLUMNS = {"plane": ("travel_mm", "sideways_mm", "rise_mm"), "table": ("growth_per_s",)}
-CAUGHT_S = 2.0  # time by which a body that was put down at rest turns with the table; its growth is measured after it
+# Time by which a body that starts at rest turns with the table [s]; growth is measured
+# afterwards.
+CAUGHT_S = 2.0
 CUBE = " ".join(
     f"{x} {y} {z}"
     for x in (-RADIUS_M, RADIUS_M)
@@ -55,7 +62,7 @@ SCENE = """<mujoco><option timestep="0.002" cone="elliptic" integrator="implicit
 
 @dataclass(frozen=True)
 class Motion:
-    """A body and how it starts."""
+    """Describe a body and its initial state."""
 
     name: str
     body: str
@@ -73,7 +80,10 @@ def on_plane(
     spin: float = 0.0,
     runs=IN_C,
 ) -> Motion:
-    """Throw a body along x, from ``height_m`` above the plane, rolling or not, with a spin about z [rad/s]."""
+    """Return the motion of a body along x, starting ``height_m`` above the plane.
+
+    It can roll, and spin about z [rad/s].
+    """
     scene = f"""<geom type="plane" size="5 5 1" friction="{FRICTION}"/>
       <body><freejoint/><geom {GEOMS[body]} mass="0.2" friction="{FRICTION}"/></body>"""
     positions = numbers([0.0, 0.0, RADIUS_M + height_m, 1.0, 0.0, 0.0, 0.0])
@@ -90,7 +100,11 @@ def on_plane(
 
 
 def on_table(name: str, feet: str) -> Motion:
-    """Put a body on the turning table: ``carried`` along, or ``caught`` at rest against the ground."""
+    """Return the motion of a body on the turning table.
+
+    A body that is ``carried`` starts with the table's velocity; one that is ``caught``
+    starts at rest.
+    """
     corners = [(x, y) for x in (0.04, -0.04) for y in (0.04, -0.04)]
     stand = "".join(
         f'<geom {FEET[feet]} pos="{x} {y} -0.04" mass="0"/>' for x, y in corners
@@ -124,7 +138,11 @@ MOTIONS = [
 
 
 def measure(conditions: Conditions) -> list[dict]:
-    """Measure a row for each motion, variant and engine: where the body is at the end, or how it walks on the table."""
+    """Return a row for each motion, variant and engine.
+
+    It contains the final position on the plane, or the growth of the radius on the
+    table.
+    """
     runs = [(motion, *each) for motion in MOTIONS for each in motion.runs]
     bar = tqdm(runs, desc="cure, bodies", unit="run", delay=3.0)
     return [
@@ -159,10 +177,12 @@ def row_of(
 
 
 def columns_of(motion: Motion, path: np.ndarray) -> dict[str, float]:
-    """Tell where a body on the plane ends, from where it began, or how it walks once it turns with the table.
+    """Return the displacement of a body on the plane, or the growth of its radius.
+
+    The growth is measured after the body turns with the table.
 
     Raises:
-        RunFailed: It leaves the table.
+        RunFailed: The body leaves the table.
     """
     if motion.place == "plane":
         return dict(

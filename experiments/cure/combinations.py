@@ -1,4 +1,7 @@
-"""Combinations of the cure's parts, pads, contacts and shakes, beside what each cause is predicted to move the cube."""
+"""Measure combinations of the cure's parts, pads, contacts and shakes.
+
+Each run is compared with the displacement that is predicted for each cause.
+"""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -33,7 +36,7 @@ CONTACTS = {
     "mujoco": {"contacts": "mujoco"},
     "pyramidal": {"cone": "pyramidal"},
 }  # type: dict[str, dict]
-ALONG = {"x": 0, "z": 2}  # axes of the TCP frame along the pads, by their place
+ALONG = {"x": 0, "z": 2}  # axes of the TCP frame along the pads, by index
 OTHERS = [
     ("implicitfast", 50.0),
     ("implicitfast", IMPRATIO),
@@ -47,11 +50,18 @@ SETTINGS = {
     "mujoco": OTHERS,
     "pyramidal": OTHERS,
 }
-"""Integrators and impratios that each kind of contacts is run with: a simulation each, and a world for all the rest."""
+"""Integrators and values of impratio for each source of contacts.
+
+Each pair needs a separate simulation. All other parameters vary between its worlds.
+"""
 
 
 def cases(kind: str, quick: bool) -> list[Case]:
-    """List every combination with a kind of contacts; quick: Newton's, pads, impratio as shipped, no 10 cm, no RK4."""
+    """Return every combination with one source of contacts.
+
+    The quick profile has only Newton's contacts, the shipped pads and the shipped
+    impratio, without the 10 cm shake and without RK4.
+    """
     combinations = []
     for (integrator, impratio), pads, amplitude, term, positions in product(
         SETTINGS[kind], PADS, AMPLITUDES_M, TERMS, POSITIONS
@@ -72,7 +82,8 @@ def cases(kind: str, quick: bool) -> list[Case]:
             **POSITIONS[positions],
         )
         combinations.append(case)
-    if kind == "newton" and kf_is_read():  # worlds of the batches of the others
+    # these cases join the batches of other cases
+    if kind == "newton" and kf_is_read():
         stem = f"newton-{AS_SHIPPED.integrator}-{AS_SHIPPED.impratio:g}-shipped"
         for shake, amplitude_m in AMPLITUDES_M.items():
             if not (quick and shake == "10cm"):
@@ -89,9 +100,10 @@ def cases(kind: str, quick: bool) -> list[Case]:
 
 
 def measure(conditions: Conditions, variants: Sequence[Case]) -> list[dict]:
-    """Measure a row for each case."""
+    """Return a row for each case."""
     shakes = dict.fromkeys(shake_of(case) for case in variants)
-    # MuJoCo's C engine runs on the CPU: each run has a process of its own, beside the GPU and the others.
+    # MuJoCo's C engine runs on the CPU. Each run has its own process, beside the GPU
+    # and the other runs.
     frame_count = conditions.frame_count(AS_SHIPPED.frame_count)
     moved = [
         replace(
@@ -110,13 +122,17 @@ def measure(conditions: Conditions, variants: Sequence[Case]) -> list[dict]:
 
 
 def shake_of(case: Case) -> tuple[str, str]:
-    """Name a case's pads and its amplitude, as its own name does."""
+    """Return the pads and the amplitude of a case, as in its name."""
     _, _, _, pads, shake, *_ = case.name.split("-")
     return pads, shake
 
 
 def row_of(case: Case, trace: Trace, motion: Motion) -> dict[str, object]:
-    """Make the row of a run: its slip in the TCP frame, whose y is across the pads, and the parts along them."""
+    """Return the row of a run: its slip and the predicted parts in the TCP frame.
+
+    The y axis of the TCP frame is perpendicular to the pads, so that only x and z are
+    kept.
+    """
     pads, shake = shake_of(case)
     row = {
         "kind": "run",
@@ -152,5 +168,5 @@ def along(name: str, vector: np.ndarray) -> list[tuple[str, float]]:
 
 
 def cells(columns: dict[str, object], reason: str | None) -> dict[str, object]:
-    """Return the columns, or each without a value where there is a reason for it."""
+    """Return the columns, or columns without values if there is a reason."""
     return absent(columns, reason) if reason else columns

@@ -1,11 +1,14 @@
-"""A cube between two walls: shaken along a straight line and along an arc, and turned at constant speed with no shake.
+"""Measure a cube between two walls that shake along a line or an arc, or turn.
 
-If compliance and the cycle of the load made a grasp creep, the straight shake would too, whose acceleration is that of
-the arm's. If it is the term that rows leave out, what a turning joint moves creeps, by the law in ``turntable``: along
-the same arc on a hinge, on two hinges that keep the walls from turning, and not on two slides, of which J̇ is zero.
+If compliance and cyclic load caused the creep of a grasp, the straight shake would
+cause it too, because its acceleration equals that of the arm. If the ignored term
+causes the creep, the cube creeps whenever a joint turns, by the law in ``turntable``.
+On the same arc it then creeps on a hinge, and on two hinges that keep the walls from
+turning, but not on two slides, whose J̇ is zero.
 
-And the shake itself in MuJoCo's C engine with a dense and a sparse Jacobian, which should be the same: MuJoCo 4.0.0
-has a bug in its sparse Cholesky factorization (google-deepmind/mujoco issue #3767).
+The section also runs the shake in MuJoCo's C engine with a dense and with a sparse
+Jacobian. Both should give the same result, but MuJoCo 4.0.0 has a bug in its sparse
+Cholesky factorization (google-deepmind/mujoco issue #3767).
 """
 
 from dataclasses import replace
@@ -21,12 +24,13 @@ from experiments.facts.case import AS_SHIPPED
 from experiments.simulation.measurement import Conditions, summarize
 from experiments.simulation.reference import NativeShake, pilot_at_shake, starts_of
 
+# The shake of the arm; the cube settles during one period of it.
 SHAKE_M, SHAKE_RAD_S = (
     0.03,
     2.0 * np.pi,
-)  # the arm's own shake, a period of which is the time in which the cube settles
+)
 PLACE_M = SHAKE_M * SHAKE_RAD_S**2 / TURN_RAD_S**2
-"""Distance from the axis at which what turns is accelerated by as much as the shake at its most."""
+"""Distance from the axis at which the acceleration equals the peak of the shake."""
 SECONDS = {"full": 6.0, "quick": 3.0}
 JACOBIANS = {
     "dense": mujoco.mjtJacobian.mjJAC_DENSE,
@@ -41,10 +45,10 @@ HINGE, SLIDE = (
     '<joint type="slide" axis="{axis}" {spring}/>',
 )
 SWING = f'stiffness="{1e3 * SHAKE_RAD_S**2}" armature="1000"'
-ARC_M = SHAKE_M**2 / (
-    4.0 * PLACE_M
-)  # by so much the middle of the arc's way along its radius is off its lowest point
-ALONG = f'springref="{-ARC_M}" stiffness="{4e3 * SHAKE_RAD_S**2}" armature="1000"'  # twice a period
+# Offset of the middle of the arc's radial motion from its lowest point.
+ARC_M = SHAKE_M**2 / (4.0 * PLACE_M)
+# The radial motion has twice the frequency of the shake.
+ALONG = f'springref="{-ARC_M}" stiffness="{4e3 * SHAKE_RAD_S**2}" armature="1000"'
 JOINTS = {
     "straight": SLIDE.format(axis="1 0 0", spring=SWING),
     "turning": '<joint axis="0 0 1" armature="1000"/>',
@@ -55,9 +59,9 @@ JOINTS = {
     + SLIDE.format(axis="0 0 1", spring=SWING),
 }
 ON_AN_ARC = ("hinge", "two-hinges", "two-slides")
-SPEED_M_S = SHAKE_M * SHAKE_RAD_S  # of a shake in its middle
+SPEED_M_S = SHAKE_M * SHAKE_RAD_S  # speed in the middle of a shake
 SWING_RAD_S = SPEED_M_S / PLACE_M
-STARTS = {  # at an end of the shake, at rest; turning; and in the middle of the arc
+STARTS = {  # at rest at an end of the shake, turning, or in the middle of the arc
     "straight": f'qpos="{SHAKE_M} {SHAKE_M} 0 0 1 0 0 0"',
     "turning": f'qvel="{numbers([TURN_RAD_S, 0.0, TURN_RAD_S * PLACE_M, 0.0, 0.0, 0.0, TURN_RAD_S])}"',
     "hinge": f'qvel="{numbers([SWING_RAD_S, 0.0, 0.0, SPEED_M_S, 0.0, -SWING_RAD_S, 0.0])}"',
@@ -67,7 +71,7 @@ STARTS = {  # at an end of the shake, at rest; turning; and in the middle of the
 
 
 def walls(motion: str) -> str:
-    """Write the scene: walls on joints, and between them a cube on feet, without gravity."""
+    """Return the scene: walls on joints, and between them a cube without gravity."""
     place_m = 0.0 if motion == "straight" else PLACE_M
     feet = "".join(
         f'<geom type="sphere" size="0.01" pos="{x} {y} {z}" mass="0"/>'
@@ -88,7 +92,7 @@ def walls(motion: str) -> str:
 
 
 def measure(conditions: Conditions) -> list[dict]:
-    """Make a row for each control and engine: how fast the cube creeps along the walls, once it has settled."""
+    """Return a row for each control and engine: the creep after settling."""
     return [
         row_of(motion, engine, conditions)
         for motion in JOINTS
@@ -126,7 +130,7 @@ def row_of(motion: str, engine: str, conditions: Conditions) -> dict[str, object
 
 
 def measure_jacobians(conditions: Conditions) -> list[dict]:
-    """Make a row for the shake in MuJoCo's C engine with either form of the Jacobian."""
+    """Return a row for the shake in MuJoCo's C engine with each type of Jacobian."""
     case = replace(
         AS_SHIPPED,
         backend="mujoco",

@@ -1,4 +1,4 @@
-"""Runs of section stability at the limits of the grasp, with the cure, which could break them."""
+"""Measure whether the cure breaks the extreme cases of section stability."""
 
 from dataclasses import replace
 
@@ -17,12 +17,12 @@ from experiments.stability.families import (
 
 ON_STIFF_PADS = {"firm": FIRM, "firm-euler": FIRM | {"integrator": "euler"}}
 VARIANTS = {"plain": {}, "term": TERMS["term"], "best": BEST, **ON_STIFF_PADS}  # type: dict[str, dict]
-"""Settings by what is done about the slip."""
+"""Settings of each variant of the cure."""
 GRID_SUBSTEPS = {"full": (4, 16), "quick": (4,)}
 
 
 def probes(profile: str) -> list[Probe]:
-    """List long steps, soft and stiff pads at two steps, masses, and starts too deep in what the cube touches."""
+    """Return the probes: long steps, soft and stiff pads, masses and overlaps."""
     grid = [
         families.grid_cell(family, float(ke), count)
         for family in DAMPING
@@ -38,7 +38,7 @@ def probes(profile: str) -> list[Probe]:
 
 
 def measure(conditions: Conditions) -> list[dict]:
-    """Measure a row for each run and variant: how it ends."""
+    """Return a row for each run and variant with the class of its end."""
     frame_count = HOLD_FRAME_COUNT + SHAKE_FRAME_COUNT[conditions.profile]
     runs = [
         (probe, variant)
@@ -54,7 +54,10 @@ def measure(conditions: Conditions) -> list[dict]:
 
 
 def variants_of(probe: Probe) -> list[str]:
-    """List what is tried in a run: variants that set the pads are not where a run is about other pads than theirs."""
+    """Return the variants for a probe.
+
+    Variants that set the pads are left out if the probe varies the pads itself.
+    """
     stiff = probe.case.pad_ke == FIRM["pad_ke"] and probe.case.pad_kd == FIRM["pad_kd"]
     return [variant for variant in VARIANTS if stiff or variant not in ON_STIFF_PADS]
 

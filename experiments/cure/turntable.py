@@ -1,15 +1,20 @@
-"""A box on a table that turns: no robot, no grasp, and it walks outward.
+"""Measure a box on a turning table, which creeps outward without robot or grasp.
 
-It stands on four feet, since MuJoCo Warp takes a step in ten for one without contact where a box rests on a box.
+The box stands on four feet, because MuJoCo Warp loses the contact in one of ten steps
+if a box rests on a box.
 
-The table's point under the box has the acceleration ω² r to the centre, which is J̇ q̇ of the contacts. With b of their
-friction rows, R of their regularization, n contacts and the box's mass m, the parts in ``budget`` give
+The point of the table under the box has the acceleration ω² r towards the centre, which
+is the J̇ q̇ of the contacts. Let b be the damping of the friction rows, R their
+regularization, n the number of contacts, and m the mass of the box. The parts in
+``budget`` then give
 
     dr/dt = r ω² ((1 + R m / n) / b - h/2) (1 - 5 ω²/b²),
 
-so r grows exponentially; h/2 is that of a semi-implicit step. With the term put back the 1 is gone. The last factor is
-of second order: in the frame of the table a sliding velocity v has a Coriolis acceleration of 2 ω v, which turns it by
-2 ω/b and takes 4 ω²/b² of it, and that v grows takes ω²/b².
+so that r grows exponentially. The term h/2 belongs to a semi-implicit step of length h.
+If the term is restored, the 1 disappears. The last factor is of second order. In the
+frame of the table, a sliding velocity v has a Coriolis acceleration of 2 ω v. This
+turns the velocity by 2 ω/b and reduces it by 4 ω²/b². The growth of v reduces it by
+another ω²/b².
 """
 
 from collections.abc import Callable, Mapping
@@ -36,7 +41,8 @@ TURN_RAD_S = 2.0
 RADIUS_M = 0.2
 MASS_KG = 0.2
 SECONDS = {"full": 6.0, "quick": 3.0}
-SETTLE_S = 1.0  # time in which the box sinks into its contacts; the growth is measured after it
+# Time in which the box sinks into its contacts [s]; growth is measured afterwards.
+SETTLE_S = 1.0
 SAMPLE_S = 0.1
 STEP_S = 0.002
 GROWTHS = ("growth_per_s", "predicted_growth_per_s")
@@ -63,18 +69,17 @@ MJCF = f"""
 
 @dataclass(frozen=True)
 class Variant:
-    """What is done about the walk."""
+    """Describe a variant of the scene that may change the creep."""
 
     contact_bias: bool = False
     bias_centred: bool = False
-    options: Mapping[str, Any] = field(
-        default_factory=dict
-    )  # options of MJCF that are not as in the scene
+    # Options of MJCF that differ from the scene.
+    options: Mapping[str, Any] = field(default_factory=dict)
     timeconst_s: float = 0.02
 
     @property
     def mjcf(self) -> str:
-        """Write the scene, which begins with the box at rest on the turning table."""
+        """Return the scene, in which the box starts at rest on the turning table."""
         options = " ".join(
             f'{name}="{WORDS.get(value, value)}"'
             for name, value in self.options.items()
@@ -115,7 +120,7 @@ TERM = {"warp": contact_bias.install, "c": contact_bias_c.subtract_bias}  # type
 
 
 def measure(conditions: Conditions) -> list[dict]:
-    """Measure a row for each run: how fast the box's distance from the axis grows, measured and predicted."""
+    """Return a row for each run: the measured and predicted growth of the radius."""
     runs = list(product(TERM, VARIANTS))
     return [
         row_of(engine, name, conditions)
@@ -167,19 +172,22 @@ def run(
     device: str,
     term: Callable[..., None] | None = None,
 ) -> tuple[np.ndarray, Contacts]:
-    """Return the places of a scene's free body every SAMPLE_S [m], shape [samples, 3], and its contacts in the end.
+    """Return the positions of a scene's free body and its final contacts.
+
+    The positions are sampled every SAMPLE_S [m], shape [samples, 3].
 
     Args:
-        term: What is installed in MuJoCo Warp, and what MuJoCo's C engine calls before it solves; None for nothing.
+        term: Installed in MuJoCo Warp, or called by MuJoCo's C engine before it solves.
+            None leaves the engine unchanged.
 
     Raises:
-        RunFailed: It shows no measurement any more.
+        RunFailed: The engine has diverged or raised a warning.
     """
     world = ENGINES[engine](mjcf, device=device)
     if term and engine == "warp":
         term(SimpleNamespace(mjw_model=world.engine, mjw_data=world.data))
     count = round(SAMPLE_S / (STEPS * world.model.opt.timestep))
-    # One for all models, so only for as long as this one is stepped.
+    # The callback applies to all models, so it is set only while this one is stepped.
     mujoco.set_mjcb_control(term if engine == "c" else None)
     try:
         path = [world.body()[0][0]]
@@ -193,14 +201,17 @@ def run(
 
 
 def growth_per_s(radius_m: np.ndarray, since_s: float) -> float:
-    """Fit the rate of an exponential growth from a time on, by a line through the logarithm of each sample."""
+    """Return the rate of exponential growth after a time.
+
+    It is the slope of a line that is fitted to the logarithm of the samples.
+    """
     time_s = SAMPLE_S * np.arange(len(radius_m))
     settled = time_s >= since_s
     return float(np.polyfit(time_s[settled], np.log(radius_m[settled]), 1)[0])
 
 
 def predicted_growth_per_s(variant: Variant, contacts: Contacts) -> float:
-    """Predict the growth by the law in the module's text, with the contacts that a run ends with."""
+    """Return the growth that the law of this module predicts for the final contacts."""
     h, b = variant.options.get("timestep", STEP_S), contacts.damping_per_s
     creep = (
         0.0

@@ -1,8 +1,8 @@
-"""Engines, a file each, and one way to run a scene on them.
+"""Run a scene on different engines; each engine has a separate file.
 
-``scene.py`` has scenes and traces as data. ``run(scene, engine)`` returns the trace of a
-scene: that of ``mjcf`` in MuJoCo C, in MuJoCo Warp and through Newton, in this process;
-that of ``newton_solver`` in any of Newton's solvers; and that of ``engine`` in engines
-with environments of their own, which run several scenes at a time. ``grasp`` makes
-columns of what a shake shows, in whatever engine.
+``scene.py`` defines scenes and traces as data. ``run(scene, engine)`` returns the trace
+of a scene. ``mjcf`` runs scenes in this process, in MuJoCo C, in MuJoCo Warp and
+through Newton. ``newton_solver`` runs them in any of Newton's solvers. ``engine`` runs
+several scenes at a time in engines that need separate environments. ``grasp`` computes
+columns of a shake for any engine.
 """

@@ -1,4 +1,4 @@
-"""Contacts of a world as a few numbers, and the creep that they predict."""
+"""Summarize the contacts of a world and predict the creep from them."""
 
 from dataclasses import dataclass
 
@@ -11,13 +11,15 @@ from newton_lint.law import Contact, Option, impedance_at, response_of
 
 @dataclass(frozen=True)
 class Contacts:
-    """Contacts of a world that carry force, together."""
+    """Hold sums over the contacts of a world that carry force."""
 
     count: int
     normal_n: float  # sum of the normal forces [N]
-    softness_1_kg: float  # R of their friction rows as one row: 1 / Σ 1/R [1/kg]; 0 where nothing is touched
-    damping_per_s: float  # b of the rows [1/s], the least where they are not alike; 0 where nothing is touched
-    depth_m: float  # how deep they are on average [m]
+    # R of the friction rows combined into one row, 1 / Σ 1/R [1/kg]; 0 without contacts
+    softness_1_kg: float
+    # b of the rows [1/s], the smallest if they differ; 0 without contacts
+    damping_per_s: float
+    depth_m: float  # mean depth [m]
 
     @classmethod
     def of(
@@ -31,7 +33,11 @@ class Contacts:
         force,
         stiffness,
     ) -> "Contacts":
-        """Sum up contacts by their first rows, parameters and distance, and by force and D (1 / R) of all rows."""
+        """Return the sums over contacts.
+
+        The contacts are given by their first rows, parameters and distances, and by the
+        force and D (1 / R) of all rows.
+        """
         loaded = [
             index for index, row in enumerate(rows) if row >= 0 and force[row] > 0.0
         ]
@@ -41,7 +47,8 @@ class Contacts:
             stiff = [stiffness[rows[index] + 1] for index in loaded]
             normal = [force[rows[index]] for index in loaded]
         else:
-            # Opposite edges pull with mu (f - f') and see mu times the sliding; condim 3 has two pairs of them.
+            # Opposite edges pull with mu (f - f') and receive mu times the sliding
+            # velocity. With condim 3 there are two pairs of edges.
             stiff = [
                 2.0 * friction[index][0] ** 2 * stiffness[rows[index]]
                 for index in loaded
@@ -61,14 +68,17 @@ class Contacts:
         )
 
     def creep_m_s(self, load_n: float) -> float:
-        """Predict how fast a held body slides under a constant load [m/s]: each row yields R f = b v."""
+        """Return the predicted creep of a held body under a constant load [m/s].
+
+        Each row yields R f = b v.
+        """
         return load_n * self.softness_1_kg / self.damping_per_s
 
 
 def forecast_creep_m_s(
     contacts: Contacts, load_n: float, contact: Contact, option: Option
 ) -> float:
-    """Predict the same from a contact's parameters and how deep the contacts are [m/s]."""
+    """Return the same prediction from contact parameters and the mean depth [m/s]."""
     impedance = impedance_at(contact.solimp, contacts.depth_m)
     response = response_of(contact, option, impedance)
     return response.load_m_s_n * load_n / contacts.count
@@ -77,7 +87,7 @@ def forecast_creep_m_s(
 def load_columns(
     contacts: Contacts, load_n: float, contact: Contact, option: Option
 ) -> dict[str, float]:
-    """Return both predictions of the creep under a load, and what carries it."""
+    """Return both predictions of the creep under a load, and its contacts."""
     predicted_m_s = 0.0 if option.noslip else contacts.creep_m_s(load_n)
     forecast_m_s = forecast_creep_m_s(contacts, load_n, contact, option)
     return {

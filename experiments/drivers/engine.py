@@ -1,4 +1,4 @@
-"""Engines that have environments of their own, and what scenes show in them."""
+"""Run scenes in engines that need separate environments."""
 
 import json
 import subprocess
@@ -14,12 +14,14 @@ from measured_report.editions.environment import python_with
 from measured_report.files.errors import UsageError
 from measured_report.files.root import ROOT
 
-APART = "experiments/drivers/apart/apart.py"  # and scripts: freshness follows paths
+# Records depend on this file and on the scripts, because their paths appear in the
+# code.
+APART = "experiments/drivers/apart/apart.py"
 
 
 @dataclass(frozen=True)
 class Engine:
-    """An engine, the script that runs scenes in it, and what is installed for it."""
+    """Describe an engine by the script that runs its scenes and by its requirements."""
 
     name: str
     release: str
@@ -29,7 +31,7 @@ class Engine:
 
 
 def run(scenes: Sequence[Scene], engine: Engine) -> list[Trace | str]:
-    """Return the trace of each scene, or the reason why there is none."""
+    """Return the trace of each scene, or the reason if it has none."""
     try:
         name = f"engine-{engine.name.lower()}"
         python = python_with(name, engine.requirements)

@@ -1,4 +1,4 @@
-"""Engines that run a scene in MJCF in this process."""
+"""Run scenes in MJCF in this process."""
 
 from collections.abc import Callable, Mapping, Sequence
 
@@ -12,17 +12,20 @@ from experiments.simulation.c_warnings import RunFailed
 from measured_report.measuring.measurement import absent
 
 ENGINES = {"c": InC, "warp": InWarp, "newton": ThroughNewton}  # type: dict[str, type]
-"""Engines by the names that cases say."""
-SOLIMP = (0.9, 0.95, 0.001, 0.5, 2.0)  # MuJoCo's own
+"""Engines by their names in cases."""
+SOLIMP = (0.9, 0.95, 0.001, 0.5, 2.0)  # MuJoCo's default
 
 
 def numbers(values: Sequence[float]) -> str:
-    """Write numbers as MJCF has them."""
+    """Return numbers as text in the format of MJCF."""
     return " ".join(map(str, values))
 
 
 def run(scene: Scene, engine: str, device: str = "cpu") -> Trace:
-    """Return what a scene shows, whose samples are ``STEPS`` steps; RunFailed if nothing."""
+    """Return the trace of a scene; raise RunFailed if the run fails.
+
+    The time between samples must be ``STEPS`` steps.
+    """
     world = ENGINES[engine](scene.mjcf, 1, device)
     shown = [world.body()]
     for target in scene.targets:
@@ -41,7 +44,7 @@ def run(scene: Scene, engine: str, device: str = "cpu") -> Trace:
 def columns_of(
     measure: Callable[[], Mapping[str, object]], names: Sequence[str]
 ) -> dict[str, object]:
-    """Return what is measured, or the reason why a run shows none of the columns."""
+    """Return the measured columns, or the reason if the run fails."""
     try:
         return dict(measure())
     except RunFailed as failed:

@@ -1,4 +1,4 @@
-"""MuJoCo's C engine, on MJCF with one free body."""
+"""Run MJCF with one free body in MuJoCo's C engine."""
 
 import mujoco
 import numpy as np
@@ -6,13 +6,13 @@ import numpy as np
 from experiments.drivers.contacts import Contacts
 from experiments.simulation.c_warnings import refuse_warned
 
-STEPS = (
-    2  # steps that ``advance`` runs: Newton goes from one state into another and back
-)
+# Steps of ``advance``. It is two because Newton steps from one state into another and
+# back.
+STEPS = 2
 
 
 def start(model: mujoco.MjModel) -> mujoco.MjData:
-    """Make the initial state, which is that of the first keyframe where there is one."""
+    """Return the initial state, which is the first keyframe if there is one."""
     data = mujoco.MjData(model)
     if model.nkey:
         mujoco.mj_resetDataKeyframe(model, data, 0)
@@ -21,14 +21,17 @@ def start(model: mujoco.MjModel) -> mujoco.MjData:
 
 
 def free_joint(model: mujoco.MjModel) -> tuple[slice, slice]:
-    """Find position and velocity of the one free body in qpos and qvel."""
+    """Return the slices of the free body's position in qpos and velocity in qvel."""
     [joint] = np.flatnonzero(model.jnt_type == mujoco.mjtJoint.mjJNT_FREE)
     qpos, qvel = model.jnt_qposadr[joint], model.jnt_dofadr[joint]
     return slice(qpos, qpos + 3), slice(qvel, qvel + 3)
 
 
 class InC:
-    """Worlds of one scene in MuJoCo's C engine, in double precision; they begin in its initial state."""
+    """Run worlds of one scene in MuJoCo's C engine, in double precision.
+
+    They start in the initial state of the scene.
+    """
 
     def __init__(self, mjcf: str, world_count: int = 1, device: str = "cpu"):
         self.model = mujoco.MjModel.from_xml_string(mjcf)
@@ -36,18 +39,18 @@ class InC:
         self.free = free_joint(self.model)
 
     def command(self, control: np.ndarray) -> None:
-        """Set the actuators' controls, shape [world, actuator]."""
+        """Set the controls of the actuators, shape [world, actuator]."""
         for data, values in zip(self.worlds, control, strict=True):
             data.ctrl[:] = values
 
     def advance(self) -> None:
-        """Run two steps; RunFailed where a world shows no measurement any more."""
+        """Run two steps; raise RunFailed if a world has diverged."""
         for data in self.worlds:
             mujoco.mj_step(self.model, data, nstep=STEPS)
             refuse_warned(data)
 
     def body(self) -> tuple[np.ndarray, np.ndarray]:
-        """Return position [m] and velocity [m/s] of the free body, shape [world, 3] each."""
+        """Return the free body's position [m] and velocity [m/s], [world, 3] each."""
         position, velocity = self.free
         return (
             np.array([data.qpos[position] for data in self.worlds]),
@@ -55,7 +58,7 @@ class InC:
         )
 
     def contacts(self) -> Contacts:
-        """Return what carries force in the first world after the last step."""
+        """Return the loaded contacts of the first world after the last step."""
         return contacts_in_c(self.model, self.worlds[0])
 
 

@@ -1,4 +1,4 @@
-"""MuJoCo Warp, on the same scenes."""
+"""Run the same scenes in MuJoCo Warp."""
 
 import mujoco
 import mujoco_warp as mjw
@@ -14,7 +14,7 @@ CONSTRAINT_MAX = 256
 
 
 class InWarp:
-    """The same in MuJoCo Warp, in single precision."""
+    """Run worlds of one scene in MuJoCo Warp, in single precision."""
 
     def __init__(self, mjcf: str, world_count: int = 1, device: str = "cpu"):
         self.model = mujoco.MjModel.from_xml_string(mjcf)
@@ -40,7 +40,7 @@ class InWarp:
     def advance(self) -> None:
         with wp.ScopedDevice(self.device):
             if self.graph is None:
-                self._steps()  # compiles, which must not happen inside a capture
+                self._steps()  # compiles, which is not allowed during a capture
                 with wp.ScopedCapture() as capture:
                     self._steps()
                 self.graph = capture.graph

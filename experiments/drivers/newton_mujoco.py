@@ -1,4 +1,4 @@
-"""MuJoCo Warp through Newton, on the same scenes."""
+"""Run the same scenes in MuJoCo Warp through Newton."""
 
 from typing import Any
 
@@ -13,7 +13,10 @@ from experiments.simulation.compat import make_solver
 
 
 class ThroughNewton(InWarp):
-    """The same as Newton's ``SolverMuJoCo`` sets MuJoCo Warp up from the MJCF; the contacts are MuJoCo's."""
+    """Run worlds of one scene in Newton's ``SolverMuJoCo``, which imports the MJCF.
+
+    MuJoCo generates the contacts.
+    """
 
     def _build(self, mjcf: str) -> None:
         newton.use_coord_layout_targets = True
@@ -34,14 +37,12 @@ class ThroughNewton(InWarp):
             update_data_interval=0,
         )
         self.states = newton_model.state(), newton_model.state()
-        self.control: Any = (
-            newton_model.control()
-        )  # which has what the solver's attributes add to it
+        # This has the attributes that the solver adds.
+        self.control: Any = newton_model.control()
         self.time_step = float(self.model.opt.timestep)
         self.model = self.solver.mj_model
-        self.model.opt.timestep = (
-            self.time_step
-        )  # Newton sets it where it steps in C alone
+        # Newton sets the time step only if it steps in C.
+        self.model.opt.timestep = self.time_step
         self.engine, self.data = self.solver.mjw_model, self.solver.mjw_data
 
     def command(self, control: np.ndarray) -> None:
@@ -57,7 +58,10 @@ class ThroughNewton(InWarp):
 
 
 def _in_newton(model: mujoco.MjModel) -> np.ndarray:
-    """Return the initial qpos as Newton has it: the free body's quaternion ends with its real part."""
+    """Return the initial qpos in Newton's format.
+
+    The real part of the free body's quaternion is the last component there.
+    """
     qpos = start(model).qpos.copy()
     position, _ = free_joint(model)
     turn = slice(position.stop, position.stop + 4)

@@ -1,4 +1,4 @@
-"""A scene as data, and the trace that an engine returns of it."""
+"""Define scenes as data, and the traces that engines return."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -15,13 +15,13 @@ ORIGIN = (0.0, 0.0, 0.0)
 
 @dataclass(frozen=True)
 class Body:
-    """A free body on balls, or a box."""
+    """Describe a free body that is a box or stands on balls."""
 
     mass_kg: float
     inertia_kg_m2: Vector
     position_m: Vector = ORIGIN
     foot_m: float = 0.0  # radius of the balls
-    feet: Sequence[Vector] = ()  # where the balls are; without any it is a box
+    feet: Sequence[Vector] = ()  # positions of the balls; a body without them is a box
     half_size_m: Vector = ()
     velocity_m_s: Vector = ORIGIN
     spin_rad_s: Vector = ORIGIN
@@ -29,7 +29,7 @@ class Body:
 
 @dataclass(frozen=True)
 class Support:
-    """A box on a joint with the world, which bears no weight of its own."""
+    """Describe a box on a joint with the world, on which gravity does not act."""
 
     joint: str  # ``hinge`` or ``slide``
     axis: Vector
@@ -37,13 +37,13 @@ class Support:
     position_m: Vector
     mass_kg: float
     inertia_kg_m2: float
-    speed: float = 0.0  # of a hinge at the start [rad/s]
+    speed: float = 0.0  # speed of a hinge at the start [rad/s]
     force_n: float = 0.0
 
 
 @dataclass(frozen=True)
 class Robot:
-    """An arm and its drives, as URDF has it."""
+    """Describe an arm in URDF and its drives."""
 
     file: str
     tool: str
@@ -55,13 +55,16 @@ class Robot:
 
 @dataclass(frozen=True)
 class Scene:
-    """What an engine runs; one that reads MJCF takes bodies and friction from there."""
+    """Describe the scene of a run.
 
-    step_s: float  # 0 is continuous time
+    Engines that read MJCF take bodies and friction from it.
+    """
+
+    step_s: float  # 0 means continuous time
     sample_s: float
-    targets: Sequence[Vector]  # of the actuators, from one sample to the next
+    targets: Sequence[Vector]  # targets of the actuators from one sample to the next
     mjcf: str = ""
-    qpos: Vector = ()  # joints of the robot at the start [rad, m]
+    qpos: Vector = ()  # joint positions of the robot at the start [rad, m]
     qvel: Vector = ()
     body: Body | None = None
     supports: Sequence[Support] = ()
@@ -72,18 +75,18 @@ class Scene:
 
 @dataclass(frozen=True)
 class Trace:
-    """What a run shows; what an engine does not tell is None.
+    """Hold the results of a run; a result that an engine does not provide is None.
 
     Attributes:
-        poses: Of the body and the robot's tool, or of the body in each world, at the start
-            and after each sample: position [m] and quaternion (x, y, z, w) or position
-            alone, shape [1 + samples, bodies, 7 or 3].
+        poses: Poses of the body and the robot's tool, or of the body in each world, at
+            the start and after each sample. A pose is a position [m] with a quaternion
+            (x, y, z, w), or a position alone. Shape [1 + samples, bodies, 7 or 3].
         forces: Sums of normal and of tangential forces [N] and the largest depth [m] of
-            all contacts after each sample, shape [samples, 3]; NaN where it is not told.
-        joints: Positions of all joints in the end [rad, m].
-        velocity_m_s: Of the body in each world, shape [1 + samples, worlds, 3].
-        contacts: Those of the first world in the end.
-        model: The model as the engine has it.
+            all contacts after each sample, shape [samples, 3]; NaN if they are unknown.
+        joints: Final positions of all joints [rad, m].
+        velocity_m_s: Velocity of the body, shape [1 + samples, worlds, 3].
+        contacts: Final contacts of the first world.
+        model: The model in the engine.
     """
 
     poses: np.ndarray
@@ -95,5 +98,5 @@ class Trace:
 
     @property
     def path_m(self) -> np.ndarray:
-        """Positions of the body [m], in the first world, shape [1 + samples, 3]."""
+        """Return the body's positions in the first world [m], [1 + samples, 3]."""
         return self.poses[:, 0, :3]

@@ -1,8 +1,8 @@
-"""The box on the turning table, the pinched capsule and the shake in other engines.
+"""Measure the box on the turntable, the capsule and the shake in other engines.
 
-The capsule is one that ends between the pads, which is held by the balls at its ends.
-NVIDIA's SimReady test FET028 (2 cm at 2 Hz for 2 s, slip below 3 cm) is done with our own
-shake.
+The capsule ends between the pads, so that the balls at its ends hold it. The SimReady
+test FET028 of NVIDIA (2 cm at 2 Hz for 2 s, slip below 3 cm) is done with the shake of
+this report.
 """
 
 from collections.abc import Mapping, Sequence
@@ -28,17 +28,18 @@ from experiments.simulation.measurement import (
 )
 from measured_report.measuring.batch import Batch, Plan
 
-NEEDS_GPU = False  # read by ``measured_report.measuring.machine``: it takes minutes
+# read by ``measured_report.measuring.machine``; the section takes minutes
+NEEDS_GPU = False
 SECONDS = {
     "full": {"turntable": 4.0, "pinch": 2.0},
     "quick": {"turntable": 1.5, "pinch": 1.5},
 }
 SCENES = {"turntable": turntable, "pinch": pinch}
-LOST = {  # what is measured, and after which fall [m] it is not, for which reason
+LOST = {  # the column, the fall [m] after which it cannot be measured, and the reason
     "turntable": ("growth_per_s", FOOT_M, "the box is not on the table any more"),
     "pinch": ("creep_mm_s", PAD_HALF_SIZE_M[2], "the capsule is lost"),
 }
-STICTION_M_S = 1e-3  # Drake's own
+STICTION_M_S = 1e-3  # Drake's default
 NUMPY = "numpy==2.4.6"
 DRAKE = Engine(
     "Drake",
@@ -89,13 +90,15 @@ def drake(
 
 @dataclass(frozen=True)
 class Model:
-    """One of an engine's contact models."""
+    """Describe one of an engine's contact models."""
 
     name: str
     engine: Engine
     steps_s: Sequence[float] = (0.002, 0.001)
     scenes: Sequence[str] = ("turntable", "pinch")
-    armature: str = ""  # of a robot: see ``robot.write_robot``; none is shaken without
+    # How the robot gets armature (see ``robot.write_robot``); empty if it is not
+    # shaken.
+    armature: str = ""
 
 
 MODELS = (
@@ -113,11 +116,11 @@ MODELS = (
     Model("discrete-20ms", MUJOCO, scenes=("turntable",)),
 )
 QUICK = ("dart", "pybullet")
-PADS_KD = (100.0, 5.0)  # of the pads in FET028: as shipped, and softer ones
+PADS_KD = (100.0, 5.0)  # damping of the pads in FET028: as shipped, and softer
 
 
 def measure(conditions: Conditions) -> Plan:
-    """Make a row for each model, scene and step, for each shake, and what is published."""
+    """Return rows for each model, scene and step, for shakes, and published scenes."""
     models = [each for each in MODELS if not conditions.quick or each.name in QUICK]
     found = yield [
         Batch("models", model_rows, (models, conditions.profile)),
@@ -129,7 +132,7 @@ def measure(conditions: Conditions) -> Plan:
 
 
 def model_rows(models: Sequence[Model], profile: str) -> list[dict[str, object]]:
-    """Make a row for each model, scene and step."""
+    """Return a row for each model, scene and step."""
     rows = []
     for model in tqdm(models, desc="engines", delay=3.0):
         runs = list(product(model.scenes, model.steps_s))
@@ -150,7 +153,7 @@ def model_rows(models: Sequence[Model], profile: str) -> list[dict[str, object]]
 
 
 def columns(name: str, trace: Trace | str) -> dict[str, object]:
-    """Tell how fast the distance of the box from the axis grows, or the capsule sinks."""
+    """Return the growth of the box's radius, or the creep of the capsule."""
     column, drop_m, lost = LOST[name]
     if isinstance(trace, str):
         return absent([column], trace)
@@ -168,7 +171,7 @@ def columns(name: str, trace: Trace | str) -> dict[str, object]:
 
 
 def shake_rows(conditions: Conditions) -> Sequence[Mapping[str, object]]:
-    """Do the shake by the rule of FET028, until 2 s after its first frame."""
+    """Return rows for the shake of FET028, until 2 s after its first frame."""
     shipped = replace(
         AS_SHIPPED,
         shake_amplitude_m=0.02,

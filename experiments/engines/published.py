@@ -1,10 +1,17 @@
-"""Scenes of which others published numbers, built anew; their numbers are on the page's side.
+"""Rebuild scenes for which others published numbers.
 
-What the texts leave open was chosen before anything was run. Critical friction (MotrixSim's documentation): the robot
-is the Panda of ``scenes/pick.py``. Shaken cube and ball (phys-bench): as in that module, in MotrixSim. The cube at a
-wall (Genesis pull request 2872): an edge of 0.1 m, a plane as wall, MuJoCo's own contacts, cone and integrator, and
-gravity for the push. The orbit (SimReady FET005): the capsule of ``scenes/capsule.py`` between its pads at impratio 1,
-seen from the gripper, where an orbit is gravity that turns.
+The published numbers are in the report. The details that the publications leave open
+were chosen before the first run:
+
+- Critical friction (MotrixSim's documentation): the robot is the Panda of
+``scenes/pick.py``.
+- Shaken cube and ball (phys-bench): they are built as in that module and run in
+MotrixSim.
+- Cube at a wall (Genesis pull request 2872): the cube has an edge of 0.1 m and the wall
+is a plane. Contacts, cone and integrator are MuJoCo's defaults, and gravity provides
+the push.
+- Orbit (SimReady FET005): the capsule of ``scenes/capsule.py`` is held between its pads
+at impratio 1. In the frame of the gripper, an orbit is a rotating gravity.
 """
 
 from collections.abc import Callable, Sequence
@@ -30,12 +37,12 @@ START = (*pick.READY, pick.OPEN_M, pick.OPEN_M)
 TOUCH = """<sensor>
   <contact name="finger1" body1="finger1" body2="object" data="found force" num="4"/>
   <contact name="finger2" body1="finger2" body2="object" data="found force" num="4"/>
-</sensor></mujoco>"""  # what the fingers press the object with
+</sensor></mujoco>"""  # measures the forces of the fingers on the object
 CUBE = 'type="box" size="0.02 0.02 0.02" solref="0.005 1" solimp="0.99 0.99 0.5"'
 CUBE_N = 0.064 * GRAVITY_M_S2
-HOLD_S = 5.0  # how long the cube is lifted, and then held
-FORCE_S = 0.2  # at the end of the lift, in which the fingers' force is taken
-FACTOR = 1.1  # friction while it is held, of the critical one
+HOLD_S = 5.0  # duration of the lift, and of the hold after it [s]
+FORCE_S = 0.2  # end of the lift in which the fingers' force is measured [s]
+FACTOR = 1.1  # friction during the hold, relative to the critical friction
 DROPPED_M = 0.03
 WALL_STEP_S = 0.01
 WALL_S = 3.0
@@ -52,14 +59,16 @@ WALL = f"""
 </mujoco>"""
 ORBIT_M = 0.01
 ORBIT_RAD_S = 4.0 * np.pi
-ORBIT_S = (1.0, 2.5, 3.5)  # ends of holding, of the orbit, and of holding again
+# ends of the first hold, of the orbit, and of the second hold [s]
+ORBIT_S = (1.0, 2.5, 3.5)
 Shown = tuple[np.ndarray, np.ndarray, Sequence[float]]
 """Height of the object [m] and normal force of the fingers [N] after each step, and the
-joints in the end."""
+final joint positions.
+"""
 
 
 def in_c(mjcf: str, qpos: Sequence[float], controls: np.ndarray) -> Shown:
-    """Run MuJoCo's C engine with a control in each step, from these joints on."""
+    """Run MuJoCo's C engine from joint positions, with a control for each step."""
     model = mujoco.MjModel.from_xml_string(mjcf)
     data = mujoco.MjData(model)
     data.qpos[: len(qpos)] = qpos
@@ -69,16 +78,18 @@ def in_c(mjcf: str, qpos: Sequence[float], controls: np.ndarray) -> Shown:
         data.ctrl[:] = control
         mujoco.mj_step(model, data)
         refuse_warned(data)
+        # For each contact: whether it exists, and its force.
         felt = data.sensordata.reshape(
-            -1, 4
-        )  # whether there is a contact, and its force
+            -1,
+            4,
+        )
         height_m.append(data.body("object").xpos[2])
         force_n.append(felt[felt[:, 0] > 0.0, 1].sum())
     return np.array(height_m), np.array(force_n), data.qpos.tolist()
 
 
 def in_motrixsim(mjcf: str, qpos: Sequence[float], controls: np.ndarray) -> Shown:
-    """Do the same in MotrixSim; ValueError where that cannot be."""
+    """Run the same in MotrixSim; raise ValueError if it fails."""
     scene = Scene(STEP_S, STEP_S, controls.tolist(), mjcf, qpos)
     [trace] = run([scene], MOTRIXSIM)
     if isinstance(trace, str):
@@ -87,7 +98,7 @@ def in_motrixsim(mjcf: str, qpos: Sequence[float], controls: np.ndarray) -> Show
 
 
 def grasp_mjcf(friction: float, integrator: str) -> str:
-    """Write the Panda and a cube, both with this friction, and what the fingers feel."""
+    """Return the Panda and a cube with this friction, and sensors in the fingers."""
     robot = (ROOT / pick.SCENE).read_text(encoding="utf-8")
     robot = robot.replace('friction="1 ', f'friction="{friction} ')
     return robot.format(
@@ -100,7 +111,7 @@ def grasp_mjcf(friction: float, integrator: str) -> str:
 def hold(
     conditions: Conditions, show: Callable[..., Shown], integrator: str = "Euler"
 ) -> dict[str, object]:
-    """Lift the cube, find the friction that just carries it, and hold it with a bit more."""
+    """Lift the cube, determine its critical friction, and hold it with a margin."""
     controls = pick.pick_controls(np.arange(0.0, HOLD_S, STEP_S))
     lifted_m, force_n, qpos = show(grasp_mjcf(1.0, integrator), START, controls)
     count = round(FORCE_S / STEP_S)
@@ -112,7 +123,10 @@ def hold(
 
 
 def shake(conditions: Conditions, kind: str) -> dict[str, object]:
-    """Shake an object in MotrixSim, targets at random in each second step; count drops."""
+    """Shake an object in MotrixSim with random targets and count the drops.
+
+    A new target is set in every second step.
+    """
     profile = conditions.profile
     lifting = pick.pick_controls(np.arange(STEP_S, pick.END_S[profile], STEP_S))
     mjcf = pick.Pick(kind, object=kind).mjcf().replace("</mujoco>", TOUCH)
@@ -129,7 +143,7 @@ def shake(conditions: Conditions, kind: str) -> dict[str, object]:
 
 
 def press(conditions: Conditions, engine: str) -> dict[str, object]:
-    """Press the cube at the wall: how fast it creeps down."""
+    """Press the cube against the wall and return its downward creep."""
     sample_s = STEPS * WALL_STEP_S
     targets = [()] * round(WALL_S / sample_s)
     trace = run_here(
@@ -141,7 +155,7 @@ def press(conditions: Conditions, engine: str) -> dict[str, object]:
 
 
 def orbit(_: Conditions) -> dict[str, object]:
-    """Hold the capsule, carry it around, and hold it: how far it creeps down in all."""
+    """Hold the capsule, move it on an orbit, hold it again; return its creep."""
     world = InC(capsule.Pinch("orbit", impratio=1.0).mjcf())
     world.command([capsule.TARGET])
     height_m = []
@@ -157,7 +171,7 @@ def orbit(_: Conditions) -> dict[str, object]:
     return {"creep_mm": 1e3 * float(height_m[settled] - height_m[-1])}
 
 
-RUNS = (  # cases, the column of each, and what measures it
+RUNS = (  # case, column, function and its arguments
     ("friction-motrixsim", "fall_mm", hold, in_motrixsim),
     ("friction-euler", "fall_mm", hold, in_c),
     ("friction-implicitfast", "fall_mm", hold, in_c, "implicitfast"),
@@ -170,7 +184,7 @@ RUNS = (  # cases, the column of each, and what measures it
 
 
 def rows(conditions: Conditions) -> list[dict[str, object]]:
-    """Make a row for each scene, with the reason where an engine cannot run it."""
+    """Return a row for each scene, with the reason if an engine cannot run it."""
     found = []
     for case, column, measure, *arguments in RUNS:
         try:

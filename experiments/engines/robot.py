@@ -1,7 +1,9 @@
-"""The shake itself in other engines: the arm that holds a cube, driven by the joint targets of a run in MuJoCo C.
+"""Run the shake in other engines, with the joint targets of a run in MuJoCo C.
 
-What one engine lacks is taken from all: weight, and with it the ground; a friction of each body's own; what couples the
-fingers, and friction in the joints. Where an engine has no armature it is added to the links that the joints move.
+Features that one of the engines lacks are removed from all runs: gravity and with it
+the ground, different friction of the bodies, the coupling of the fingers, and friction
+in the joints. If an engine does not support armature, it is added to the links that the
+joints move.
 """
 
 import tempfile
@@ -34,15 +36,15 @@ WEIGHTLESS = replace(
     AS_SHIPPED, backend="mujoco", gravity_m_s2=0.0, cube_mu=AS_SHIPPED.pad_mu
 )
 SHAKES = {"3cm": 0.03, "10cm": 0.1, "held": 0.0}  # amplitudes [m]
-OFF = "path_off_mm"  # how far the hand is off its path in MuJoCo C
+OFF = "path_off_mm"  # distance of the hand from its path in MuJoCo C
 UNCOUNTED = ("peak_contact_count", "peak_constraint_count", "wall_s")
 INERTIA = 'ixx="1e-7" iyy="1e-7" izz="1e-7" ixy="0" ixz="0" iyz="0"'
 INERTIAL = f'<inertial><mass value="1e-4"/><inertia {INERTIA}/></inertial>'
-"""Of a link that has none, to which some engines would give 1 kg."""
+"""Added to links without inertia, to which some engines would otherwise assign 1 kg."""
 
 
 class Reference(NamedTuple):
-    """A run in MuJoCo C, with the joints at the start and as commanded in each frame."""
+    """Hold a run in MuJoCo C with its initial joint positions and commands."""
 
     case: Case
     trace: Trace
@@ -76,7 +78,7 @@ def rows(conditions: Conditions, models: Sequence[Any]) -> list[dict[str, object
 def reference(case: Case) -> Reference:
     """Run a case in MuJoCo C."""
     simulation = Simulation([case], wp.get_device("cpu"))
-    simulation.solver.mj_data.eq_active[:] = 0  # the fingers' coupling
+    simulation.solver.mj_data.eq_active[:] = 0  # turns off the coupling of the fingers
     simulation.solver.mj_model.dof_frictionloss[:] = 0.0
     commanded = [simulation.joint_target.numpy()[0].copy()]
     for _ in range(case.frame_count):
@@ -88,7 +90,11 @@ def reference(case: Case) -> Reference:
 
 
 def write_robot(path: str, armature: str) -> None:
-    """Write the robot's description for an engine that has armature itself (``own``), or gets it with the ``links``."""
+    """Write the robot's description for an engine.
+
+    With ``own``, the engine supports armature. With ``links``, armature is added to the
+    inertia of the links.
+    """
     robot = ElementTree.parse(scene.ROBOT)
     for link in robot.iter("link"):
         for visual in link.findall("visual"):
@@ -105,7 +111,7 @@ def write_robot(path: str, armature: str) -> None:
             inertial = robot.find(
                 f"link[@name='{joint.find('child').get('link')}']/inertial"
             )
-            is_turning = joint.get("type") == "revolute"  # about z: a disc
+            is_turning = joint.get("type") == "revolute"  # about z, like a disc
             parts = (
                 ("inertia", "izz", 1.0),
                 ("inertia", "ixx", 0.5),
@@ -118,7 +124,7 @@ def write_robot(path: str, armature: str) -> None:
 
 
 def scene_of(own: Reference, file: str) -> Scene:
-    """Return a case as a scene, with the robot of a file and the same joint targets."""
+    """Return a case as a scene with the robot of a file and the same joint targets."""
     case = own.case
     mass_kg = case.cube_density_kg_m3 * case.cube_edge_m**3
     cube = Body(
@@ -126,7 +132,8 @@ def scene_of(own: Reference, file: str) -> Scene:
         inertia_kg_m2=[mass_kg * case.cube_edge_m**2 / 6.0] * 3,
         position_m=scene.cube_start(case),
         foot_m=case.cube_edge_m
-        / 2.0,  # which says how finely Drake's surfaces are made
+        # This sets the resolution of Drake's surfaces.
+        / 2.0,
         half_size_m=[case.cube_edge_m / 2.0] * 3,
     )
     robot = Robot(
@@ -150,7 +157,7 @@ def scene_of(own: Reference, file: str) -> Scene:
 
 
 def traced(shown: Shown, own: Trace) -> Trace:
-    """Return what an engine shows in the phases of the run whose targets it had."""
+    """Return the trace of an engine with the phases of the original run."""
     contacts = np.full((len(own.phase), len(FRAME_COLUMNS)), np.nan)
     contacts[:, [FRAME_COLUMNS.index(name) for name in FORCES]] = shown.forces
     poses = shown.poses[1:]
@@ -160,7 +167,7 @@ def traced(shown: Shown, own: Trace) -> Trace:
 def row_of(
     model: str, armature: str, own: Reference, trace: Trace | str
 ) -> dict[str, object]:
-    """Make a row of a trace, or of the reason why there is none."""
+    """Return the row of a trace, or of the reason if there is none."""
     case = replace(own.case, name=f"{model}-shake-{own.case.name}")
     row: dict[str, Any] = {
         "case": case.name,

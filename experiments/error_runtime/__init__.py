@@ -1,4 +1,4 @@
-"""Error against run time: how far off each numerical setting of the same shake is, and how long it takes."""
+"""Measure the error and the run time of the shake with different numerical settings."""
 
 import os
 from collections.abc import Mapping, Sequence
@@ -47,24 +47,34 @@ from experiments.simulation.timing import (
 from measured_report.measuring.batch import Batch, Plan
 
 REFERENCE_SUBSTEPS = {"full": 1024, "quick": 128}
-"""Substeps of the reference; a second one with half as many tells how far it has converged."""
+"""Number of substeps of the reference.
+
+A second reference with half as many substeps shows how well it has converged.
+"""
 WORLD_COUNTS = {
     "cuda": (1, 4, 16, 64, 256, 1024, 4096, 16384),
     "cpu": (1, 4, 16, 64),
     "quick": (1, 4),
 }
-HALF_CYCLE = 30  # frames in C that are timed together: as long as the force on the cube takes to have had all its sizes
-CAP_S = 64.0  # seconds after which the settings are not looked at again
-WORLDS_CAP_S = 10.0  # seconds for the numbers of worlds: C on a core that others share is never known to the resolution
-REFERENCE = (
-    "as-shipped/newton/substeps-16"  # setting that the time of each is compared with
-)
+# Frames in C that are timed together. In half a cycle, the force on the cube takes all
+# its values.
+HALF_CYCLE = 30
+CAP_S = 64.0  # time limit for the comparison of settings [s]
+# Time limit for the numbers of worlds [s]. Times of C on a shared core never reach the
+# resolution, so there must be a limit.
+WORLDS_CAP_S = 10.0
+# The setting with which all times are compared.
+REFERENCE = "as-shipped/newton/substeps-16"
 ERROR_COLUMNS = ("grasp_error_mm_per_cycle", "numerical_error_mm")
 RATIO = ("time_ratio", "time_ratio_p5", "time_ratio_p95", "ratio_resolution")
 TIME_COLUMNS = ("ms_per_s", "ms_per_s_p5", "ms_per_s_p95", *RATIO)
+# The fixed scene in C on one core.
 ONE_CORE = replace(
-    FIXED, name="one-core", backend="mujoco", frame_count=FRAME_COUNT
-)  # fixed scene in C on one core
+    FIXED,
+    name="one-core",
+    backend="mujoco",
+    frame_count=FRAME_COUNT,
+)
 
 
 def measure(conditions: Conditions) -> Plan:
@@ -84,7 +94,10 @@ def measure(conditions: Conditions) -> Plan:
 
 
 def measure_points(conditions: Conditions, pads: str) -> list[dict]:
-    """Return a row for each setting and reference with these pads, all from one state of the shake; none is timed."""
+    """Return a row for each setting and reference with these pads, without times.
+
+    All runs start in the same state of the shake.
+    """
     device = wp.get_device(conditions.device)
     points = [
         point
@@ -98,7 +111,7 @@ def measure_points(conditions: Conditions, pads: str) -> list[dict]:
         )
     )
 
-    pilot = pilot_at_shake(PADS.values(), device)  # type: ignore[arg-type]  # they are gone through once
+    pilot = pilot_at_shake(PADS.values(), device)  # type: ignore[arg-type]  # they are iterated only once
     shakes = {
         point: in_warp(point, pilot, device) for point in points if not point.is_native
     }
@@ -108,9 +121,8 @@ def measure_points(conditions: Conditions, pads: str) -> list[dict]:
         for point in (*references, *points)
         if point.is_native
     }
-    with ThreadPoolExecutor(
-        max(1, (os.cpu_count() or 1) - 1)
-    ) as pool:  # C runs on the CPU, beside the GPU
+    # C runs on the CPU, beside the GPU.
+    with ThreadPoolExecutor(max(1, (os.cpu_count() or 1) - 1)) as pool:
         native_traces = pool.map(NativeShake.run, natives.values())
         traces = run_shakes(shakes)
         traces |= dict(zip(natives, native_traces, strict=True))
@@ -128,8 +140,10 @@ def measure_points(conditions: Conditions, pads: str) -> list[dict]:
         )
     for point in references:
         if point.case.substeps == finest:
-            # As its error counts how far it is from the solution with twice the step. The integrator is of higher than
-            # first order, so more than half of the error goes when the step is halved: less than that is left.
+            # The error of the reference is its distance from the solution with twice
+            # the step. The integrator has an order above one, so halving the step
+            # removes more than half of the error. The remaining error is therefore
+            # smaller than this distance.
             row = describe(point, traces[point], natives[point])
             row |= errors(traces[point], traces[reference_of(point, finest // 2)])
             rows.append(
@@ -146,16 +160,22 @@ def starts_by_pads(pilot: Simulation, frame_count: int) -> Mapping[str, Start]:
 
 
 def in_warp(point: Setting, pilot: Simulation, device: wp.Device) -> Simulation:
-    """Return a setting as a simulation of one world, compiled, captured and at the start of the shake."""
+    """Return a setting as a simulation of one world at the start of the shake.
+
+    It is compiled and captured.
+    """
     simulation = Simulation(
         [point.case], wp.get_device(point.case.device) if point.case.device else device
     )
     world = list(PADS).index(point.pads)
     put_in_state_of(simulation, pilot, world)
     simulation.step()
+    # The frame that was captured must not count.
     put_in_state_of(
-        simulation, pilot, world
-    )  # the frame that was captured must not count
+        simulation,
+        pilot,
+        world,
+    )
     simulation.recorder.cursor.zero_()
     wp.synchronize_device(simulation.device)
     return simulation
@@ -166,7 +186,7 @@ def backend_on(device: wp.Device) -> str:
 
 
 def run_shakes(shakes: Mapping[Setting, Simulation]) -> dict[Setting, Trace]:
-    """Run all frames of all settings, those of one device side by side."""
+    """Run all frames of all settings, side by side on each device."""
     traces: dict[Setting, Trace] = {}
     for device in dict.fromkeys(shake.device.alias for shake in shakes.values()):
         mine = {
@@ -180,7 +200,7 @@ def run_shakes(shakes: Mapping[Setting, Simulation]) -> dict[Setting, Trace]:
 
 
 def describe(point: Setting, trace: Trace, native: NativeShake) -> dict[str, Any]:
-    """Describe a setting, and say whether its run counts."""
+    """Return the columns that describe a setting, and whether its run is valid."""
     case, reason = point.case, invalid_reason(point.case, trace)
     return {
         "case": case.name,
@@ -200,7 +220,7 @@ def describe(point: Setting, trace: Trace, native: NativeShake) -> dict[str, Any
 
 
 def errors(trace: Trace, reference: Trace) -> dict[str, object]:
-    """Return grasp error and numerical error of a run."""
+    """Return the grasp error and the numerical error of a run."""
     grasp = metrics.cycle_drift_mm(
         metrics.displacement(trace), PADS["as-shipped"].shake_frequency_hz
     )
@@ -210,7 +230,10 @@ def errors(trace: Trace, reference: Trace) -> dict[str, object]:
 
 
 def distance_mm(trace: Trace, other: Trace) -> float:
-    """Return how far apart two runs have the cube in the TCP frame, root mean square over the shake [mm]."""
+    """Return the distance between the cube's paths in two runs [mm].
+
+    This is the root mean square over the shake, in the TCP frame.
+    """
     paths = (
         metrics.relative_position(motion.poses, metrics.CUBE, metrics.TCP)
         for motion in (trace, other)
@@ -219,7 +242,7 @@ def distance_mm(trace: Trace, other: Trace) -> float:
 
 
 def number(name: str, value: float) -> dict[str, object]:
-    """Return a column, with the reason where the number does not exist."""
+    """Return a column, with a reason if the number does not exist."""
     return (
         {name: float(value)}
         if np.isfinite(value)
@@ -230,7 +253,10 @@ def number(name: str, value: float) -> dict[str, object]:
 def measure_times(
     conditions: Conditions, names: Sequence[str]
 ) -> dict[str, dict[str, object]]:
-    """Time frames of the settings of these names in turn, against the first of them; columns by name."""
+    """Return columns with the times of settings by name.
+
+    Frames of the settings are timed in turn, and compared with the first setting.
+    """
     device = wp.get_device(conditions.device)
     by_name = {
         point.case.name: point
@@ -264,14 +290,18 @@ def blocks_of(
 
 
 class NativeFrames:
-    """Blocks of frames in C, each of half a cycle of the shake from its start, after a few that are not timed."""
+    """Time blocks of frames in C.
+
+    Each block is half a cycle from the start of the shake, after a few frames that are
+    not timed.
+    """
 
     def __init__(self, case: Case, start: Start, reason: str | None = None):
         self.shake = NativeShake(case, start)
         self.reason = reason
 
     def __call__(self, _: int) -> float:
-        """Time a frame [ms], mean of a block."""
+        """Return the mean time of a frame in a block [ms]."""
         shake, start = self.shake, self.shake.start
         shake.data.qpos[:], shake.data.qvel[:] = start.qpos, start.qvel
         shake.data.qacc_warmstart[:] = start.qacc_warmstart
@@ -287,7 +317,10 @@ class NativeFrames:
 
 
 def time_columns(reason: str | None, found: PairedTimes) -> dict[str, object]:
-    """Return wall time per simulated second, and over that of the reference, unless it does not count."""
+    """Return the wall time per simulated second and its ratio to the reference.
+
+    Return the reason instead if the run is not valid.
+    """
     if reason:
         return untimed(TIME_COLUMNS, reason)
     return frame_benchmark.time_columns(
@@ -296,7 +329,10 @@ def time_columns(reason: str | None, found: PairedTimes) -> dict[str, object]:
 
 
 def measure_worlds(conditions: Conditions) -> list[dict]:
-    """Return a row for each number of worlds, and one for C on one core, in turn with which all are timed."""
+    """Return a row for each number of worlds, and one for C on one core.
+
+    All are timed in turn.
+    """
     device = wp.get_device(conditions.device)
     warm = warm_state(conditions.device)
     start = starts_by_pads(pilot_at_shake(PADS.values(), device), FRAME_COUNT)["stiff"]  # type: ignore[arg-type]  # as above

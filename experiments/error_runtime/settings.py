@@ -1,4 +1,4 @@
-"""Points of the diagram of error against run time: settings, with either pads, through one engine or another."""
+"""Define the settings whose error and run time are measured."""
 
 from dataclasses import dataclass, replace
 
@@ -11,7 +11,8 @@ PADS = {
     for name, case in (("as-shipped", AS_SHIPPED), ("stiff", STIFF_PADS))
 }
 SUBSTEPS = (1, 2, 4, 8, 16, 32, 64)
-LADDERS = {  # Substeps of each method. What is run in Warp is run in C as well.
+# Numbers of substeps for each method. Settings that run in Warp also run in C.
+LADDERS = {
     "full": {
         "newton": SUBSTEPS,
         "mujoco": SUBSTEPS,
@@ -37,8 +38,12 @@ METHODS = {
     "cpu": {"device": "cpu"},
     "c-rk4": {"backend": "mujoco", "integrator": "rk4"},
 }  # type: dict[str, dict]
-"""Contacts, engine and integrator: Newton's or MuJoCo's in Warp, Newton's with a collision pass in
-each substep, Newton's in Warp on the CPU of a machine that has a GPU, and MuJoCo's C engine, also as ``c``."""
+"""Contacts, engine and integrator of each method.
+
+The methods use Newton's or MuJoCo's contacts in Warp, Newton's contacts with a
+collision pass in each substep, and Newton's contacts in Warp on the CPU of a machine
+with a GPU. MuJoCo's C engine is also used as ``c``.
+"""
 KNOBS = {
     "full": {
         "as-shipped": {
@@ -65,7 +70,7 @@ KNOBS = {
         "stiff": {},
     },
 }  # type: dict[str, dict[str, dict]]
-"""Parameters varied one at a time, in the method and with the substeps as shipped."""
+"""Parameters that are varied one at a time, with the shipped method and substeps."""
 CONVERGED = {
     "integrator": "rk4",
     "iterations": 200,
@@ -73,37 +78,40 @@ CONVERGED = {
     "tolerance": 1e-12,
     "ls_tolerance": 1e-6,
 }  # type: dict
+# Parameters that change the model, which then converges to another solution.
 MODEL_FIELDS = (
     "cone",
     "impratio",
-)  # knobs that make it another model, which converges to another solution
-CYCLE_COUNT = (
-    3  # shake cycles: one to settle, and the two after which the whole motion repeats
 )
+# Shake cycles: one to settle, and two after which the whole motion repeats.
+CYCLE_COUNT = 3
 FRAME_COUNT = 60 * CYCLE_COUNT + 1
 
 
 @dataclass(frozen=True)
 class Setting:
-    """A point of the diagram."""
+    """Describe one measured setting."""
 
     case: Case
     pads: str  # key of PADS
     method: str  # key of METHODS, ``c`` or ``reference``
-    knob: str  # parameter that is varied
+    knob: str  # the parameter that is varied
 
     @property
     def is_native(self) -> bool:
-        """Tell whether it runs in MuJoCo's own loop."""
+        """Return whether the setting runs in MuJoCo's own loop."""
         return is_in_c(self.case)
 
 
 def settings(profile: str, *, cpu_too: bool) -> list[Setting]:
-    """Return all points: substeps of each method, the other knobs as shipped, and all that is in Warp also in C.
+    """Return all settings.
+
+    The substeps of each method are varied, then the other parameters. All settings that
+    run in Warp also run in C.
 
     Args:
         profile: ``full`` or ``quick``.
-        cpu_too: Run Warp on the CPU as well.
+        cpu_too: Whether Warp also runs on the CPU.
     """
     points = []
     for pads, base in PADS.items():
@@ -141,7 +149,10 @@ def setting(case: Case, pads: str, method: str, knob: str) -> Setting:
 
 
 def native_of(point: Setting) -> Setting:
-    """Return the same setting in MuJoCo's C engine, which makes its own contacts in every step."""
+    """Return the same setting in MuJoCo's C engine.
+
+    This engine generates its own contacts in every step.
+    """
     case = replace(
         point.case, backend="mujoco", contacts="newton", collide_count=1, device=None
     )

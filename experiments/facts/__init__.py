@@ -1,1 +1,4 @@
-"""Facts of the scene and of how a run ends: plain Python and NumPy, which both sides read."""
+"""Define facts about the scene and the ends of runs, for measuring and reporting.
+
+This package uses only Python and NumPy.
+"""

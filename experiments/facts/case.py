@@ -1,84 +1,111 @@
-"""A case: everything in which one run of the shake test can differ from another, as plain data."""
+"""Define a case: the parameters in which runs of the shake test can differ."""
 
 import math
 from dataclasses import dataclass, fields, replace
 
 CUBE_GAP_DEFAULT = 0.1
-"""Contact gap [m] of a fresh ``newton.ModelBuilder`` of 1.4.0, which is what the cube is shipped with. What a release
-has is in section upgrade, as a shape default, and is tried in section defaults."""
+"""Contact gap [m] of a new ``newton.ModelBuilder`` in 1.4.0, with which the cube is
+shipped.
+
+The gap of other releases is in section upgrade, as a default of shapes, and is measured
+in section defaults.
+"""
 
 
 class CaseError(ValueError):
-    """A parameter of a case is out of range; the message is one line for the person who typed it."""
+    """Signal a parameter that is out of range; the message is one line for the user."""
 
 
 @dataclass(frozen=True)
 class Case:
-    """One run of the shake test. By default the scene as shipped, less what changes nothing: see ``UNTRIMMED``."""
+    """Describe one run of the shake test.
+
+    The defaults are the scene as shipped, without steps that have no effect (see
+    ``UNTRIMMED``).
+    """
 
     name: str
 
-    # What each world of a batch has for itself.
-    pad_ke: float = (
-        2.5e3  # authored contact stiffness of the finger pads (``ShapeConfig`` default)
-    )
-    pad_kd: float = (
-        100.0  # authored contact damping of the finger pads (``ShapeConfig`` default)
-    )
-    pad_mu: float = (
-        1.0  # friction coefficient of the finger pads (``ShapeConfig`` default)
-    )
-    pad_dmax: float = (
-        0.95  # second entry of the pads' solimp: the impedance at full penetration
-    )
+    # Parameters that can differ between the worlds of a batch.
+    # Contact stiffness of the finger pads as authored (``ShapeConfig`` default).
+    pad_ke: float = 2.5e3
+    # Contact damping of the finger pads as authored (``ShapeConfig`` default).
+    pad_kd: float = 100.0
+    # Friction coefficient of the finger pads (``ShapeConfig`` default).
+    pad_mu: float = 1.0
+    # Second entry of the pads' solimp: the impedance at full penetration.
+    pad_dmax: float = 0.95
     pad_kf: float = 1e3
-    """Authored friction gain of the finger pads (``ShapeConfig`` default); read from newton 1.5.0 on, and there a
-    negative one leaves the friction rows to the normal row's solref."""
+    """Friction gain of the finger pads as authored (``ShapeConfig`` default).
+
+    It is used from newton 1.5.0 on. A negative gain leaves the friction rows to the
+    solref of the normal row.
+    """
     cube_ke: float = 8e4
     cube_kd: float = 8e2
     cube_mu: float = 1.2
     cube_density_kg_m3: float = 500.0  # density of the cube [kg/m³]
     cube_gap_m: float = CUBE_GAP_DEFAULT
-    """Distance [m] from the cube at which contacts are generated; the gaps of a pair add."""
+    """Distance [m] from the cube at which contacts are generated; the gaps of a pair
+    add up.
+    """
     robot_gap_m: float = 0.005
-    shake_amplitude_m: float = (
-        0.03  # amplitude A of the shake along its main axis [m]; 0 holds the arm still
-    )
+    # Amplitude A of the shake along its main axis [m]; 0 holds the arm still.
+    shake_amplitude_m: float = 0.03
     shake_frequency_hz: float = 1.0  # frequency f of the shake along its main axis [Hz]
     pad_direct: bool = False
-    """Whether the pads' solref is (-pad_ke, -pad_kd), which the engine takes as it is, with no clamp."""
+    """Whether the pads' solref is (-pad_ke, -pad_kd), which the engine uses without a
+    clamp.
+    """
     cube_edge_m: float = 0.04
-    cube_offset_m: float = (
-        0.0  # shift of the cube's start along the shake's main axis [m]
-    )
+    # Shift of the cube's start along the shake's main axis [m].
+    cube_offset_m: float = 0.0
     cube_in_hand: bool = False
-    """Whether the run starts where the shake will be, with the fingers closed on the cube. It is then held still for as
-    long as the lift takes."""
-    start_overlap_m: float = 0.0  # how deep [m] the cube starts in what it touches: the ground, or each of the pads
+    """Whether the run starts at the place of the shake, with the fingers closed on the
+    cube.
+
+    The cube is then held still for the duration of the lift.
+    """
+    # Depth [m] by which the cube overlaps the ground, or each of the pads, at the
+    # start.
+    start_overlap_m: float = 0.0
     finger_closed_m: float = -0.01
-    """Position target [m] of each finger that holds the cube: what is missing to it presses, at 400 N/m."""
+    """Target position [m] of each finger that holds the cube.
+
+    The finger presses with 400 N/m times its distance from the target.
+    """
     gravity_m_s2: float = 9.81  # downward acceleration [m/s²]; negative is upward
 
     contact_bias: bool = False
-    """Whether friction rows get back the acceleration J̇ q̇ that the engine leaves out of them."""
-    bias_centred: bool = False  # whether they also see the velocity of the last step's motion, and not that at its end
-    bias_normal: bool = False  # whether normal rows get it back as well
+    """Whether friction rows include the acceleration J̇ q̇, which the engine ignores.
+    """
+    # Whether they also use the mean velocity of the last step instead of that at its
+    # end.
+    bias_centred: bool = False
+    bias_normal: bool = False  # whether normal rows include it as well
     compensated: bool = False
-    """Whether joint positions are summed with what rounding took from them kept; MuJoCo Warp only."""
+    """Whether joint positions are summed with compensation for rounding; MuJoCo Warp
+    only.
+    """
 
-    # What all worlds of a batch share: mujoco_warp keeps one geom_priority, one set of geoms, one solver.
+    # Parameters that all worlds of a batch share, because mujoco_warp keeps one
+    # geom_priority, one set of geoms and one solver.
     ground_gap_m: float = 0.005
     pad_priority: int = 1
-    pad_shape: str = (
-        "box"  # ``box``, or ``convex-mesh``: the same boxes as convex meshes
-    )
+    # ``box``, or ``convex-mesh`` for the same boxes as convex meshes.
+    pad_shape: str = "box"
     hand_collides: bool = True
-    visuals: bool = True  # whether the robot keeps its shapes for looking at
-    backend: str = "warp"  # ``warp`` (MuJoCo Warp) or ``mujoco`` (MuJoCo's C engine, always on the CPU)
+    visuals: bool = True  # whether the robot keeps its visual shapes
+    # ``warp`` (MuJoCo Warp) or ``mujoco`` (MuJoCo's C engine, always on the CPU).
+    backend: str = "warp"
     device: str | None = None  # Warp device; None is the device of the measurement
-    contacts: str = "newton"  # Who generates contacts: ``newton`` or ``mujoco``. The C engine always generates its own.
+    # Source of contacts: ``newton`` or ``mujoco``. The C engine always generates its
+    # own.
+    contacts: str = "newton"
     broad_phase: str = "nxn"
-    """Newton's broad phase: ``nxn`` tests all pairs of shapes, ``explicit`` those that may collide."""
+    """Newton's broad phase: ``nxn`` tests all pairs of shapes, ``explicit`` those that
+    may collide.
+    """
     collide_count: int = 1  # collision passes per frame; must divide ``substeps``
     substeps: int = 16
     solver: str = "newton"
@@ -89,33 +116,48 @@ class Case:
     ls_tolerance: float | None = None
     cone: str = "elliptic"
     impratio: float = 50.0
-    noslip_iterations: int = 0  # iterations of the pass that solves friction once more, without its regularization
+    # Iterations of the pass that solves friction again without its regularization.
+    noslip_iterations: int = 0
     friction_timeconst_override_s: float | None = None
-    """Written over the solreffriction of Newton's contacts: a timeconst [s], or 0 for none, which leaves the friction
-    rows to the normal row's solref. None keeps what the release writes."""
-    refsafe: bool = True  # whether the engine takes no timeconst below two substeps
-    sensors: bool = (
-        True  # whether the engine's sensor stage runs; the scene has no sensor
-    )
-    limits: bool = True  # whether the engine looks for joints at their limits
-    contact_max: int | None = (
-        None  # contacts per world that the buffers hold; None sizes them for the scene
-    )
-    constraint_max: int | None = (
-        None  # constraint rows per world that the buffers hold; None sizes them for the scene
-    )
+    """Replaces the solreffriction of Newton's contacts by a timeconst [s].
+
+    0 leaves the friction rows to the solref of the normal row. None keeps the value of
+    the release.
+    """
+    refsafe: bool = True  # whether the engine limits timeconst to at least two substeps
+    # Whether the engine's sensor stage runs; the scene has no sensor.
+    sensors: bool = True
+    limits: bool = True  # whether the engine checks joints for their limits
+    # Contacts per world that the buffers can hold; None sizes them for the scene.
+    contact_max: int | None = None
+    # Constraint rows per world that the buffers can hold; None sizes them for the
+    # scene.
+    constraint_max: int | None = None
     ik_iterations: int = 8
-    """IK iterations per frame. The scene ships with 24; on the CPU those after the eighth were seen to change no bit of
-    the positions of TCP and cube."""
+    """IK iterations per frame.
+
+    The scene ships with 24. On the CPU, iterations after the eighth did not change any
+    bit of the positions of TCP and cube.
+    """
     state_sync: bool = False
-    """Whether Newton's state and targets are written into the engine before every substep, as shipped, or the targets
-    once a frame and the state never. Without it the slip changes by less than the noise; some body is at times 0.1 mm
-    from where it was."""
+    """Whether Newton's state and targets are written into the engine before every
+    substep.
+
+    This is so in the scene as shipped. Otherwise the targets are written once per frame
+    and the state is never written. This changes the slip by less than the noise, but
+    some bodies are at times displaced by 0.1 mm.
+    """
     ik_beside: bool = True
-    """Whether the next frame's IK runs beside this frame's physics, or each frame waits for its own, as shipped."""
+    """Whether the IK of the next frame runs beside the physics of this frame.
+
+    Otherwise each frame waits for its own IK, as shipped.
+    """
     fixed_joints: bool = True
-    """Whether links that are fixed to one another are bodies of their own, as in the robot's description."""
-    graph: bool = True  # whether a frame is captured once and replayed, or launched kernel by kernel
+    """Whether links with fixed joints are separate bodies, as in the robot's
+    description.
+    """
+    # Whether a frame is captured once and replayed, or launched kernel by kernel.
+    graph: bool = True
     frame_count: int = 900
 
     def __post_init__(self):
@@ -173,11 +215,11 @@ WORLD_FIELDS = (  # parameters that may differ between the worlds of one batch
     " finger_closed_m gravity_m_s2 contact_bias bias_centred bias_normal compensated"
 ).split()
 RUN_TIME_FIELDS = "ik_iterations ik_beside state_sync sensors limits".split()
-"""Parameters that a simulation can change without being built again."""
+"""Parameters that a simulation can change without being rebuilt."""
 
 
 def batch_key(case: Case) -> Case:
-    """Return what must be equal for two cases to be worlds of the same simulation."""
+    """Return the parameters that must be equal for two cases in the same simulation."""
     baseline = Case(name="")
     return replace(
         case, name="", **{name: getattr(baseline, name) for name in WORLD_FIELDS}
@@ -185,7 +227,7 @@ def batch_key(case: Case) -> Case:
 
 
 def build_key(case: Case) -> Case:
-    """Return what must be equal for two cases to be run by one simulation, one after the other."""
+    """Return the parameters that must be equal to run cases in one simulation."""
     baseline = Case(name="")
     return replace(
         case, name="", **{name: getattr(baseline, name) for name in RUN_TIME_FIELDS}
@@ -193,7 +235,7 @@ def build_key(case: Case) -> Case:
 
 
 def differences(case: Case) -> dict[str, object]:
-    """Return the parameters in which ``case`` differs from the scene as shipped, by name."""
+    """Return the parameters that differ from the scene as shipped, by name."""
     baseline = Case(name="")
     names = (field.name for field in fields(case) if field.name != "name")
     return {
@@ -204,8 +246,10 @@ def differences(case: Case) -> dict[str, object]:
 
 
 AS_SHIPPED = Case(name="as-shipped")
-"""The baseline of every comparison: the scene as shipped, less what was measured to change nothing."""
-UNTRIMMED = replace(  # the scene exactly as shipped, with all that it pays for
+"""The baseline of every comparison: the scene as shipped, without steps that have no
+effect.
+"""
+UNTRIMMED = replace(  # the scene exactly as shipped, including steps without effect
     AS_SHIPPED,
     name="untrimmed",
     ik_iterations=24,
@@ -225,15 +269,25 @@ LEAN = replace(
     contact_max=32,
     constraint_max=64,
 )
-"""The scene as shipped without what it does not need. With the small gap 21 contacts and 50 rows are the peaks."""
+"""The scene as shipped without parts that it does not need.
+
+With the small gap, the peaks are 21 contacts and 50 rows.
+"""
+# The one change that holds the cube.
 STIFF_PADS = replace(
-    AS_SHIPPED, name="stiff-pads", pad_ke=2.5e5, pad_kd=1e3
-)  # the one change that holds the cube
+    AS_SHIPPED,
+    name="stiff-pads",
+    pad_ke=2.5e5,
+    pad_kd=1e3,
+)
+# The same grasp with the arm held still.
 HOLD = replace(
-    AS_SHIPPED, name="hold", shake_amplitude_m=0.0
-)  # the same grasp with the arm held still
+    AS_SHIPPED,
+    name="hold",
+    shake_amplitude_m=0.0,
+)
 FIXED = replace(LEAN, name="fixed", pad_ke=STIFF_PADS.pad_ke, pad_kd=STIFF_PADS.pad_kd)
-"""The scene to use: stiff pads, and nothing that it does not need."""
+"""The recommended scene: stiff pads, without parts that it does not need."""
 
 # Parts of the cure, alone and together, as fields of a case.
 TERMS = {
@@ -242,7 +296,7 @@ TERMS = {
     "centred": {"contact_bias": True, "bias_centred": True},
     "full": {"contact_bias": True, "bias_centred": True, "bias_normal": True},
 }  # type: dict[str, dict]
-"""Settings by what is done about the left-out term; ``full`` also gives it to the normal rows."""
+"""Settings for the ignored term; ``full`` also adds it to the normal rows."""
 POSITIONS = {"rounded": {}, "kept": {"compensated": True}}  # type: dict[str, dict]
 IMPRATIO = 400.0
 BEST = {
@@ -251,7 +305,11 @@ BEST = {
     **TERMS["full"],
     **POSITIONS["kept"],
 }  # type: dict
-"""All parts together: Euler has no damping in its step, and centred the term takes the error of the step along."""
+"""All parts together.
+
+The Euler integrator has no damping in its step. The centred term also corrects the
+error of the step.
+"""
 FIRM = {"pad_ke": STIFF_PADS.pad_ke, "pad_kd": STIFF_PADS.pad_kd, "impratio": IMPRATIO}  # type: dict
 FIRM |= TERMS["centred"] | POSITIONS["kept"]
-"""The cure on stiff pads, where the normal rows need none."""
+"""The cure on stiff pads, where the normal rows do not need the term."""

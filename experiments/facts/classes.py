@@ -1,4 +1,4 @@
-"""How a run ends: in exactly one class, by a pure function of its trace; and how it creeps there, cycle by cycle."""
+"""Classify the end of a run by its trace, and compute its creep in each cycle."""
 
 import numpy as np
 
@@ -7,22 +7,30 @@ from experiments.facts.case import AS_SHIPPED, Case
 from experiments.facts.trace import Trace
 
 CLASSES = ("non-finite", "overflow", "exploded", "dropped", "creeping", "holding")
-"""In the order in which they are tested, the worst first."""
+"""The classes in the order of the tests, the worst first."""
 STABLE = ("creeping", "holding")
 
-DRIVE_RATIO = 10.0  # a cube this many times as fast as the drive ever is has exploded
+# A cube that is faster than the drive's peak speed by this factor has exploded.
+DRIVE_RATIO = 10.0
 DRIVE_SHAPE = np.array([1.0, 1.3, 0.525])
-"""Peak speed of each axis of the shake over A ω: x = sin ωt, y = 0.65 sin 2ωt, z = 0.35 sin 1.5ωt, all at t = 0."""
+"""Peak speed of each axis of the shake over A ω.
+
+The targets are x = sin ωt, y = 0.65 sin 2ωt and z = 0.35 sin 1.5ωt. Their speeds peak
+together at t = 0.
+"""
 GROWTH_RATIO = 2.0
-"""A cube whose energy against the hand grows by this factor from one cycle to the next has exploded …"""
-GROWTH_SPEED_RATIO = 0.1  # … unless it is slower than this part of the drive's peak
+"""A cube whose energy relative to the hand grows by this factor in a cycle has exploded
+…
+"""
+# … unless its speed is below this fraction of the drive's peak
+GROWTH_SPEED_RATIO = 0.1
 
 
 def classify(case: Case, trace: Trace, creep_floor_mm_s: float) -> str:
-    """Return the first of CLASSES that fits.
+    """Return the first of CLASSES that applies.
 
     Args:
-        creep_floor_mm_s: Rate of creep that cannot be told from none [mm/s].
+        creep_floor_mm_s: Smallest creep that can be distinguished from none [mm/s].
     """
     if not is_finite(trace):
         return "non-finite"
@@ -36,19 +44,26 @@ def classify(case: Case, trace: Trace, creep_floor_mm_s: float) -> str:
 
 
 def is_finite(trace: Trace) -> bool:
-    """Tell whether every pose of every frame is finite."""
+    """Return whether every pose of every frame is finite."""
     return bool(np.isfinite(trace.poses).all())
 
 
 def drive_peak_m_s(case: Case) -> float:
-    """Return the largest speed of the shake's target [m/s]; for an arm held still, that of the shake as shipped."""
+    """Return the largest speed of the shake's target [m/s].
+
+    If the arm is held still, this is the speed of the shake as shipped.
+    """
     shaken = case if case.shake_amplitude_m > 0.0 else AS_SHIPPED
     rate = 2.0 * np.pi * shaken.shake_frequency_hz
     return float(shaken.shake_amplitude_m * rate * np.linalg.norm(DRIVE_SHAPE))
 
 
 def is_exploded(case: Case, trace: Trace) -> bool:
-    """Tell whether the cube is far faster than the drive, or its energy grows over a cycle while it is in the grasp."""
+    """Return whether the cube has exploded.
+
+    It is then much faster than the drive, or its energy grows over a cycle while it is
+    in the grasp.
+    """
     peak = drive_peak_m_s(case)
     return bool(
         excess_speed_m_s(case, trace).max() > DRIVE_RATIO * peak
@@ -57,7 +72,10 @@ def is_exploded(case: Case, trace: Trace) -> bool:
 
 
 def excess_speed_m_s(case: Case, trace: Trace) -> np.ndarray:
-    """Return the cube's speed in the world [m/s] less what falling since frame 0 explains, shape [frames - 1]."""
+    """Return the cube's speed without its fall [m/s], shape [frames - 1].
+
+    The fall counts from frame 0.
+    """
     energy = excess_energy(
         trace.poses[:, metrics.CUBE, :3], case.gravity_m_s2, trace.frame_dt
     )
@@ -67,9 +85,11 @@ def excess_speed_m_s(case: Case, trace: Trace) -> np.ndarray:
 def excess_energy(
     position_m: np.ndarray, gravity_m_s2: float, frame_dt: float
 ) -> np.ndarray:
-    """Return the kinetic energy per mass [J/kg] less gravity's work since frame 0, not below 0; shape [frames - 1].
+    """Return the kinetic energy per mass minus the work of gravity [J/kg].
 
-    What falls freely has none: 1/2 v² = g h. A body that gravity slows counts with its kinetic energy alone.
+    The result has the shape [frames - 1] and is never negative. It is zero for a free
+    fall, because 1/2 v² = g h. If gravity slows the body, the whole kinetic energy
+    counts.
 
     Args:
         position_m: Shape [frames, 3].
@@ -82,9 +102,10 @@ def excess_energy(
 
 
 def is_energy_growing(case: Case, trace: Trace) -> bool:
-    """Tell whether the cube's energy against the hand at least doubles from the last but one shake cycle to the last.
+    """Return whether the cube's energy against the hand doubles in the last cycle.
 
-    Only while it is in the grasp in both, and not for motion that is slow against the drive.
+    The last two shake cycles are compared. The cube must be in the grasp in both, and
+    slow motion does not count.
     """
     cycle = round(1.0 / (case.shake_frequency_hz * trace.frame_dt))
     poses = trace.poses[trace.phase == metrics.SHAKE][-2 * cycle - 1 :].astype(
@@ -102,10 +123,10 @@ def is_energy_growing(case: Case, trace: Trace) -> bool:
 
 
 def creep_mm_s(case: Case, trace: Trace) -> float:
-    """Say how fast the cube moves in the grasp [mm/s]: its displacement over the last whole period of the shake.
+    """Return the speed of the cube in the grasp over the last period [mm/s].
 
-    The period is 2/f, after which all three axes of the target are where they were, so what the cube only swings drops
-    out; when the shake is shorter than that, all of it counts.
+    The period is 2/f, after which the targets of all three axes repeat, so that
+    oscillations cancel. If the shake is shorter than a period, all of it is used.
     """
     moved = metrics.displacement(trace)
     period = min(
@@ -120,13 +141,15 @@ def creep_mm_s(case: Case, trace: Trace) -> float:
 def cycle_increments(
     time_s: np.ndarray, along: np.ndarray, frequency_hz: float
 ) -> np.ndarray:
-    """Return the change along the shake's main axis over each full cycle, from the first frame on, shape [cycles].
+    """Return the change along the main axis over each full cycle, shape [cycles].
 
-    Between frames the component is interpolated linearly, so a cycle need not be a whole number of frames.
+    The first cycle starts with the first frame. Positions are interpolated linearly, so
+    that a cycle need not be a whole number of frames.
 
     Args:
         time_s: Time since the first frame of the shake, shape [frames].
-        along: Displacement along the axis, shape [frames]; the increments are in its unit.
+        along: Displacement along the axis, shape [frames]; the result has
+            the same unit.
     """
     cycle_count = int(np.floor(time_s[-1] * frequency_hz + 1e-9))
     return np.diff(np.interp(np.arange(cycle_count + 1) / frequency_hz, time_s, along))

@@ -1,4 +1,4 @@
-"""The clips of a release: where they lie, what they were made from, and whether that is still what there is."""
+"""Find the clips of a release and check whether their sources have changed."""
 
 import hashlib
 import re
@@ -29,12 +29,16 @@ MESHES = "assets/visual"
 
 
 def media_path(project: Project, case: str, suffix: str) -> Path:
-    """Say where a clip, its poster or the still lies, beside its record."""
+    """Return the path of a clip, its poster or the still, next to the record."""
     return project.results / f"{CLIPS}.{case}.{suffix}"
 
 
 def clips_identity(project: Project) -> Identity:
-    """Return what the clips depend on: the code that makes them, the meshes, and the kept poses; not the packages."""
+    """Return the identity of the clips.
+
+    They depend on the code that renders them, the meshes and the kept poses, but not on
+    packages.
+    """
     identity = identity_at(
         "experiments.media.clips", project.profile, project.root, packages={}
     )
@@ -60,7 +64,7 @@ def sha256(path: Path) -> str:
 
 
 def clips_state(project: Project) -> State:
-    """Tell whether the clips are there, whole, and made from what there is now."""
+    """Return the state of the clips: missing, damaged, stale or fresh."""
     path = project.record_path(CLIPS)
     if not path.exists():
         return State(CLIPS, "missing")
@@ -90,7 +94,7 @@ def clips_state(project: Project) -> State:
 
 
 def files_of(record: Record) -> list[tuple[str, str]]:
-    """Name and digest of each file that was made."""
+    """Return the name and digest of each file of a record."""
     return [
         (row[kind], row[f"{kind}_sha256"])
         for row in record.rows
@@ -99,7 +103,10 @@ def files_of(record: Record) -> list[tuple[str, str]]:
 
 
 def _digest(record: Path, name: str) -> str:
-    """Digest a file beside the record; empty for none; ValueError for a name that leads elsewhere."""
+    """Return the digest of a file beside the record, or an empty string.
+
+    Raise ValueError for a name that leads to another folder.
+    """
     if not re.fullmatch(rf"{CLIPS}\.[\w.-]+", name):
         raise ValueError(f"{name!r:.80} is no name of a file there")
     try:

@@ -1,4 +1,7 @@
-"""The files of the fix: the fixed scene, the patch, and the scene as shipped, which is the first without the second."""
+"""Return the files of the fix: the fixed scene, the patch and the scene as shipped.
+
+The scene as shipped is the fixed scene without the patch.
+"""
 
 import re
 
@@ -12,11 +15,14 @@ HUNK = re.compile(r"^@@ .*\n", re.MULTILINE)
 READING = (
     'URDF = (Path(__file__).parents[1] / "fr3.urdf").read_text(encoding="utf-8")\n'
 )
-"""Line by which the scene reads its robot; what is offered is alone in its folder and holds it."""
+"""The line with which the scene reads its robot.
+
+The offered file includes the robot instead, because it is alone in its folder.
+"""
 
 
 def fix_files() -> dict[str, str]:
-    """Return the text of each file that is offered, by its name."""
+    """Return the text of each offered file by name."""
     scene, patch, robot = (
         (ROOT / path).read_text(encoding="utf-8")
         for path in (FIXED_SCENE, PATCH, ROBOT)
@@ -30,7 +36,10 @@ def fix_files() -> dict[str, str]:
 
 
 def without_patch(text: str, patch: str) -> str:
-    """Take a unified diff of one file back out of ``text``; ReportError where ``text`` is not what it leads to."""
+    """Return ``text`` without the changes of a unified diff.
+
+    Raise ReportError if the diff does not lead to ``text``.
+    """
     for hunk in HUNK.split(patch)[1:]:
         lines = hunk.splitlines(keepends=True)
         before, after = (
@@ -42,7 +51,10 @@ def without_patch(text: str, patch: str) -> str:
 
 
 def replaced(text: str, part: str, other: str) -> str:
-    """Put another text in the place of the one part that is this one; ReportError where it is not there once."""
+    """Return a text in which one part is replaced.
+
+    Raise ReportError unless the part occurs exactly once.
+    """
     if text.count(part) != 1:
         raise ReportError(
             f"{FIXED_SCENE} is not what {PATCH} leads to, or does not read {ROBOT}"

@@ -1,4 +1,4 @@
-"""A kept run of section poses: where its links and its cube are, frame by frame."""
+"""Hold a kept run of section poses with the poses of its links and its cube."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -24,53 +24,67 @@ MOVED = tuple(f"{axis}_mm" for axis in "xyz")
 
 @dataclass(frozen=True)
 class KeptRun:
-    """The frames of a run that were kept. Poses are matrices, shape [frames, 4, 4], in the world [m]."""
+    """Hold the kept frames of a run.
 
-    time_s: np.ndarray  # since the shake began, negative before, shape [frames]
+    Poses are matrices in the world [m], shape [frames, 4, 4].
+    """
+
+    # time since the start of the shake, negative before, shape [frames]
+    time_s: np.ndarray
     joints: np.ndarray  # positions of the joints [rad or m], shape [frames, 9]
     links: Mapping[str, np.ndarray]
     cube: np.ndarray
     cube_in_hand: np.ndarray  # pose of the cube in the TCP frame, shape [frames, 4, 4]
     moved_mm: np.ndarray
-    """Displacement in the TCP frame since the shake began, as it was kept, shape [frames, 3]; NaN before."""
+    """Displacement in the TCP frame since the start of the shake, as it was kept.
+
+    Shape [frames, 3]; NaN before the shake.
+    """
     contact: Mapping[str, np.ndarray]
-    """``normal_force_n``, ``tangential_force_n`` and ``penetration_mm``, shape [frames] each."""
+    """``normal_force_n``, ``tangential_force_n`` and ``penetration_mm``, shape [frames]
+    each.
+    """
     cube_edge_m: float
-    left_grasp_s: (
-        float | None
-    )  # when in the shake the cube is out of the grasp; None when it never is
+    # Time in the shake at which the cube leaves the grasp; None if it never does.
+    left_grasp_s: float | None
 
     @property
     def slip_mm(self) -> np.ndarray:
-        """Return the length of the displacement, shape [frames]; NaN before the shake."""
+        """Return the length of the displacement, [frames]; NaN before the shake."""
         return np.linalg.norm(self.moved_mm, axis=1)
 
     @property
     def shake_start(self) -> int:
-        """Return the first kept frame of the shake."""
+        """Return the index of the first kept frame of the shake."""
         return int(np.argmax(np.isfinite(self.slip_mm)))
 
     @property
     def begin_in_hand(self) -> np.ndarray:
-        """Return the cube's pose in the TCP frame as the shake began, which need not be a kept frame, shape [4, 4]."""
+        """Return the cube's pose in the TCP frame at the start, shape [4, 4].
+
+        The start of the shake need not be a kept frame.
+        """
         pose = self.cube_in_hand[self.shake_start].copy()
         pose[:3, 3] -= 1e-3 * self.moved_mm[self.shake_start]
         return pose
 
     @property
     def start(self) -> np.ndarray:
-        """Say where the cube would be had it not moved in the hand since the shake began, shape [frames, 4, 4]."""
+        """Return the pose of the cube if it had not slipped during the shake.
+
+        Shape [frames, 4, 4].
+        """
         return self.links[TCP] @ self.begin_in_hand
 
     def in_grasp(self) -> np.ndarray:
-        """Tell whether the cube is still in the grasp, shape [frames]."""
+        """Return whether the cube is still in the grasp, shape [frames]."""
         return self.time_s < (
             np.inf if self.left_grasp_s is None else self.left_grasp_s
         )
 
 
 def kept_run(row: Mapping[str, Any], poses: pd.DataFrame) -> KeptRun:
-    """Return the run of a row of section poses, with the trace that lies beside its record."""
+    """Return the run of a row of section poses, with the trace beside its record."""
     joints = poses[list(JOINTS)].to_numpy()
     links = link_poses(
         read_joints(DESCRIPTION),

@@ -1,4 +1,4 @@
-"""Forward kinematics: where the links of a robot description are, for the joint positions that were kept."""
+"""Compute the poses of a robot's links from joint positions (forward kinematics)."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -10,7 +10,7 @@ import numpy as np
 
 @dataclass(frozen=True)
 class Joint:
-    """A joint of a robot description, and with it the link that it carries."""
+    """Describe a joint of a robot, and with it the link that it carries."""
 
     parent: str
     child: str
@@ -20,7 +20,7 @@ class Joint:
 
 
 def read_joints(path: Path) -> tuple[Joint, ...]:
-    """Return the joints of a URDF file, each after the one that carries it."""
+    """Return the joints of a URDF file, each after the joint that carries it."""
     return tuple(
         Joint(
             parent=element.find("parent").get("link"),
@@ -41,7 +41,8 @@ def link_poses(
     """Return the poses [m] of all links in the world, shape [frames, 4, 4] each.
 
     Args:
-        positions: Of the joints that move, in the order of the description [rad or m], shape [frames, joints].
+        positions: Positions of the moving joints in the order of the description
+            [rad or m], shape [frames, joints].
         base: Position of the first link [m], shape [3].
     """
     matrices = {
@@ -59,7 +60,11 @@ def link_poses(
 
 
 def pose_matrix(position: np.ndarray, rpy: np.ndarray) -> np.ndarray:
-    """Return a pose as URDF writes it: turned about the fixed x, then y, then z [rad], then moved [m]; shape [4, 4]."""
+    """Return the matrix of a pose in URDF, shape [4, 4].
+
+    The rotations are about the fixed x, y and z axes in this order [rad], followed by
+    the translation [m].
+    """
     result = np.eye(4)
     for axis, angle in zip(np.eye(3), rpy, strict=True):
         result[:3, :3] = _turns(axis, np.array([angle]))[0] @ result[:3, :3]
@@ -68,7 +73,10 @@ def pose_matrix(position: np.ndarray, rpy: np.ndarray) -> np.ndarray:
 
 
 def quaternion_matrices(position: np.ndarray, quaternion: np.ndarray) -> np.ndarray:
-    """Return the poses of positions [m] and unit quaternions (x, y, z, w), shapes [frames, 3] and [frames, 4]."""
+    """Return the matrices of positions [m] and unit quaternions (x, y, z, w).
+
+    The shapes are [frames, 3] and [frames, 4].
+    """
     quaternion = quaternion.astype(np.float64)
     cross = _cross_matrices(quaternion[:, :3])
     result = np.tile(np.eye(4), (len(position), 1, 1))
@@ -93,7 +101,7 @@ def _turns(axis: np.ndarray, angle: np.ndarray) -> np.ndarray:
 
 
 def _cross_matrices(vectors: np.ndarray) -> np.ndarray:
-    """Return the matrix of each vector v that makes v × w of w, shape [vectors, 3, 3]."""
+    """Return the matrix for each v that maps w to v × w, shape [vectors, 3, 3]."""
     return np.cross(np.eye(3), vectors[:, None])
 
 

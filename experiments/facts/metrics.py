@@ -1,4 +1,4 @@
-"""Metrics of a trace: pure functions of arrays, in the definitions that the report gives."""
+"""Compute the metrics of a trace, as the report defines them."""
 
 from dataclasses import dataclass
 
@@ -6,24 +6,31 @@ import numpy as np
 
 from experiments.facts.trace import ContactRows, Trace
 
-SHAKE = 4  # task phase in which everything is measured
+SHAKE = 4  # phase of the task in which the metrics are measured
 CUBE, TCP = 0, 1
 MAIN_AXIS = np.array([1.0, 0.0, 0.0])  # the shake's main axis in the world
-DROP_DISTANCE = 0.08  # farther [m] than this from the TCP the cube has left the grasp
+# distance from the TCP [m] beyond which the cube has left the grasp
+DROP_DISTANCE = 0.08
 SPAWN_HEIGHT = 0.02
 SPAWN_HEIGHT_TOLERANCE = 0.005
-"""At its spawn height within this [m] the cube lies on the ground: a cube held after the lift is 0.2 m higher."""
+"""Tolerance [m] around the spawn height within which the cube lies on the ground.
+
+A cube that is held after the lift is 0.2 m higher.
+"""
 
 
 def rotate_inverse(quaternion: np.ndarray, vector: np.ndarray) -> np.ndarray:
-    """Rotate ``vector`` by the inverse of unit ``quaternion`` (x, y, z, w); shapes [..., 4] and [..., 3]."""
+    """Return ``vector`` rotated by the inverse of unit ``quaternion`` (x, y, z, w).
+
+    The shapes are [..., 3] and [..., 4].
+    """
     imaginary, real = -quaternion[..., :3], quaternion[..., 3:]
     twice = 2.0 * np.cross(imaginary, vector)
     return vector + real * twice + np.cross(imaginary, twice)
 
 
 def relative_position(poses: np.ndarray, body: int, frame: int) -> np.ndarray:
-    """Return the position [m] of ``body`` in the frame of another body, shape [frames, 3].
+    """Return the position [m] of ``body`` in the frame of another, [frames, 3].
 
     Args:
         poses: Position and quaternion of each body, shape [frames, bodies, 7].
@@ -34,7 +41,7 @@ def relative_position(poses: np.ndarray, body: int, frame: int) -> np.ndarray:
 
 @dataclass(frozen=True)
 class Displacement:
-    """The cube in the TCP frame since the first frame of the shake."""
+    """Hold the displacement of the cube in the TCP frame during the shake."""
 
     time_s: np.ndarray  # time since the first frame of the shake, shape [frames]
     vector_m: np.ndarray  # displacement in the axes of the TCP frame, shape [frames, 3]
@@ -42,7 +49,10 @@ class Displacement:
 
 
 def displacement(trace: Trace, body: int = CUBE, frame: int = TCP) -> Displacement:
-    """Return the displacement of ``body`` in another body's frame over the shake; empty if that was never reached."""
+    """Return the displacement of ``body`` in another body's frame over the shake.
+
+    It is empty if the shake was never reached.
+    """
     poses = trace.poses[trace.phase == SHAKE].astype(np.float64)
     if len(poses) == 0:
         return Displacement(np.zeros(0), np.zeros((0, 3)), np.zeros(0))
@@ -58,18 +68,21 @@ def slip_mm(moved: Displacement) -> float:
 
 
 def fit_line(moved: Displacement) -> tuple[float, float]:
-    """Return the least-squares slope [m/s] and value at time 0 [m] of the component along the main axis."""
+    """Return slope [m/s] and offset [m] of a line fitted along the main axis."""
     slope, offset = np.polyfit(moved.time_s, moved.along_m, 1)
     return float(slope), float(offset)
 
 
 def drift_mm_s(moved: Displacement) -> float:
-    """Return the least-squares slope of the component along the main axis over the whole shake [mm/s]."""
+    """Return the slope along the main axis over the whole shake [mm/s].
+
+    The line is fitted by least squares.
+    """
     return 1e3 * fit_line(moved)[0]
 
 
 def oscillation_mm(moved: Displacement) -> float:
-    """Return the root mean square of what is left about the fitted line [mm]."""
+    """Return the root mean square of the deviation from the fitted line [mm]."""
     slope, offset = fit_line(moved)
     return 1e3 * float(
         np.sqrt(np.mean((moved.along_m - slope * moved.time_s - offset) ** 2))
@@ -77,15 +90,16 @@ def oscillation_mm(moved: Displacement) -> float:
 
 
 def wander_mm(moved: Displacement) -> float:
-    """Return the largest distance from the position in the first frame of the shake [mm]."""
+    """Return the largest distance from the position at the start of the shake [mm]."""
     return 1e3 * float(np.linalg.norm(moved.vector_m, axis=1).max())
 
 
 def cycle_drift_mm(moved: Displacement, frequency_hz: float) -> float:
-    """Return the length of the mean change in position over a shake cycle [mm], without the first and an odd last one.
+    """Return the length of the mean displacement over a shake cycle [mm].
 
-    The whole motion repeats every two cycles of the main axis, so what one cycle moves the cube the next may take back:
-    only pairs of cycles count. NaN when there is no pair after the first cycle.
+    The first cycle is left out. The whole motion repeats every two cycles of the main
+    axis, so that the second cycle may reverse the motion of the first. Therefore only
+    pairs of cycles count. The result is NaN if there is no pair after the first cycle.
     """
     pair_count = (
         int(np.floor((moved.time_s[-1] * frequency_hz - 1.0) / 2.0 + 1e-9))
@@ -102,7 +116,7 @@ def cycle_drift_mm(moved: Displacement, frequency_hz: float) -> float:
 
 
 def distance_rms_mm(position_m: np.ndarray, reference_m: np.ndarray) -> float:
-    """Return the root mean square of the distance between two paths [mm]; shapes [frames, 3]."""
+    """Return the root mean square distance between two paths [mm]."""
     return 1e3 * float(
         np.sqrt(np.mean(np.sum((position_m - reference_m) ** 2, axis=1)))
     )
@@ -114,7 +128,7 @@ def cube_height_m(trace: Trace) -> float:
 
 
 def is_dropped(trace: Trace) -> bool:
-    """Tell whether the cube ends far from the TCP, or on the ground."""
+    """Return whether the cube ends far from the TCP or on the ground."""
     cube, tcp = (
         trace.poses[-1, CUBE, :3].astype(np.float64),
         trace.poses[-1, TCP, :3].astype(np.float64),
@@ -124,59 +138,59 @@ def is_dropped(trace: Trace) -> bool:
 
 
 def shake_mean(trace: Trace, column: str) -> float:
-    """Return the mean of a frame statistic over the shake; NaN frames are left out."""
+    """Return the mean of a frame statistic over the shake, without NaN."""
     return float(np.nanmean(trace.column(column)[trace.phase == SHAKE]))
 
 
 def slide_mm(trace: Trace) -> float:
-    """Return what the velocity of the loaded friction rows along the main axis adds up to over the shake [mm]."""
+    """Return the slide along the main axis over the shake [mm].
+
+    This is the integral of the velocity of the loaded friction rows.
+    """
     return 1e3 * float(
         trace.column("slide_m_s")[trace.phase == SHAKE].sum() * trace.frame_dt
     )
 
 
 def total_drift_mm(moved: Displacement) -> float:
-    """Return the length of the fitted drift of all three components over the whole shake [mm]."""
+    """Return the length of the fitted drift in 3D over the whole shake [mm]."""
     slope = np.polyfit(moved.time_s, moved.vector_m, 1)[0]
     return 1e3 * float(np.linalg.norm(slope) * moved.time_s[-1])
 
 
 @dataclass(frozen=True)
 class Grasp:
-    """The contacts that carry force in one frame, as numbers."""
+    """Hold numbers about the contacts that carry force in one frame."""
 
     row_count: int  # all live contacts, loaded or not
     loaded_row_count: int
     normal_force_n: float  # sum over the loaded contacts
     tangential_force_n: float
-    cone_use: (
-        float  # largest tangential force over friction times normal force; 1 is sliding
-    )
+    # Largest ratio of tangential force to friction times normal force; 1 means sliding.
+    cone_use: float
     penetration_mm: float  # mean over the loaded contacts
-    stiffness_n_m: float  # normal force over penetration, of a loaded contact, mean
+    # mean ratio of normal force to penetration of the loaded contacts
+    stiffness_n_m: float
     timeconst_s: float
     dampratio: float
-    friction_timeconst_s: (
-        float  # of solreffriction; 0 where the friction rows take the normal row's
-    )
+    # Timeconst of solreffriction; 0 if the friction rows use that of the normal row.
+    friction_timeconst_s: float
     friction_dampratio: float
     friction: float
     dmin: float
     dmax: float
     dim: int
-    normal_residual_mm: (
-        float  # largest position residual of a loaded contact's normal row
-    )
-    friction_residual_mm: (
-        float  # largest position residual of a loaded contact's friction rows
-    )
+    # Largest position residual of a loaded contact's normal row.
+    normal_residual_mm: float
+    # Largest position residual of a loaded contact's friction rows.
+    friction_residual_mm: float
     normal_velocity_mm_s: float  # largest velocity of those normal rows
 
 
 def grasp(rows: ContactRows) -> Grasp | None:
-    """Summarize the loaded contacts of a frame; None when nothing carries force.
+    """Return numbers about the loaded contacts in a frame, or None if none exist.
 
-    Solver parameters are those of the contact that carries most force.
+    The solver parameters are those of the contact with the largest force.
     """
     normal = rows.force_n[:, 0]
     loaded = normal > 0.0

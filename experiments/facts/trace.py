@@ -1,4 +1,4 @@
-"""What a run leaves behind, as plain arrays on the host."""
+"""Define the trace of a run as arrays on the host."""
 
 from dataclasses import dataclass, field
 
@@ -13,37 +13,55 @@ FRAME_COLUMNS = (
     "penetration_m",
     "slide_m_s",
 )
-"""Contact statistics of a frame, taken in its last substep: how many contacts there are and how many carry force, sums
-of normal and of tangential force, largest tangential force over friction times normal force (1 = sliding), largest
-penetration, and the mean velocity of the loaded contacts' friction rows along the shake's main axis."""
+"""Contact statistics of the last substep of a frame.
+
+These are the number of contacts and of loaded contacts, the sums of normal and
+tangential forces, the largest ratio of tangential force to friction times normal force
+(1 means sliding), the largest penetration, and the mean velocity of the loaded
+contacts' friction rows along the shake's main axis.
+"""
 
 
 @dataclass(frozen=True)
 class ContactRows:
-    """The solver's live contacts of one world at the end of one frame."""
+    """Hold the solver's live contacts of one world at the end of one frame."""
 
     frame: int
     geom: np.ndarray  # names of the two geoms, shape [n, 2]
-    distance_m: np.ndarray  # negative where the geoms overlap, shape [n]
+    distance_m: np.ndarray  # negative if the geoms overlap, shape [n]
     friction: np.ndarray  # sliding friction, shape [n]
     solref: np.ndarray  # timeconst [s] and dampratio, shape [n, 2]
     solreffriction: np.ndarray
-    """timeconst [s] and dampratio of the friction rows, shape [n, 2]; 0, 0 where they take ``solref``."""
+    """timeconst [s] and dampratio of the friction rows, shape [n, 2]; 0, 0 if they use
+    ``solref``.
+    """
     solimp: np.ndarray  # shape [n, 5]
     dim: np.ndarray  # contact dimension, shape [n]
-    force_n: np.ndarray  # normal and two tangential forces, shape [n, 3]; 0 where the contact is not in the solver
+    # Normal and two tangential forces, shape [n, 3]; 0 if the solver does not use the
+    # contact.
+    force_n: np.ndarray
     residual_m: np.ndarray
-    """Position residual of the normal and both friction rows, shape [n, 3]; NaN where there is no row."""
-    velocity_m_s: np.ndarray  # velocity of the normal and both friction rows, shape [n, 3]; NaN where there is no row
+    """Position residual of the normal and both friction rows, shape [n, 3]; NaN without
+    a row.
+    """
+    # Velocity of the normal and both friction rows, shape [n, 3]; NaN without a row.
+    velocity_m_s: np.ndarray
     reference_m_s2: np.ndarray
-    """Acceleration that the rows aim at, shape [n, 3]; NaN where there is no row, and with a pyramidal cone."""
+    """Acceleration that the rows aim at, shape [n, 3].
+
+    It is NaN without a row and for a pyramidal cone.
+    """
     slide_m_s: np.ndarray
-    """Velocity of the cube against the other geom along the shake's main axis, from the friction rows, shape [n]."""
+    """Velocity of the cube against the other geom along the shake's main axis, shape
+    [n].
+
+    It is computed from the friction rows.
+    """
 
 
 @dataclass(frozen=True)
 class Failure:
-    """Why a world's numbers can't be used from some frame on."""
+    """Describe why the numbers of a world cannot be used after some frame."""
 
     kind: str  # ``non-finite`` or ``overflow``
     frame: int
@@ -55,23 +73,27 @@ class Failure:
 
 @dataclass(frozen=True)
 class Trace:
-    """One world, frame by frame. Poses are position [m] and quaternion (x, y, z, w) in the world."""
+    """Hold the frames of one world.
+
+    Poses consist of position [m] and quaternion (x, y, z, w) in the world.
+    """
 
     frame_dt: float  # duration of a frame [s]
     phase: np.ndarray  # task phase of each frame, shape [frames]
-    poses: np.ndarray  # poses of ``scene.TRACKED_BODIES`` at the end of each frame, shape [frames, bodies, 7]
-    contacts: (
-        np.ndarray
-    )  # FRAME_COLUMNS of each frame, shape [frames, len(FRAME_COLUMNS)]
-    failure: Failure | None = None  # the first thing that went wrong, if anything did
-    peak_contact_count: int = 0  # most contacts of this world in any frame
-    peak_constraint_count: int = 0  # most constraint rows of this world in any substep
-    peak_iteration_count: int = 0  # most solver iterations of this world in any substep
-    contact_rows: tuple[ContactRows, ...] = field(
-        default=()
-    )  # the frames of which all contacts were asked for
-    world_count: int = 1  # worlds that were simulated together
-    wall_s: float = 0.0  # wall time of the whole batch: all frames, without building, compiling and capturing
+    # Poses of ``scene.TRACKED_BODIES`` at the end of each frame, shape [frames, bodies,
+    # 7].
+    poses: np.ndarray
+    # FRAME_COLUMNS of each frame, shape [frames, len(FRAME_COLUMNS)].
+    contacts: np.ndarray
+    failure: Failure | None = None  # the first failure, if there is one
+    peak_contact_count: int = 0  # largest number of contacts in any frame
+    peak_constraint_count: int = 0  # largest number of constraint rows in any substep
+    peak_iteration_count: int = 0  # largest number of solver iterations in any substep
+    # The requested frames with all their contacts.
+    contact_rows: tuple[ContactRows, ...] = field(default=())
+    world_count: int = 1  # number of worlds that were simulated together
+    # Wall time of all frames of the batch, without building, compiling and capturing.
+    wall_s: float = 0.0
 
     def column(self, name: str) -> np.ndarray:
         """Return one of FRAME_COLUMNS over time, shape [frames]."""
@@ -79,11 +101,11 @@ class Trace:
 
 
 def first_failure(poses: np.ndarray, seen: Failure | None) -> Failure | None:
-    """Return the earlier of what the recorder saw and the first frame with a pose that is not finite.
+    """Return the earlier of a recorded failure and the first non-finite pose.
 
     Args:
         poses: Shape [frames, bodies, 7].
-        seen: A failure that the recorder saw, or None.
+        seen: A failure that the recorder found, or None.
     """
     bad = ~np.isfinite(poses).all(axis=(1, 2))
     if not bad.any():

@@ -1,8 +1,10 @@
-"""What the page's own engine is held against: its scene as MJCF, and its cases in MuJoCo's C engine here.
+"""Measure the references for the engine of the page in MuJoCo's C engine.
 
-Newton makes the model, ``mj_step`` alone runs it, in double precision. The engine's midphase is off: it looks in
-boxes that Newton leaves where they were before it turned the bodies' inertial frames, and loses contacts between the
-pads and a cube that has sunk. One row has it on, to show that.
+The references are the scene as MJCF and its cases. Newton builds the model, and
+``mj_step`` alone runs it in double precision. The engine's midphase is off. It uses
+bounding boxes that Newton does not update when it rotates the inertial frames of the
+bodies, and therefore loses contacts between the pads and a cube that has sunk. One row
+has the midphase on, to show this.
 """
 
 from dataclasses import replace
@@ -26,7 +28,10 @@ from experiments.simulation.reference import DoubleShake
 from experiments.simulation.simulation import Simulation
 
 NEEDS_GPU = False
-"""Read by ``measured_report.measuring.machine``: the engine in C runs on the CPU and repeats to the last bit."""
+"""Tells ``measured_report.measuring.machine`` that a GPU is not needed.
+
+The C engine runs on the CPU and is deterministic.
+"""
 TEXT_LENGTH = 4000
 FAR_SHAKE_M = 0.1
 WHOLE_CURE = {
@@ -51,13 +56,16 @@ SHOWN = [
     replace(LEAN, name="hold", shake_amplitude_m=0.0),
 ]
 NEARBY = replace(LEAN, name="as-shipped-nearby", cube_offset_m=1e-6)
-"""How far its creep is from that of the scene as shipped is what no smaller creep can be told from."""
+"""A case whose creep differs from the scene as shipped only by noise.
+
+A creep below this difference cannot be distinguished from none.
+"""
 WITH_MIDPHASE = replace(LEAN, name="impratio-1-midphase", impratio=1.0)
 CASES = [*SHOWN, NEARBY, WITH_MIDPHASE]
 
 
 def measure(conditions: Conditions) -> Measurement:
-    """Return the scene, and a row for each case."""
+    """Return the scene and a row for each case."""
     cases = [
         replace(case, frame_count=conditions.frame_count(case.frame_count))
         for case in CASES
@@ -76,7 +84,7 @@ def measure(conditions: Conditions) -> Measurement:
 
 
 def row_of(case: Case, trace: Trace, floor_mm_s: float) -> dict[str, object]:
-    """Return its metrics, and in which class it ended."""
+    """Return the metrics of a run and the class of its end."""
     row = summarize(case, trace) | {
         "backend": "mujoco-c",
         "class": classify(case, trace, floor_mm_s),
@@ -90,7 +98,10 @@ def row_of(case: Case, trace: Trace, floor_mm_s: float) -> dict[str, object]:
 
 
 def scene_rows() -> list[dict[str, str]]:
-    """Return the MJCF of the scene, in parts as long as a record's texts may be, one after the other."""
+    """Return the MJCF of the scene in consecutive parts.
+
+    Each part is as long as a text of a record may be.
+    """
     text = scene_mjcf()
     parts = [
         text[start : start + TEXT_LENGTH] for start in range(0, len(text), TEXT_LENGTH)
@@ -102,7 +113,10 @@ def scene_rows() -> list[dict[str, str]]:
 
 
 def scene_mjcf() -> str:
-    """Return the scene as shipped, less what changes no slip, with the TCP as a site."""
+    """Return the scene as shipped with the TCP as a site.
+
+    Parts that do not change the slip are left out.
+    """
     simulation = Simulation([replace(LEAN, backend="mujoco")], wp.get_device("cpu"))
     link = simulation.scene.links["fr3_hand_tcp"]
     body = simulation.solver.mjc_body_to_newton.numpy()[0].tolist().index(link.body)

@@ -1,4 +1,7 @@
-"""A compiled model of the shake as MJCF, to the last digit of its numbers, for engines that read nothing else."""
+"""Write a compiled model of the shake as MJCF, without rounding its numbers.
+
+Engines that read only MJCF can then run it.
+"""
 
 from xml.etree.ElementTree import Element, SubElement, tostring
 
@@ -16,10 +19,13 @@ SOLVERS = ("PGS", "CG", "Newton")
 
 
 def mjcf_of(model: mujoco.MjModel, sites: dict[str, tuple[int, np.ndarray]]) -> str:
-    """Write a model of boxes and planes on hinges, slides and free joints, moved by position actuators.
+    """Return the MJCF of a model with position actuators.
+
+    The model has boxes and planes on hinges, slides and free joints.
 
     Args:
-        sites: Body and pose (position [m] and quaternion (w, x, y, z), shape [7]) of each site to be added, by name.
+        sites: Body and pose of each additional site by name. A pose has a position [m]
+            and a quaternion (w, x, y, z), shape [7].
     """
     root = Element("mujoco", model="shake")
     SubElement(root, "compiler", angle="radian", autolimits="false")
@@ -158,9 +164,8 @@ def _add_excluded(contact: Element, model: mujoco.MjModel) -> None:
 
 
 def _add_equalities(equality: Element, model: mujoco.MjModel) -> None:
-    for index in np.flatnonzero(
-        model.eq_active0
-    ):  # Newton 1.8 adds welds to the world that are off
+    # Newton 1.8 adds welds to the world that are inactive.
+    for index in np.flatnonzero(model.eq_active0):
         joints = (model.eq_obj1id[index], model.eq_obj2id[index])
         names = (model.joint(joint).name for joint in joints)
         element = SubElement(

@@ -1,4 +1,7 @@
-"""Parts that the scene pays for and does not need: left out one at a time, then all together."""
+"""Measure the cost of parts that the scene does not need.
+
+The parts are left out one at a time, then all together.
+"""
 
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
@@ -33,9 +36,12 @@ WITHOUT = {
     "sensors": {"sensors": False},
     "limits": {"limits": False},
 }  # type: dict[str, dict]
-"""Parameters by the name of what they leave out."""
+"""Parameters by the name of the part that they leave out."""
 UNUSED_STAGES = WITHOUT["sensors"] | WITHOUT["limits"]
-"""Stages of the engine that this scene has no use for. Not in LEAN: other runs do bring joints to their limits."""
+"""Stages of the engine that this scene does not use.
+
+They are not in LEAN, because joints reach their limits in other runs.
+"""
 WORLD_COUNTS = {"cuda": (1, 4096, 16384), "cpu": (1,)}
 WITH_MOST_WORLDS = (
     "ik-iterations",
@@ -45,16 +51,22 @@ WITH_MOST_WORLDS = (
     "limits",
     "buffers",
 )
-"""Left out alone with the most worlds, where to build a batch takes longer than to time it."""
-ON_CPU = (
-    "buffers",
-)  # left out alone on a CPU, where frames with large buffers take long
-RUN_COUNT = 8  # worlds in which a case is run to the end on a GPU; on a CPU they would all be the same
+"""Parts left out with the most worlds, where building a batch takes longer than timing
+it.
+"""
+# Parts left out on a CPU, where frames with large buffers take long.
+ON_CPU = ("buffers",)
+# Worlds of a case that runs to the end on a GPU; on a CPU all of them would be equal.
+RUN_COUNT = 8
 AUDIT_FRAME_COUNT = {"full": 250, "quick": 130}
 
 
 def variants(quick: bool, names: Iterable[str] = WITHOUT) -> list[Case]:
-    """Return the cases; of those that leave out one thing only ``names``, or the largest when ``quick``."""
+    """Return the cases.
+
+    ``names`` selects the parts that are left out one at a time. A quick run leaves out
+    only the largest part.
+    """
     names = ("buffers",) if quick else names
     single = [
         replace(UNTRIMMED, name=f"without-{name}", **WITHOUT[name]) for name in names
@@ -94,15 +106,14 @@ def measure(conditions: Conditions) -> Plan:
 def measure_times(
     conditions: Conditions, kind: str, world_count: int
 ) -> dict[str, dict[str, object]]:
-    """Time frames of the variants in so many worlds on one kind of device; columns by case."""
+    """Return the times of the variants in this number of worlds, by case."""
     many = kind == "cuda" and world_count == WORLD_COUNTS[kind][-1]
     timed = variants(
         conditions.quick,
         ON_CPU if kind == "cpu" else WITH_MOST_WORLDS if many else WITHOUT,
     )
-    timed.sort(
-        key=lambda case: case is not UNTRIMMED and has_large_buffers(case)
-    )  # small ones first
+    # Small ones first.
+    timed.sort(key=lambda case: case is not UNTRIMMED and has_large_buffers(case))
     untimed = absent(TIMED, "not timed here, where it would take long")
     columns = dict.fromkeys((case.name for case in variants(conditions.quick)), untimed)
     return columns | time_cases(timed, world_count, wp.get_device(kind))
@@ -116,10 +127,11 @@ def measure_audit(conditions: Conditions) -> list[dict[str, object]]:
 def run_to_end(
     conditions: Conditions, kinds: Sequence[str]
 ) -> dict[str, dict[str, dict]]:
-    """Run every variant to the end on each kind of device; columns by kind and case.
+    """Run every variant to the end on each kind of device.
 
-    The reference is the untrimmed scene. On the CPU, where the large buffers take minutes, all cases are run without
-    them, and the reference is the one that leaves out nothing else.
+    The reference is the untrimmed scene. On the CPU, large buffers take minutes, so all
+    cases run without them. The reference there is the case that leaves out only the
+    buffers.
     """
     frame_count = conditions.frame_count(AS_SHIPPED.frame_count)
     cases = [
@@ -154,7 +166,10 @@ def has_large_buffers(case: Case) -> bool:
 def compared(
     cases: Sequence[Case], traces: Sequence[Trace], run_count: int
 ) -> dict[str, dict[str, object]]:
-    """Return by case the mean slip of ``run_count`` runs of each case, one case after the other."""
+    """Return the mean slip of each case by name.
+
+    Each case has ``run_count`` consecutive runs.
+    """
     return {
         case.name: mean_slip(
             [
@@ -167,7 +182,7 @@ def compared(
 
 
 def mean_slip(summaries: Sequence[dict[str, Any]]) -> dict[str, object]:
-    """Return the slip as its mean over the runs of a case."""
+    """Return the mean slip over the runs of a case."""
     failure = next((row["failure"] for row in summaries if row["failure"]), None)
     missing = next(
         (row["slip_mm_reason"] for row in summaries if row["slip_mm"] is None), None

@@ -1,4 +1,4 @@
-"""List the parts of a scene, and how much of each a short run uses."""
+"""List the parts of a scene and the amount of each that a short run uses."""
 
 from dataclasses import dataclass, field
 from typing import Any, Protocol
@@ -14,13 +14,18 @@ from experiments.facts.case import Case
 from experiments.simulation.task import Task
 from experiments.simulation.timing import buffer_bytes_per_world
 
-FRAME_COUNT = 300  # frames of the run: for the shake scene the set-up and a cycle and a half of shake
-LOOK_FRAME_STEP = 10  # frames between two looks at the inverse kinematics and at the writes of Newton's state
+# Frames of the run. For the shake these are the set-up and one and a half cycles.
+FRAME_COUNT = 300
+# Frames between two checks of the inverse kinematics and of the writes of Newton's
+# state.
+LOOK_FRAME_STEP = 10
+# Counts of rows in the engine's data: all rows, rows of limits, and rows of equality
+# constraints.
 PEAKS = (
     "nefc",
     "nl",
     "ne",
-)  # counts of rows in the engine's data: all, those of limits, those of equality constraints
+)
 OUTPUTS = ("ten_length", "sensordata")
 
 
@@ -29,24 +34,24 @@ class AuditedScene(Protocol):
     solver: SolverMuJoCo
     contacts: newton.Contacts | None
     state: newton.State
-    case: Case  # of a scene with a task
+    case: Case  # only in a scene with a task
 
     def step(self) -> None: ...
 
 
 @dataclass(frozen=True)
 class Item:
-    """A thing that a scene pays for."""
+    """Describe a costly part of a scene."""
 
     name: str
-    present: float  # amount that there is
+    present: float  # available amount
     used: float  # amount that the run used
-    note: str = ""  # names those that are not used, where that helps
+    note: str = ""  # names unused parts, if that helps
 
 
 @dataclass
 class Seen:
-    """Findings of the run so far, in the first world."""
+    """Hold the findings of the run so far, in the first world."""
 
     pairs_near: set[tuple[int, int]] = field(default_factory=set)
     pairs_loaded: set[tuple[int, int]] = field(default_factory=set)
@@ -57,7 +62,7 @@ class Seen:
         default_factory=lambda: {name: [] for name in OUTPUTS}
     )
     state_changes: list[float] = field(default_factory=list)
-    """Largest change of a coordinate in each write of Newton's state that was looked at."""
+    """Largest change of a coordinate in each checked write of Newton's state."""
     actuators_moved: set[int] = field(default_factory=set)
     ik_iterations_moving: int = 0
 
@@ -81,24 +86,25 @@ class Seen:
         for name, peak in self.peaks.items():
             self.peaks[name] = max(peak, int(getattr(data, name).numpy()[0]))
         for name, looks in self.outputs.items():
-            looks.append(getattr(data, name).numpy()[0].copy())  # on a CPU it is a view
+            # a copy, because on a CPU it is a view
+            looks.append(getattr(data, name).numpy()[0].copy())
         self.actuators_moved.update(
             int(index) for index in np.flatnonzero(data.actuator_force.numpy()[0])
         )
 
     def changed_count(self, name: str) -> int:
-        """Count the numbers that were not the same in all looks."""
+        """Return the count of numbers that differed between checks."""
         looks = np.array(self.outputs[name])
         return int((looks != looks[0]).any(axis=0).sum())
 
 
 def audit(scene: AuditedScene, frame_count: int = FRAME_COUNT) -> list[Item]:
-    """Run the scene for ``frame_count`` frames and list what it has against what it used."""
+    """Run the scene for ``frame_count`` frames; list the available and used amounts."""
     seen, task = Seen(), getattr(scene, "task", None)
     for frame in tqdm(range(frame_count), desc="audit", unit="frame", delay=3.0):
         is_look = frame % LOOK_FRAME_STEP == 0
         before = wp.clone(task.solution) if task and is_look else None
-        wp.synchronize()  # the scene may have streams of its own
+        wp.synchronize()  # the scene may use other streams
         scene.step()
         seen.look(scene)
         if is_look:
@@ -127,7 +133,7 @@ def audit(scene: AuditedScene, frame_count: int = FRAME_COUNT) -> list[Item]:
 
 
 def _state_change(scene: AuditedScene) -> float:
-    """Return the largest change of a coordinate when Newton's state is written into the engine."""
+    """Return the largest change of a coordinate by a write of Newton's state."""
     data = scene.solver.mjw_data
     copies = [(array, wp.clone(array)) for array in (data.qpos, data.qvel)]
     scene.solver._update_mjc_data(data, scene.model, scene.state)
@@ -140,7 +146,7 @@ def _state_change(scene: AuditedScene) -> float:
 
 
 def _moving_iterations(task: Task, before: wp.array, iterations: int) -> int:
-    """Solve again from ``before`` and return the last of this frame's IK iterations that changed a bit."""
+    """Solve again from ``before``; return the last IK iteration that changed a bit."""
     solutions = [before.numpy()]
     for count in range(1, iterations + 1):
         solution = wp.clone(before)

@@ -1,1 +1,1 @@
-"""Pictures of kept runs: clips, posters and the replay in the viewer."""
+"""Render kept runs: clips, posters and the replay in the viewer."""

@@ -1,4 +1,7 @@
-"""The clips and the long exposure: two kept runs side by side, in step, with their displacement read out."""
+"""Draw the clips and the long exposure: two kept runs side by side.
+
+The runs are synchronous, and their displacements are shown.
+"""
 
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
@@ -19,53 +22,62 @@ from experiments.media.stage import CUBE, START, Camera, Stage, display
 
 FRAME_RATE = 30
 WIDTH, HEIGHT = 1280, 720
-HEAD = 92  # height of the line above all that has the names and the numbers [pixels]
+HEAD = 92  # height of the line with the names and the numbers [pixels]
 PANEL_HEIGHT = 448
-"""Of the picture of a run; both stand at the bottom, where the controls of a player cover nothing but ground."""
-GAP = 2  # half the space between the two [pixels]
-LEAD_S = 2.5  # how long before the shake a clip begins
-APPROACH_S = (
-    1.2  # how long the camera takes to come close; it has arrived when the shake begins
-)
-FALL_S = 4.0  # how long a clip goes on once a cube is out of the grasp; the camera then goes back to see where it fell
-STAY_S = 1.0  # how long the last picture stays
+"""Height of the picture of a run [pixels].
+
+Both pictures are at the bottom, so that the controls of a player cover only the ground.
+"""
+GAP = 2  # half the space between the two pictures [pixels]
+LEAD_S = 2.5  # time before the shake at which a clip begins [s]
+# Time in which the camera approaches [s]; it arrives at the start of the shake.
+APPROACH_S = 1.2
+# Time after a cube has left the grasp [s]; the camera moves back to show where it fell.
+FALL_S = 4.0
+STAY_S = 1.0  # time for which the last picture is shown [s]
 ENCODER = {"crf": "28", "preset": "veryslow", "threads": "2"}
 JPEG_QUALITY = 85
 
 INK, SOFT, GRID, STRIP = "#f2f4f6", "#aab4be", "#3d444c", "#14171a"
+# Colours of the two runs in text and curves, from the page's dark theme.
 COLOURS = (
     "#f59a5f",
     "#6db3f2",
-)  # of the two runs, in words and curves: those of the page's dark theme
-CUBE_RGB = ((0.87, 0.37, 0.08), (0.10, 0.45, 0.82))  # of their cubes
+)
+CUBE_RGB = ((0.87, 0.37, 0.08), (0.10, 0.45, 0.82))  # colours of their cubes
 
 WIDE = ((1.10, -1.75, 0.86), (-0.20, -0.45, 0.31), 27.0)
-"""Eye, target and vertical field of view [°] of the view of the whole arm, in the world."""
+"""Eye, target and vertical field of view [°] for the whole arm, in the world."""
 CLOSE = ((0.19, -0.30, 0.075), (0.0, 0.0, 0.001), 18.5)
-"""The same of the view of the grasp, against the TCP: it rides with the hand."""
+"""Eye, target and field of view for the grasp, relative to the TCP.
 
+The camera moves with the hand.
+"""
+
+# Size of the long exposure [pixels], as required for link previews.
 STILL = (
     1200,
     630,
-)  # size of the long exposure [pixels]: what pages that show links ask for
+)
+# View of the long exposure, relative to the TCP.
 STILL_VIEW = (
     (0.15, -0.35, 0.075),
     (0.010, 0.0, 0.004),
     14.5,
-)  # its view, against the TCP
+)
 MAGNIFIED = 5
 
 
 @dataclass(frozen=True)
 class Clip:
-    """Two runs, and what a clip of them shows when."""
+    """Hold two runs and compute the contents of each frame of their clip."""
 
     runs: tuple[KeptRun, KeptRun]
     names: tuple[str, str]
 
     @property
     def fall_s(self) -> float:
-        """Say when in the shake the first cube is out of the grasp; infinite when none ever is."""
+        """Return the time at which the first cube leaves the grasp [s], or infinity."""
         return min(
             np.inf if run.left_grasp_s is None else run.left_grasp_s
             for run in self.runs
@@ -73,7 +85,10 @@ class Clip:
 
     @cached_property
     def frames(self) -> np.ndarray:
-        """Return the kept frame that each frame of the clip shows, the last one as long as it stays."""
+        """Return the index of the kept frame that each frame of the clip shows.
+
+        The last one is repeated.
+        """
         time_s = self.runs[0].time_s
         step = round(1.0 / (FRAME_RATE * (time_s[1] - time_s[0])))
         last = int(np.searchsorted(time_s, self.fall_s + FALL_S)) - 1
@@ -81,8 +96,10 @@ class Clip:
         return np.append(moving, np.full(round(STAY_S * FRAME_RATE), last))
 
     def readout(self) -> dict[str, np.ndarray]:
-        """Return what stands in each frame of the clip: time since the shake began and the displacements; NaN where
-        none is read out, before the shake and once the cube is out of the grasp."""
+        """Return the time since the shake began and the displacements.
+
+        A displacement is NaN before the shake and after the cube has left the grasp.
+        """
         found = {"time_s": self.runs[0].time_s[self.frames]}
         for name, run in zip(self.names, self.runs, strict=True):
             found[f"{name}_mm"] = np.where(run.in_grasp(), run.slip_mm, np.nan)[
@@ -91,7 +108,11 @@ class Clip:
         return found
 
     def camera(self, frame: int) -> Camera:
-        """Return the view at a kept frame: wide, then riding with the hand, and wide again once a cube has fallen."""
+        """Return the view at a kept frame.
+
+        It shows the whole arm, then moves with the hand, and shows the whole arm again
+        after a cube has fallen.
+        """
         run = self.runs[0]
         time_s = run.time_s[frame]
         near = _smooth(1.0 + time_s / APPROACH_S) * _smooth(
@@ -112,7 +133,10 @@ def _smooth(share: float) -> float:
 
 
 def pictures(clip: Clip, device: str) -> Iterator[np.ndarray]:
-    """Return the frames of a clip, shape [HEIGHT, WIDTH, 3], 8 bits: panels below names, numbers and a growing plot."""
+    """Return the frames of a clip, shape [HEIGHT, WIDTH, 3], 8 bits.
+
+    They show two panels below names, numbers and a growing plot.
+    """
     stage = Stage(CUBE_RGB, clip.runs[0].cube_edge_m, device)
     readout, sheet = clip.readout(), Sheet(WIDTH, HEIGHT, HEIGHT - PANEL_HEIGHT)
     axes = plot_axes(sheet, readout)
@@ -145,7 +169,7 @@ def pictures(clip: Clip, device: str) -> Iterator[np.ndarray]:
 
 
 def plot_axes(sheet: "Sheet", readout: Mapping[str, np.ndarray]) -> Axes:
-    """Return the axes above the panels, with room for all that is read out."""
+    """Return the axes above the panels, scaled for all displacements."""
     bottom, height = (
         (PANEL_HEIGHT + 46) / HEIGHT,
         (HEIGHT - PANEL_HEIGHT - HEAD - 46) / HEIGHT,
@@ -180,8 +204,12 @@ def plot_axes(sheet: "Sheet", readout: Mapping[str, np.ndarray]) -> Axes:
 
 
 def write_video(path: Path, frames: Iterable[np.ndarray]) -> np.ndarray:
-    """Encode frames, shape [HEIGHT, WIDTH, 3], 8 bits, as H.264 in MP4 that plays while it loads; return the last."""
-    import av  # only who makes clips needs it
+    """Encode frames as an H.264 video in MP4 and return the last frame.
+
+    The frames have the shape [HEIGHT, WIDTH, 3], 8 bits. The video can be played while
+    it loads.
+    """
+    import av  # only needed to make clips
 
     with av.open(
         path, "w", format="mp4", options={"movflags": "+faststart"}
@@ -197,14 +225,17 @@ def write_video(path: Path, frames: Iterable[np.ndarray]) -> np.ndarray:
 
 
 def write_image(path: Path, picture: np.ndarray) -> None:
-    """Write a picture, shape [height, width, 3], 8 bits, as JPEG."""
+    """Write a picture as JPEG, shape [height, width, 3], 8 bits."""
     Image.fromarray(picture).save(
         path, format="JPEG", quality=JPEG_QUALITY, optimize=True, progressive=True
     )
 
 
 def bodies(run: KeptRun, frame: int) -> dict[str, np.ndarray]:
-    """Say where everything is; the edges that mark the cube's start are there once the shake has begun."""
+    """Return the poses of all bodies at a frame.
+
+    The edges that mark the cube's start are included after the shake has begun.
+    """
     found = {name: poses[frame] for name, poses in run.links.items()} | {
         CUBE: run.cube[frame]
     }
@@ -212,7 +243,7 @@ def bodies(run: KeptRun, frame: int) -> dict[str, np.ndarray]:
 
 
 class Sheet:
-    """Two panels side by side, what is written over each in a line above, and what is drawn and written elsewhere."""
+    """Compose a picture of two panels with text above them, and other drawings."""
 
     def __init__(self, width: int, height: int, top: int):
         self.width, self.height, self.top = width, height, top
@@ -224,14 +255,14 @@ class Sheet:
     def write(
         self, left: float, top: float, text: str, size: float, colour: str, **style
     ) -> Text:
-        """Return text of ``size`` whose baseline begins at a place [pixels]."""
+        """Return text of ``size`` whose baseline begins at a position [pixels]."""
         place = left / self.width, 1.0 - top / self.height
         return self.figure.text(
             *place, text, fontsize=0.72 * size, color=colour, **style
         )
 
     def name_panel(self, number: int, name: str, colour: str) -> Text:
-        """Write the name of a run above its panel, and return the place of its number, behind it."""
+        """Write a run's name above its panel and return the text for its number."""
         left = number * self.width / 2 + 26
         self.write(left, HEAD - 26, name.replace("-", " "), 40, INK)
         return self.write(left + 240, HEAD - 26, "", 58, colour, weight="bold")
@@ -255,14 +286,16 @@ class Sheet:
 
 
 def reading(slip_mm: float) -> str:
-    """Return the displacement as it is read out."""
+    """Return the text for a displacement."""
     return "fell out" if np.isnan(slip_mm) else f"{slip_mm:.2f} mm"
 
 
 def long_exposure(clip: Clip, frequency_hz: float, device: str) -> np.ndarray:
-    """Return the hand as when the shake begins; the cube as then, and in every second cycle back from the last frame.
+    """Return a picture with several positions of the cube.
 
-    Displacements are drawn MAGNIFIED times as large. Shape [STILL height, STILL width, 3], 8 bits.
+    It shows the hand at the start of the shake. The cube is shown at that time, and in
+    every second cycle back from the last frame. Displacements are MAGNIFIED. The shape
+    is [STILL height, STILL width, 3], 8 bits.
     """
     stage = Stage(CUBE_RGB, clip.runs[0].cube_edge_m, device)
     first = clip.runs[0]
@@ -275,7 +308,7 @@ def long_exposure(clip: Clip, frequency_hz: float, device: str) -> np.ndarray:
     for frame in np.searchsorted(first.time_s, times - 1e-9):
         stage.place([_magnified(run, start, frame) for run in clip.runs])
         exposures.append(stage.picture(camera, STILL[0] // 2, PANEL_HEIGHT))
-    # A mean alone would leave little of the edges of each.
+    # A mean alone would make the edges of each exposure too faint.
     picture = 0.5 * np.mean(exposures, axis=0) + 0.5 * np.max(exposures, axis=0)
     sheet = Sheet(*STILL, HEAD)
     for number, (name, run, colour) in enumerate(

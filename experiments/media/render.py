@@ -1,4 +1,7 @@
-"""Make the clips of a release from its kept poses: ``python -m experiments.media.render``, run by ``make clips``."""
+"""Make the clips of a release from its kept poses.
+
+This is the module that ``make clips`` runs.
+"""
 
 import argparse
 import importlib.util
@@ -109,7 +112,7 @@ def make_clips(project: Project, device: wp.Device) -> None:
 
 
 def readout_table(clip: Clip) -> pd.DataFrame:
-    """Return the readout of each frame over the clip's own time."""
+    """Return the displacements of each frame over the time of the clip."""
     return (
         pd.DataFrame(clip.readout())
         .round(5)
@@ -120,7 +123,7 @@ def readout_table(clip: Clip) -> pd.DataFrame:
 def make_clip(
     project: Project, case: str, clip: Clip, device: str
 ) -> dict[str, object]:
-    """Render and encode a clip and its poster, which is its last picture, and return its row."""
+    """Render and encode a clip and its poster (its last picture) and return the row."""
     video = shown.media_path(project, case, "mp4")
     poster = shown.media_path(project, case, "jpg")
     frame_count = len(clip.frames)
@@ -157,7 +160,10 @@ def make_clip(
 def make_still(
     project: Project, clip: Clip, frequency_hz: float, device: str
 ) -> dict[str, object]:
-    """Render the long exposure and return its row, which names it as its own poster, as rows have the same texts."""
+    """Render the long exposure and return its row.
+
+    The row also names it as the poster, because all rows need the same columns of text.
+    """
     path = shown.media_path(project, shown.STILL, "jpg")
     with atomic_file(path) as temporary:
         write_image(temporary, long_exposure(clip, frequency_hz, device))

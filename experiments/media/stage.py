@@ -1,4 +1,4 @@
-"""Pictures of kept runs without a window and without a GPU: Newton's tiled camera sensor traces the rays."""
+"""Render kept runs without a window or a GPU, with Newton's tiled camera sensor."""
 
 import json
 from collections.abc import Iterator, Mapping, Sequence
@@ -20,44 +20,48 @@ LINKS = ARM_LINKS | {
     "fr3_leftfinger": "finger",
     "fr3_rightfinger": "finger",
 }
-"""Which meshes each link of the robot description shows. Both fingers show the same ones: the description turns the
-right finger by π already."""
-CREASE_DEG = (
-    35.0  # faces that meet at a larger angle than this have an edge between them
-)
+"""The meshes of each link in the robot description.
+
+Both fingers use the same meshes, because the description already rotates the right
+finger by π.
+"""
+# Faces that meet at a larger angle have an edge between them [°].
+CREASE_DEG = 35.0
+# The cube, and the edges of a cube at its position when the shake began.
 CUBE, START = (
     "cube",
     "start",
-)  # the cube, and the edges of a cube where it was when the shake began
+)
 EDGE_M = 0.0005  # width of those edges
 GROUND_RGB = (0.40, 0.43, 0.46)
 GRID_RGB = (0.46, 0.49, 0.52)
 EDGE_RGB = (0.98, 0.98, 0.98)
 GRID_STEP_M, GRID_COUNT = 0.2, 20
+# Half the width and the height of the lines on the ground.
 GRID_WIDTH_M, GRID_HEIGHT_M = (
     0.003,
     1e-4,
-)  # half the width and the height of the lines on the ground
-SUN = (-0.42, 0.50, -0.76)  # where the light goes to
+)
+SUN = (-0.42, 0.50, -0.76)  # direction of the light
 EXPOSURE = 0.92
-BACKDROP = (0.10, 0.115, 0.13)  # linear colour of what is far away
-FADE_M = (1.6, 6.0)  # where the ground begins and ends to fade into it
-SAMPLE_COUNT = 6  # rays of a pixel that an edge goes through; all others have one
-CONTRAST = 0.05  # a step in brightness that is taken for an edge
+BACKDROP = (0.10, 0.115, 0.13)  # linear colour of the distant background
+FADE_M = (1.6, 6.0)  # distances at which the fading of the ground begins and ends
+SAMPLE_COUNT = 6  # rays per pixel at edges; all other pixels have one
+CONTRAST = 0.05  # difference in brightness that counts as an edge
 NOTHING = 0xFFFFFFFF
 
 
 @dataclass(frozen=True)
 class Camera:
-    """Where a picture is taken from."""
+    """Describe the view of a picture."""
 
     eye: np.ndarray  # position [m], shape [3]
-    target: np.ndarray  # what is in the middle [m], shape [3]
+    target: np.ndarray  # centre of the picture [m], shape [3]
     height_deg: float  # vertical field of view
 
     @property
     def pose(self) -> np.ndarray:
-        """Return pose of the camera, which looks along its −z, shape [4, 4]."""
+        """Return the pose of the camera, which looks along −z, shape [4, 4]."""
         back = self.eye - self.target
         back = back / np.linalg.norm(back)
         right = np.cross((0.0, 0.0, 1.0), back)
@@ -70,8 +74,11 @@ class Camera:
         )
 
     def rays(self, x: np.ndarray, y: np.ndarray, width: int, height: int) -> np.ndarray:
-        """Return the origins and directions, seen from the camera, of rays through places of the picture [pixels]; for
-        arrays of any one shape, shape [..., 2, 3]."""
+        """Return origins and directions of rays through points of the picture.
+
+        The points are in pixels, and the rays are in the frame of the camera. For
+        points in arrays of any shape, the result has the shape [..., 2, 3].
+        """
         reach = np.tan(np.radians(self.height_deg) / 2)
         direction = np.stack(
             [
@@ -88,7 +95,7 @@ class Camera:
 
 
 class Stage:
-    """Some runs, each in a world of its own, all seen from the same place."""
+    """Show several runs from the same view, each in its own world."""
 
     def __init__(
         self,
@@ -111,7 +118,10 @@ class Stage:
         )
 
     def place(self, poses: Sequence[Mapping[str, np.ndarray]]) -> None:
-        """Put the bodies of each world at ``poses``, of which each is a matrix, shape [4, 4]; one without is hidden."""
+        """Set the poses of the bodies in each world; bodies without one are hidden.
+
+        A pose is a matrix, shape [4, 4].
+        """
         hidden = np.eye(4)
         hidden[2, 3] = -100.0
         self.state.body_q.assign(
@@ -124,7 +134,10 @@ class Stage:
         self.model.bvh_refit_shapes(self.state)
 
     def picture(self, camera: Camera, width: int, height: int) -> np.ndarray:
-        """Return what is seen of each world, linear colours, shape [worlds, height, width, 3]."""
+        """Return pictures of all worlds, shape [worlds, height, width, 3].
+
+        The colours are linear.
+        """
         x, y = np.meshgrid(np.arange(width) + 0.5, np.arange(height) + 0.5)
         colour, shape = self._trace(camera, camera.rays(x, y, width, height))
         edge = _is_edge(display(colour).mean(axis=-1), shape)
@@ -138,7 +151,10 @@ class Stage:
         return colour
 
     def _trace(self, camera: Camera, rays: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Return linear colour and shape that each ray meets in each world; rays have shape [rows, columns, 2, 3]."""
+        """Return the linear colour and the shape that each ray hits in each world.
+
+        The rays have the shape [rows, columns, 2, 3].
+        """
         size = (self.world_count, 1, *rays.shape[:2])
         device = self.model.device
         colour, depth, shape = (
@@ -166,7 +182,10 @@ class Stage:
 
 
 def display(linear: np.ndarray) -> np.ndarray:
-    """Return linear colours as displayed (sRGB), from 0 to 1; nearly white and brighter ones keep some shades."""
+    """Return linear colours as displayed (sRGB), from 0 to 1.
+
+    Colours that are almost white or brighter remain distinguishable.
+    """
     knee = 0.7
     over = np.maximum(linear - knee, 0.0)
     soft = np.where(linear > knee, knee + (1 - knee) * over / (over + 1 - knee), linear)
@@ -178,12 +197,15 @@ def display(linear: np.ndarray) -> np.ndarray:
 
 
 def display_mean(linear: np.ndarray) -> np.ndarray:
-    """Return the mean of a pixel's samples, shape [..., samples, 3]; one that is too bright counts as white."""
+    """Return the mean of a pixel's samples, shape [..., samples, 3].
+
+    Samples that are too bright count as white.
+    """
     return np.minimum(linear, 1.0).mean(axis=-2)
 
 
 def transform(matrix: np.ndarray) -> wp.transformf:
-    """Return a pose, shape [4, 4], as Warp has it."""
+    """Return a pose, shape [4, 4], as a Warp transform."""
     return wp.transformf(
         wp.vec3f(*matrix[:3, 3]),
         wp.quat_from_matrix(wp.mat33f(*matrix[:3, :3].reshape(-1))),
@@ -259,7 +281,7 @@ def _edges(half: float) -> list[tuple[np.ndarray, np.ndarray]]:
 
 
 def _is_edge(brightness: np.ndarray, shape: np.ndarray) -> np.ndarray:
-    """Return the pixels that differ from one beside them in any world; shape [height, width]."""
+    """Return the pixels that differ from a neighbour in any world, [height, width]."""
     edge = np.zeros(brightness.shape, dtype=bool)
     for axis in (1, 2):
         ahead = [slice(None)] * 3
@@ -275,14 +297,20 @@ def _is_edge(brightness: np.ndarray, shape: np.ndarray) -> np.ndarray:
 
 
 def _spread(count: int) -> np.ndarray:
-    """Return the places in a pixel, evenly spread in it, shape [count, 2]: the R2 sequence (M. Roberts, 2018)."""
+    """Return evenly spread points in a pixel, shape [count, 2].
+
+    They are from the R2 sequence (M. Roberts, 2018).
+    """
     step = np.array([0.7548776662466927, 0.5698402909980532])
     return (0.5 + np.arange(count)[:, None] * step) % 1.0
 
 
 @dataclass(frozen=True)
 class Part:
-    """A mesh of one colour, in the frame of its link. No two triangles share a corner."""
+    """Describe a mesh of one colour in the frame of its link.
+
+    Each triangle has its own corners.
+    """
 
     link: str
     corners: np.ndarray  # positions [m], three for each triangle, shape [corners, 3]
@@ -291,7 +319,7 @@ class Part:
 
 
 def robot_parts() -> Iterator[Part]:
-    """Return the parts of every link."""
+    """Yield the parts of every link."""
     listing = json.loads((FOLDER / "visual.json").read_text(encoding="utf-8"))
     for link, mesh in LINKS.items():
         for part in listing[mesh]:
@@ -305,7 +333,11 @@ def robot_parts() -> Iterator[Part]:
 
 
 def read_obj(path: Path) -> tuple[np.ndarray, np.ndarray]:
-    """Return the vertices [m], shape [vertices, 3], and triangles as indices of them, shape [triangles, 3]."""
+    """Return the vertices [m] and the triangles of a mesh.
+
+    The shapes are [vertices, 3] and [triangles, 3]; triangles contain indices of
+    vertices.
+    """
     lines = [line.split() for line in path.read_text(encoding="utf-8").splitlines()]
     vertices = np.array(
         [line[1:] for line in lines if line[0] == "v"], dtype=np.float32
@@ -316,7 +348,10 @@ def read_obj(path: Path) -> tuple[np.ndarray, np.ndarray]:
 
 
 def corner_normals(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray:
-    """Return each corner's normal, the mean by area of the faces that meet there at no edge, shape [corners, 3]."""
+    """Return the normal of each corner, shape [corners, 3].
+
+    It is the mean of the faces that meet there without an edge, weighted by area.
+    """
     sides = vertices[faces[:, 1:]] - vertices[faces[:, :1]]
     area = np.cross(sides[:, 0], sides[:, 1])
     unit = area / np.maximum(np.linalg.norm(area, axis=1, keepdims=True), 1e-20)

@@ -1,4 +1,4 @@
-"""Newton's own solvers beside MuJoCo Warp: a box on a table, and the shake itself, in each that the release offers."""
+"""Run a box on a table and the shake in each of Newton's solvers and in MuJoCo Warp."""
 
 import gc
 from collections.abc import Callable, Sequence
@@ -42,29 +42,37 @@ from measured_report.measuring.batch import Batch, Plan
 WEIGHTLESS = replace(
     AS_SHIPPED, gravity_m_s2=0.0, cube_mu=AS_SHIPPED.pad_mu, fixed_joints=False
 )
-"""Without what some solvers lack: gravity compensation, a priority of one side's friction, and links without mass."""
+"""The scene without features that some solvers lack.
+
+These are gravity compensation, contact priority for friction, and links without mass.
+"""
 SHAKES = {
     "3cm": WEIGHTLESS,
     "10cm": replace(WEIGHTLESS, shake_amplitude_m=0.1),
     "held": replace(WEIGHTLESS, shake_amplitude_m=0.0),
     "weight": replace(WEIGHTLESS, gravity_m_s2=AS_SHIPPED.gravity_m_s2),
 }
+# The other solvers are compared with the solver of ``simulation``.
 MUJOCO = box.Variant(
-    "warp", "SolverMuJoCo"
-)  # as ``simulation`` has it, which the others are compared with
+    "warp",
+    "SolverMuJoCo",
+)
 QUICK_VARIANTS = ("warp", "xpbd", "steel", "steel-points", "steel-32-rows")
 TIMED_VARIANTS = ("warp", "steel", "steel-points", "xpbd", "vbd", "kamino")
 WORLD_COUNTS = {"cuda": (1, 4096, 16384), "cpu": (1,)}
 START_FRAME_COUNT = round(PHASE_SECONDS[LIFT] * FRAME_RATE) + SHAKE_FRAME_COUNT
-"""Frames from a cube in the hand into the shake."""
+"""Frames from the start with the cube in the hand into the shake."""
 SLOW_MS = 100.0
-"""A solver of which a frame takes longer is not timed with more worlds: it would take minutes to get into the shake."""
+"""Largest time of a frame for which a solver is also timed with more worlds.
+
+Slower solvers would need minutes to reach the shake.
+"""
 FORCES = ("friction_share", "normal_force_n")
 GRASP = ("creep_mm_per_cycle", *FORCES, "penetration_mm", "hand_amplitude_mm")
 
 
 def measure(conditions: Conditions) -> Plan:
-    """Make a row for each solver, scene and step, for each variant and shake, and for each time of a frame."""
+    """Return rows for each solver and scene, for each shake, and for each timing."""
     counts = WORLD_COUNTS[
         "cuda" if conditions.is_cuda and not conditions.quick else "cpu"
     ]
@@ -92,7 +100,7 @@ def measure(conditions: Conditions) -> Plan:
 
 
 def shaken_variants() -> list[box.Variant]:
-    """List MuJoCo Warp, the release's other solvers, and Steel with one thing changed at a time."""
+    """Return MuJoCo Warp, the other solvers, and Steel with single changes."""
     newton_variants = [
         variant
         for variant in box.variants()
@@ -112,7 +120,10 @@ def build(
     *,
     is_counting: bool = False,
 ) -> Simulation:
-    """Build the cases as worlds of one simulation with a solver; Steel may count the rows that it is asked for."""
+    """Return a simulation of the cases with a solver, one world for each.
+
+    Steel may count the rows that it needs.
+    """
     if variant == MUJOCO:
         return Simulation(cases, device)
     if variant.solver == "SolverSteel":
@@ -123,7 +134,7 @@ def build(
 
 
 class SolverSimulation(Simulation):
-    """A simulation that another stepper runs."""
+    """Run a simulation with another stepper."""
 
     stepper: SolverStepper
 
@@ -144,7 +155,7 @@ class SolverSimulation(Simulation):
 def measure_shakes(
     conditions: Conditions, variant: box.Variant
 ) -> list[dict[str, object]]:
-    """Return a row for each shake, all of them worlds of one simulation."""
+    """Return a row for each shake; all are worlds of one simulation."""
     cases = [
         replace(case, frame_count=conditions.frame_count(case.frame_count))
         for case in SHAKES.values()
@@ -154,7 +165,8 @@ def measure_shakes(
             variant, cases, wp.get_device(conditions.device), is_counting=True
         )
         [traces] = run([simulation], title=variant.name)
-    except Exception as error:  # as in ``box``
+    # As in ``box``.
+    except Exception as error:
         empty = {
             "variant": variant.name,
             **absent(("slip_mm", *GRASP), box.reason_of(error)),
@@ -179,7 +191,10 @@ def measure_shakes(
 
 
 def row_of(variant: str, shake: str, case: Case, trace: Trace) -> dict[str, object]:
-    """Make a row: slip, drift, means of what the grasp takes, and how far the hand goes to each side of the shake."""
+    """Return the row of a run.
+
+    It contains slip, drift, the mean load of the grasp, and the amplitude of the hand.
+    """
     case = replace(case, name=f"{variant}-{shake}")
     row = {
         **summarize(case, trace),
@@ -209,7 +224,10 @@ def row_of(variant: str, shake: str, case: Case, trace: Trace) -> dict[str, obje
 def measure_times(
     conditions: Conditions, variants: Sequence[box.Variant], counts: Sequence[int]
 ) -> list[dict[str, object]]:
-    """Return a row for each variant and number of worlds, each timed in turn with the first variant."""
+    """Return a row for each variant and number of worlds.
+
+    Each variant is timed in turn with the first one.
+    """
     rows, device = [], wp.get_device(conditions.device)
     too_slow: dict[str, str] = {}
     for count in counts:
@@ -228,7 +246,8 @@ def measure_times(
                     reference,
                     Blocks(variant, count, device) if variant.name != "warp" else None,
                 )
-            except Exception as error:  # as in ``box``, or memory runs out
+            # As in ``box``, or because memory runs out.
+            except Exception as error:
                 columns = absent(TIMES, box.reason_of(error))
             rows.append(row | columns)
             if (columns["frame_ms"] or 0.0) > SLOW_MS:
@@ -241,7 +260,7 @@ def measure_times(
 
 
 def time_columns(reference: "Blocks", other: "Blocks | None") -> dict:
-    """Time another solver, or none, in turn with the reference."""
+    """Return the times of another solver, or of the reference, measured in turn."""
     blocks = [reference, other] if other else [reference]
     times = time_in_turn(blocks)[-1]
     reason = batch_invalid_reason(blocks[-1].simulation)
@@ -249,7 +268,7 @@ def time_columns(reference: "Blocks", other: "Blocks | None") -> dict:
 
 
 class Blocks:
-    """Blocks of frames of the shake, one after the other, in worlds that all do the same."""
+    """Run blocks of frames of the shake in worlds that are all equal."""
 
     def __init__(self, variant: box.Variant, world_count: int, device: wp.Device):
         case = replace(WEIGHTLESS, name="timed", cube_in_hand=True, frame_count=1)
@@ -262,7 +281,7 @@ class Blocks:
         run_frames(self.simulation, START_FRAME_COUNT)
 
     def __call__(self, _: int) -> float:
-        """Time a frame [ms], mean of a block."""
+        """Return the mean time of a frame in a block [ms]."""
         ms = elapsed_ms(
             self.simulation.device,
             lambda: run_frames(self.simulation, self.frame_count),

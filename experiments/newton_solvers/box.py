@@ -1,8 +1,10 @@
-"""The box on the turning table, on a slope and on a table that stands still, with each of Newton's solvers.
+"""Run the box on a turning, a sloped and a still table in Newton's solvers.
 
-A solver that has the velocity at the contact vanish at the end of each step of h, and moves by one end's velocity, has
-the box walk by h/2 of the acceleration ω² r that a step bends its path by: dr/dt = ± r ω² h / 2, less the shorter the
-step. What does not go with the step is something else.
+The path of the box is curved by the acceleration ω² r. If a solver makes the velocity
+at the contact vanish at the end of each step of length h, and moves the box by the
+velocity at one end of the step, the box drifts by h/2 of this acceleration: dr/dt = ± r
+ω² h / 2. This drift decreases with the step. A drift that does not depend on the step
+has another cause.
 """
 
 import re
@@ -21,11 +23,11 @@ from experiments.simulation.simulation import captured
 from measured_report.measuring.measurement import Conditions, absent
 
 STEPS_S = {"full": (0.002, 0.001), "quick": (0.002,)}
-SECONDS = {"full": 4.0, "quick": 2.0}  # on the turning table
+SECONDS = {"full": 4.0, "quick": 2.0}  # duration on the turning table
 STANDING = ("slope", "still")  # scenes in which the table does not turn
 STANDING_S = 2.0
-SLOPE = 0.35  # tangent of the slope [rad/rad]; friction carries up to 1
-FRAME_STEPS = 8  # steps of a frame, where contacts are found once a frame
+SLOPE = 0.35  # tangent of the slope [rad/rad]; friction can hold up to 1
+FRAME_STEPS = 8  # steps of a frame, if contacts are detected once per frame
 OPTIONS: Mapping[str, Mapping[str, Any]] = {
     "SolverMuJoCo": {"cone": "elliptic", "integrator": "implicitfast"},
     "SolverXPBD": {"angular_damping": 0.0},
@@ -36,8 +38,12 @@ OPTIONS: Mapping[str, Mapping[str, Any]] = {
         "free_body_constraint_max": 512,
     },
 }
-"""Options by class; all others are as the solver comes. Steel drops constraint rows that do not fit."""
-EXCUSED = {  # solvers that are not measured, and why; a record names them as well
+"""Options by class; all others are the defaults of the solver.
+
+Steel drops constraint rows that do not fit.
+"""
+# solvers that are not measured, with the reason, which is also in the record
+EXCUSED = {
     "SolverImplicitMPM": "it moves grains, and no rigid body",
     "SolverStyle3D": "it moves cloth, and no rigid body",
 }
@@ -45,16 +51,16 @@ EXCUSED = {  # solvers that are not measured, and why; a record names them as we
 
 @dataclass(frozen=True)
 class Variant:
-    """A solver as it is run: its class, what differs from its options here, and how contacts are found."""
+    """Describe a solver with its class, its options and its contact detection."""
 
     name: str
     solver: str = "SolverSteel"
     options: Mapping[str, Any] = field(default_factory=dict)
     pipeline: Mapping[str, Any] = field(default_factory=dict)
-    steps_between_contacts: int | None = None  # as the scene has it where left out
+    steps_between_contacts: int | None = None  # None uses the value of the scene
 
 
-STEEL = (  # Steel with one thing changed at a time, here and in the shake
+STEEL = (  # Steel with one change at a time, here and in the shake
     Variant("steel-points", options={"friction_anchor_beta": 0.0}),
     Variant(
         "steel-matched",
@@ -65,7 +71,7 @@ STEEL = (  # Steel with one thing changed at a time, here and in the shake
 
 
 def variants() -> list[Variant]:
-    """List each rigid-body solver of the installed release, and Steel with one thing changed at a time."""
+    """Return the rigid-body solvers of the release, and Steel with single changes."""
     names = [name for name in solver_classes() if name not in EXCUSED]
     of_steel = (
         [*STEEL, Variant("steel-frames", steps_between_contacts=FRAME_STEPS)]
@@ -76,7 +82,7 @@ def variants() -> list[Variant]:
 
 
 def solver_classes() -> list[str]:
-    """Name the solvers that the installed release offers."""
+    """Return the names of the solvers in the installed release."""
     offered = {name: getattr(solvers, name) for name in solvers.__all__}
     base = solvers.SolverBase
     return [
@@ -92,7 +98,7 @@ def name_of(solver: str) -> str:
 
 
 def excused_rows() -> list[dict[str, object]]:
-    """Make a row for each solver that is not measured, with the reason."""
+    """Return a row for each solver that is not measured, with the reason."""
     excused = [name for name in solver_classes() if name in EXCUSED]
     return [
         {"case": name_of(solver), "of": solver, "stays": None}
@@ -102,7 +108,10 @@ def excused_rows() -> list[dict[str, object]]:
 
 
 def rows_of(conditions: Conditions, variant: Variant) -> list[dict[str, object]]:
-    """Make a row for each scene and step; without numbers, and with the reason, where it cannot run the scene."""
+    """Return a row for each scene and step.
+
+    If the solver cannot run the scene, the row contains the reason instead of numbers.
+    """
     seconds, (long_s, *shorter_s) = (
         SECONDS[conditions.profile],
         STEPS_S[conditions.profile],
@@ -125,22 +134,30 @@ def row_of(
     try:
         path = run(variant, scene, step_s, seconds, device)
         return row | columns(scene, path)
-    except Exception as error:  # each is a program of its own, and need not know all that the scene has
+    # Each solver is a separate program that may not support all features of the scene.
+    except Exception as error:
         return row | {"stays": None} | absent([number_of(scene)], reason_of(error))
 
 
 def reason_of(error: Exception) -> str:
-    """Say in a line why a solver shows nothing."""
+    """Return a line with the reason why a solver has no result."""
     return " ".join(str(error).split())[:120] or type(error).__name__
 
 
 def number_of(scene: str) -> str:
-    """Name what is measured in a scene: how fast the box walks outward, or creeps along the table that stands still."""
+    """Return the name of the number that is measured in a scene.
+
+    It is the growth of the radius on the turning table, and the creep on the slope and
+    the still table.
+    """
     return "creep_mm_s" if scene in STANDING else "growth_per_s"
 
 
 def build(scene_name: str, device: str) -> newton.Model:
-    """Build the turning box on four feet on a table that turns on a hinge or stands still; on a slope gravity leans."""
+    """Return the model of a box on four feet on a table.
+
+    The table turns on a hinge or stands still. On the slope, gravity is tilted.
+    """
     scene, builder = turntable(0.0), newton.ModelBuilder()
     box, [table] = scene["body"], scene["supports"]
     config = newton.ModelBuilder.ShapeConfig(density=0.0, mu=scene["friction"])
@@ -160,7 +177,7 @@ def build(scene_name: str, device: str) -> newton.Model:
     for position in box["feet"]:
         foot = wp.transform(position, wp.quat_identity())
         builder.add_shape_sphere(carried, xform=foot, radius=box["foot_m"], cfg=config)
-    builder.color()  # VBD asks for it
+    builder.color()  # VBD requires it
     model = builder.finalize(device=device)
     joint_q = model.joint_q.numpy()
     joint_q[1:4] = box["place"]
@@ -175,16 +192,20 @@ def build(scene_name: str, device: str) -> newton.Model:
                 -GRAVITY_M_S2 / np.hypot(1.0, SLOPE),
             )
         )
+    # VBD reads the previous poses of the bodies from here.
     newton.eval_fk(
-        model, model.joint_q, model.joint_qd, model
-    )  # VBD takes from here where bodies come from
+        model,
+        model.joint_q,
+        model.joint_qd,
+        model,
+    )
     return model
 
 
 def run(
     variant: Variant, scene: str, step_s: float, seconds: float, device: str
 ) -> np.ndarray:
-    """Return the box's place [m] at each sample, shape [sample, 3]."""
+    """Return the positions of the box at each sample [m], shape [sample, 3]."""
     with wp.ScopedDevice(device):
         model = build(scene, device)
         states, control = (model.state(), model.state()), model.control()
@@ -204,9 +225,8 @@ def run(
                 stepper.step(state_in, state_out, control, contacts, step_s)
 
         path = [states[0].body_q.numpy()[1, :3].copy()]
-        advance = (
-            sample  # the first time compiles, which must not happen inside a capture
-        )
+        # The first call compiles, which is not allowed during a capture.
+        advance = sample
         for _ in range(round(seconds / SAMPLE_S)):
             advance()
             path.append(states[0].body_q.numpy()[1, :3].copy())
@@ -216,7 +236,7 @@ def run(
 
 
 def columns(scene: str, path: np.ndarray) -> dict[str, object]:
-    """Say how fast the box moves along the table, and whether it stays on it."""
+    """Return the speed of the box along the table, and whether it stays on it."""
     name = number_of(scene)
     if not np.isfinite(path).all():
         return {"stays": False} | absent([name], "a position is not finite")

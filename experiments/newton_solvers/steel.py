@@ -1,4 +1,4 @@
-"""The shake in Newton's SolverSteel, whose rows of constraints are watched: those that do not fit are dropped."""
+"""Run the shake in Newton's SolverSteel and record dropped constraint rows."""
 
 from collections.abc import Sequence
 
@@ -9,11 +9,11 @@ from experiments.newton_solvers.box import STEEL, Variant
 from experiments.newton_solvers.stepper import SolverRecorder, SolverStepper
 from experiments.simulation.scene import Scene
 
-ROWS = {
-    "articulation_constraint_max": 256
-}  # in place of 32: rows that do not fit are dropped
-LIMIT_GAP = 1e-3  # distance [rad, m] from a joint's limit at which it gets a row
-VARIANTS = (  # one thing changed at a time; the last has as many rows as the solver comes with
+# Instead of 32; rows that do not fit are dropped.
+ROWS = {"articulation_constraint_max": 256}
+# Distance [rad, m] from a joint's limit below which the limit gets a row.
+LIMIT_GAP = 1e-3
+VARIANTS = (  # one change at a time; the last has the solver's default number of rows
     Variant("steel"),
     *STEEL,
     Variant("steel-substeps", steps_between_contacts=1),
@@ -23,7 +23,7 @@ VARIANTS = (  # one thing changed at a time; the last has as many rows as the so
 
 
 class SteelStepper(SolverStepper):
-    """Steps the shake with Steel, which may count the rows that it is asked for."""
+    """Step the shake with Steel, which may count the rows that it needs."""
 
     def __init__(
         self,
@@ -37,7 +37,7 @@ class SteelStepper(SolverStepper):
         super().__init__(variant, scene, cases)
 
     def row_peak(self) -> dict[str, object]:
-        """Return it of all its worlds: those that had room, and those that asked for it."""
+        """Return the peak number of rows in all worlds, including dropped rows."""
         return {
             "peak_constraint_count": self.solver.constraint_row_watermarks()[
                 "articulation_raw_high_water"
@@ -53,7 +53,8 @@ class SteelStepper(SolverStepper):
             "enable_joint_limits": self.case.limits,
             "joint_limit_activation_gap": LIMIT_GAP,
             "row_watermark": self.is_counting,
-            "warn_constraint_overflow": False,  # it is recorded, and a world with it counts as one that failed
+            # The overflow is recorded, and a world with an overflow counts as failed.
+            "warn_constraint_overflow": False,
             **ROWS,
             **self.variant.options,
         }
@@ -69,7 +70,7 @@ def watch_overflow(
 
 
 class SteelRecorder(SolverRecorder):
-    """Records the first frame in which rows did not fit, too."""
+    """Record contacts, and also the first frame in which rows did not fit."""
 
     def watch_substep(self) -> None:
         super().watch_substep()

@@ -1,7 +1,8 @@
-"""The shake in any of Newton's solvers: scene, task and recording are those of ``simulation``.
+"""Run the shake in any of Newton's solvers, with scene and task of ``simulation``.
 
-Only MuJoCo's solver knows gravity compensation, so forces on the arm's links carry its weight. The others read no geom
-priority either, and links without mass are more than some of them can do.
+Only MuJoCo's solver supports gravity compensation, so forces on the links carry the
+weight of the arm. The other solvers also ignore the priority of geoms, and some do not
+support links without mass.
 """
 
 from collections.abc import Sequence
@@ -30,7 +31,10 @@ from measured_report.measuring.measurement import absent
 
 
 class SolverStepper(Stepper):
-    """Steps the shake with one of Newton's solvers: of its cases it reads what is not MuJoCo's alone."""
+    """Step the shake with one of Newton's solvers.
+
+    It uses the fields of a case that do not belong to MuJoCo alone.
+    """
 
     @property
     def is_queued(self) -> bool:
@@ -48,7 +52,7 @@ class SolverStepper(Stepper):
         self.states = state, state_out
 
     def step(self, substep: int, control: newton.Control, step_s: float) -> None:
-        """Queue a substep; an even number of them ends where it began."""
+        """Queue a substep; the first state holds the result of every second one."""
         last, between = (
             self.case.substeps - 1,
             self.variant.steps_between_contacts or self.case.substeps,
@@ -75,9 +79,11 @@ class SolverStepper(Stepper):
         return pipeline, pipeline.contacts()
 
     def _build_solver(self) -> SolverBase:
+        # Some solvers keep the previous poses of the bodies.
         wp.copy(
-            self.model.body_q, self.state.body_q
-        )  # where bodies come from, for a solver that keeps it
+            self.model.body_q,
+            self.state.body_q,
+        )
         self.model.body_color_groups = colours_of(self.model)
         return getattr(solvers, self.variant.solver)(self.model, **self._options())
 
@@ -89,14 +95,14 @@ class SolverStepper(Stepper):
         return SolverRecorder(self, frame_count)
 
     def _observe(self) -> "SolverBase.Observables | None":
-        """Ask for the forces of contacts, where solver and release tell them."""
+        """Request the forces of contacts if the solver and the release provide them."""
         if "contact_f" not in getattr(self.solver, "supported_observables", ()):
             return None
         return self.solver.observables(["contact_f"], contacts=self.contacts)
 
 
 def weight_of_the_arm(stepper: Stepper) -> wp.array:
-    """Return forces that carry the weight of each moving link of the arms [N, N m], shape [bodies]."""
+    """Return forces that carry the weight of the moving links [N, N m], [bodies]."""
     model, cube = stepper.model, stepper.scene.links["cube"].body
     names = [label.rsplit("/", 1)[-1] for label in model.body_label]
     carried = np.array([name not in FIXED_BODIES for name in names]).reshape(
@@ -110,7 +116,10 @@ def weight_of_the_arm(stepper: Stepper) -> wp.array:
 
 
 def colours_of(model: Model) -> list[wp.array]:
-    """Return two groups of bodies, in neither of which two are joined; VBD moves those of a group at once."""
+    """Return two groups of bodies without joints within a group.
+
+    VBD moves the bodies of a group at the same time.
+    """
     depth = {-1: 0}
     for parent, child in zip(
         model.joint_parent.numpy(), model.joint_child.numpy(), strict=True
@@ -125,7 +134,7 @@ def colours_of(model: Model) -> list[wp.array]:
 
 @wp.func
 def place(body: int, point: wp.vec3, body_q: wp.array[wp.transform]):
-    """Return where a point of a body, or of the world, is in the world."""
+    """Return the world position of a point of a body or of the world."""
     pose = wp.transform_identity()
     if body >= 0:
         pose = body_q[body]
@@ -150,7 +159,10 @@ def record_contacts(
     friction: wp.array[float],
     contacts: wp.array3d[float],
 ):
-    """Add each live contact to the statistics of its world's frame; friction of a patch is on one of its contacts."""
+    """Add each live contact to the statistics of the frame in its world.
+
+    The friction of a patch is stored in one of its contacts.
+    """
     contact = wp.tid()
     if contact >= wp.min(contact_count[0], axis.shape[0]):
         return
@@ -180,7 +192,7 @@ def record_contacts(
 
 
 class SolverRecorder(Recorder):
-    """Records of contacts what is recorded of MuJoCo's, but for how fast they slide."""
+    """Record the same contact data as for MuJoCo, except for the sliding velocity."""
 
     def __init__(self, stepper: SolverStepper, frame_count: int):
         super().__init__(
@@ -196,7 +208,7 @@ class SolverRecorder(Recorder):
         )
 
     def watch_substep(self) -> None:
-        """Watch Newton's buffer of contacts, which may have lost some as soon as it is full."""
+        """Watch Newton's contact buffer, which may lose contacts when it is full."""
         found = self.contacts_in
         wp.launch(
             watch_substep,

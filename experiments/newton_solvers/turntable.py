@@ -1,19 +1,18 @@
-"""The box on a turning table, as Newton's solvers read it."""
+"""Describe the box on a turning table for Newton's solvers."""
 
 from typing import Any
 
 from experiments.cure.turntable import MASS_KG, MJCF, RADIUS_M, SAMPLE_S, TURN_RAD_S
 from experiments.drivers.scene import GRAVITY_M_S2
 
-TABLE_INERTIA = (
-    1000.0  # of the table [kg m²], which keeps turning whatever the box does
-)
+# Inertia of the table [kg m²], which is so large that the box cannot slow it down.
+TABLE_INERTIA = 1000.0
 HALF_EDGE_M, FOOT_M = 0.05, 0.01
 FEET = [(x, y, -0.04) for x in (0.04, -0.04) for y in (0.04, -0.04)]
 
 
 def turntable(seconds: float) -> dict[str, Any]:
-    """Describe the box on four feet on the turning table, in rest on it."""
+    """Return the box on four feet, at rest on the turning table."""
     inertia = [MASS_KG / 3.0 * (HALF_EDGE_M**2 + 0.04**2)] * 2 + [
         MASS_KG / 3.0 * 2.0 * HALF_EDGE_M**2
     ]

@@ -1,4 +1,8 @@
-"""Time and memory from one world to many, with the engine's own steps as the floor, and its benchmark beside them."""
+"""Measure time and memory for one to 16,384 worlds.
+
+They are compared with the engine's own steps, which are a lower bound, and with its
+benchmark.
+"""
 
 import gc
 
@@ -21,16 +25,17 @@ from measured_report.measuring.batch import Batch, Plan
 
 WORLD_COUNTS = {"full": (1, 4, 16, 64, 256, 1024, 4096, 16384), "quick": (1, 4, 16)}
 STEPS = ("mjw_step_ms", "mjw_step_ms_p5", "mjw_step_ms_p95")
+# Columns without a number if the frames are not valid.
 ABSENT = (
     *TIMES,
     *STEPS,
     "world_substeps_per_s",
-)  # columns without a number where the frames do not count
+)
 
 
 def measure(conditions: Conditions) -> Plan:
     timed = [Batch("worlds", measure_worlds, (conditions,), exclusive=True)]
-    if conditions.is_cuda:  # as the engine's benchmark needs
+    if conditions.is_cuda:  # the engine's benchmark needs CUDA
         yield [Batch("compile", measure_ways, (conditions, 1, 2))]
         for count, step_count in STEP_COUNTS.items():
             timed.append(
@@ -56,18 +61,18 @@ def measure_worlds(conditions: Conditions) -> list[dict[str, object]]:
 
 
 class Worlds:
-    """Whole frames in so many worlds, and what the engine's own steps take of them, ready to be timed."""
+    """Hold frames with a number of worlds, and their engine steps, for timing."""
 
     def __init__(self, warm: WarmState, world_count: int):
         self.world_count = world_count
-        gc.collect()  # what the one before left behind must not count
+        gc.collect()  # memory of the previous batch must not count
         before = memory_bytes(warm.device)
         self.frames = build_frames(FIXED, world_count, warm)
         self.bytes_per_world = (memory_bytes(warm.device) - before) // world_count
         self.steps = EngineSteps(self.frames) if warm.device.is_cuda else None
 
     def row(self) -> dict[str, object]:
-        """Time both in turn."""
+        """Return a row with the times of frames and steps, measured in turn."""
         frames = self.frames
         row: dict[str, object] = {
             "case": f"worlds-{self.world_count}",

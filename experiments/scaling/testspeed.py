@@ -1,7 +1,9 @@
-"""The engine's own benchmark on our scene, beside our frames from the same state, and the steps between the two.
+"""Compare the benchmark of the engine with the frames of this report.
 
-``mujoco_warp.testspeed`` of the installed release runs in a process of its own, on the lean scene as MJCF with a
-keyframe of the cube in the hand. Between it and our frames lie a few ways to run, each a switch from the one before.
+``mujoco_warp.testspeed`` of the installed release runs in its own process, on the lean
+scene as MJCF. A keyframe contains the cube in the hand, and the frames start in the
+same state. The other ways to run differ from each other by one change, so that they
+explain the difference.
 """
 
 import json
@@ -30,21 +32,21 @@ from experiments.simulation.paired_timing import time_in_turn
 from experiments.simulation.simulation import Simulation, captured
 from experiments.simulation.timing import elapsed_ms
 
+# Steps of the benchmark by the number of worlds.
 STEP_COUNTS = {
     1: 1000,
     4096: 300,
     16384: 200,
-}  # steps that the benchmark runs, by the number of worlds
-CAP_S = (
-    12.0  # seconds that all ways to run with one number of worlds take at most, about
-)
+}
+# Approximate time limit for all ways to run with one number of worlds [s].
+CAP_S = 12.0
 TIMEOUT_S = 300.0
 
 
 def measure_ways(
     conditions: Conditions, world_count: int, step_count: int
 ) -> list[dict[str, object]]:
-    """Return a row for the benchmark, and one for each way to run."""
+    """Return a row for the benchmark and one for each way to run."""
     warm = warm_state(conditions.device)
     whole = build_frames(LEAN, world_count, warm)
     simulation = whole.simulation
@@ -53,7 +55,8 @@ def measure_ways(
     wp.synchronize_device(warm.device)
     mjcf = with_keyframe(scene_mjcf(), simulation)
     bare, ours = Bare(mjcf, world_count, warm.device), simulation.solver.mjw_data
-    # Each way's frame, by name, with the engine whose contacts and rows it has.
+    # The function that runs a frame, by name, with the data that contain its contacts
+    # and rows.
     ways: dict[str, tuple[Callable[[int], float], mjw.Data]] = {
         "whole": (whole, ours),
         "each-step-waited-for": (lambda _: bare.frame_ms(bare.each_step), bare.data),
@@ -90,7 +93,10 @@ def measure_ways(
 
 
 def with_keyframe(mjcf: str, simulation: Simulation) -> str:
-    """Add the state of the first world as a keyframe, and the substep as the time step."""
+    """Return the MJCF with the state of the first world as a keyframe.
+
+    The time step is set to the substep.
+    """
     root = fromstring(mjcf)
     data = simulation.solver.mjw_data
     [option] = root.findall("option")
@@ -108,7 +114,7 @@ def testspeed(mjcf: str, world_count: int, step_count: int) -> dict[str, object]
     """Run the benchmark and return its row.
 
     Raises:
-        RuntimeError: It failed, with the end of what it said.
+        RuntimeError: The benchmark failed; the message contains the end of its output.
     """
     options = {
         "nworld": world_count,
@@ -148,7 +154,10 @@ def testspeed(mjcf: str, world_count: int, step_count: int) -> dict[str, object]
 
 
 class Bare:
-    """The engine alone on the MJCF, a frame's substeps at a time from the keyframe, in three ways, each as graphs."""
+    """Run the engine alone on the MJCF in three ways, each as graphs.
+
+    Each run has the substeps of a frame and starts from the keyframe.
+    """
 
     def __init__(self, mjcf: str, world_count: int, device: wp.Device):
         model = mujoco.MjModel.from_xml_string(mjcf)
@@ -166,23 +175,22 @@ class Bare:
             self.data = mjw.put_data(model, state, **sizes)
             arrays = (self.data.qpos, self.data.qvel, self.data.qacc_warmstart)
             self.state = [(array, wp.clone(array)) for array in arrays]
-            self._step()  # compiles, which must not happen inside a capture
+            self._step()  # compiles, which is not allowed during a capture
             self.step, self.steps, self.steps_collision_once = map(
                 captured, (self._step, self._steps, self._steps_collision_once)
             )
         for run in (self.step, self.steps, self.steps_collision_once):
-            self.frame_ms(
-                run
-            )  # the first launch of a graph takes 20 ms more, and memory
+            # The first launch of a graph takes 20 ms more, and allocates memory.
+            self.frame_ms(run)
 
     def each_step(self) -> None:
-        """Run a frame's steps, each launched when the one before is done, as the benchmark does."""
+        """Run the steps of a frame and wait after each one, as the benchmark does."""
         for _ in range(LEAN.substeps):
             self.step()
             wp.synchronize_device(self.device)
 
     def frame_ms(self, run: Callable[[], None]) -> float:
-        """Time a frame's steps from the keyframe [ms]."""
+        """Return the time of a frame's steps from the keyframe [ms]."""
         with wp.ScopedDevice(self.device):
             for array, start in self.state:
                 wp.copy(array, start)

@@ -1,15 +1,16 @@
-"""Other scenes, one law: a box on a slope, and grasps that others have published, written anew in MJCF."""
+"""Measure a box on a slope and published grasps, which follow the same law."""
 
 from experiments.scenes import capsule, pick, slope
 from measured_report.measuring.batch import Batch, Plan
 from measured_report.measuring.measurement import Conditions, Measurement
 
-NEEDS_GPU = False  # read by ``measured_report.measuring.machine``: small scenes, which a CPU measures in minutes
+# Read by ``measured_report.measuring.machine``. A CPU measures these scenes in minutes.
+NEEDS_GPU = False
 SCENES = {"slope": slope, "capsule": capsule, "pick": pick}
 
 
 def measure(conditions: Conditions) -> Plan:
-    """Measure each scene; a row says of which it is."""
+    """Return the rows of all scenes, with the name of the scene."""
     found = yield [
         Batch(name, scene.rows, (conditions,)) for name, scene in SCENES.items()
     ]

@@ -1,8 +1,9 @@
-"""A capsule between two pads, and nothing but gravity pulls at it: what was published of it, measured anew.
+"""Measure a capsule between two pads under gravity, as published.
 
-After google-deepmind/mujoco issue #3328, which gives masses, sizes, friction and damping. What its text leaves open was
-chosen by what it says of the loads: with a gain of 20 kN/m the pads press with the 12 N that it gives, and with a
-timeconst of 4 ms with its 60 N. The capsule is longer than the pads are wide.
+The scene follows google-deepmind/mujoco issue #3328, which gives masses, sizes,
+friction and damping. The other parameters were chosen to match the loads in the issue.
+With a gain of 20 kN/m the pads press with 12 N, and with a timeconst of 4 ms with 60 N.
+The capsule is longer than the width of the pads.
 """
 
 from dataclasses import asdict, dataclass, replace
@@ -24,7 +25,7 @@ RADIUS_M = 0.004
 PAD_HALF_SIZE_M = (0.008, 0.03, 0.02)
 PAD_MASS_KG = 0.2
 GAP_M = 0.0005  # gap between capsule and pad at the start
-SQUEEZE_M = 0.002  # how far past touching the actuators pull each pad
+SQUEEZE_M = 0.002  # distance past contact to which the actuators pull each pad
 TARGET = (GAP_M + SQUEEZE_M, -GAP_M - SQUEEZE_M)
 GAIN_N_M = 20e3
 DAMPING_N_S_M = 100.0
@@ -42,7 +43,7 @@ CREEPS = (
 
 @dataclass(frozen=True)
 class Pinch:
-    """One run, whose row has these columns; options as in MJCF."""
+    """Describe one run, whose row has these columns; options are as in MJCF."""
 
     case: str
     backend: str = "c"
@@ -54,7 +55,7 @@ class Pinch:
     half_length_m: float = 0.05
 
     def mjcf(self) -> str:
-        """Write the scene."""
+        """Return the scene."""
         contact = f'friction="{numbers(FRICTION)}" condim="{self.condim}" solref="{self.timeconst_s} 1"'
         offset_m = RADIUS_M + GAP_M + PAD_HALF_SIZE_M[0]
         pads = "".join(
@@ -101,7 +102,7 @@ CASES = [
 
 
 def rows(conditions: Conditions) -> list[dict[str, object]]:
-    """Make a row for each run: how fast the capsule sinks, measured and predicted."""
+    """Return a row for each run: the measured and predicted creep of the capsule."""
     seconds = SECONDS[conditions.profile]
     rows = []
     for case in tqdm(CASES, desc="capsule", unit="run", delay=3.0):
@@ -115,10 +116,10 @@ def rows(conditions: Conditions) -> list[dict[str, object]]:
 
 
 def sink(case: Pinch, seconds: float, device: str) -> dict[str, float]:
-    """Squeeze the capsule and watch it sink: how fast it does, and how fast by R f = b v.
+    """Squeeze the capsule and return its measured creep and two predictions.
 
-    Once with R of the contacts that the run ends with, and once from the parameters and
-    how deep the contacts are.
+    The predictions follow R f = b v. One uses R of the final contacts, and the other
+    uses the parameters and the depth of the contacts.
     """
     sample_s = STEPS * STEP_S
     settled, count = (round(time_s / sample_s) for time_s in (SETTLE_S, seconds))
@@ -127,9 +128,8 @@ def sink(case: Pinch, seconds: float, device: str) -> dict[str, float]:
     height_m = trace.path_m[settled:, 2]
     speed_m_s = -trace.velocity_m_s[settled + 1 :, 0, 2]
     pad, capsule = trace.model.body_invweight0[[1, -1], 0].tolist()
-    noslip = bool(
-        trace.model.opt.noslip_iterations
-    )  # an engine may drop it from the MJCF
+    # An engine may drop noslip from the MJCF.
+    noslip = bool(trace.model.opt.noslip_iterations)
     option = Option(0.0, cone=case.cone, impratio=case.impratio, noslip=noslip)
     contact = Contact((case.timeconst_s, 1.0), SOLIMP, FRICTION[0], pad + capsule)
     return {

@@ -1,9 +1,9 @@
-"""A Panda picks up a cube or a ball, lifts it, and shakes it at random until 20 s are over.
+"""Pick up a cube or a ball with a Panda, lift it, and shake it at random until 20 s.
 
-After Motphys' phys-bench (``grasp/``), whose scenes say nothing of cone, impratio or
-integrator, so that MuJoCo's own count: a pyramidal cone, impratio 1, Euler. Every two steps
-each joint of the arm gets a target at random about its pose, so that a longer step is
-another shake. Each setting is also held still, in C.
+The scene follows Motphys' phys-bench (``grasp/``). Its scenes do not set cone, impratio
+or integrator, so MuJoCo's defaults apply: a pyramidal cone, impratio 1, and Euler. Each
+joint of the arm gets a new random target around its pose every two steps, so that a
+longer step gives another shake. Each setting is also held still, in C.
 """
 
 from dataclasses import asdict, dataclass
@@ -21,31 +21,33 @@ from measured_report.files.root import ROOT
 from measured_report.measuring.measurement import Conditions, absent
 from newton_lint.law import Contact, Option
 
-SCENE = (
-    "assets/panda.xml"  # robot, floor and one free object; it says whose robot it is
-)
-OPEN_M = 0.04  # how far each finger opens
+# Robot, floor and one free object; the file names the source of the robot.
+SCENE = "assets/panda.xml"
+OPEN_M = 0.04  # opening of each finger
 # Poses of the arm [rad].
 READY = (0.0, 0.0, 0.0, -1.5708, 0.0, 1.5708, -0.7853)
 AT_OBJECT = (-1.0104, 1.5623, 1.3601, -1.6840, -1.5863, 1.7810, 1.4598)
 LIFTED = (-1.0426, 1.4028, 1.5634, -1.7114, -1.4055, 1.6015, 1.4510)
 PHASES_S = (1.0, 2.0, 3.0, 4.0)
-"""Ends of the motions over the object and down to it, of closing and of lifting."""
+"""End times of the motions over the object, down to it, of closing and of lifting."""
 PAD_HEIGHT_M = 0.00825  # half the length of a pad along the finger
 PAD_TIMECONST_S = 0.01  # as published
-PAD_SOLIMP = (0.99, 0.995, 0.01, 0.5, 2.0)  # the scene's
-OBJECT_TIMECONST_S = 0.02  # MuJoCo's own
+PAD_SOLIMP = (0.99, 0.995, 0.01, 0.5, 2.0)  # of the scene
+OBJECT_TIMECONST_S = 0.02  # MuJoCo's default
 OBJECTS = {
     "cube": 'type="box" size="0.02 0.02 0.02"',
     "ball": 'type="sphere" size="0.02"',
 }
 TOUCHED_M = {"cube": 0.02, "ball": 0.0}
-"""How far above its centre the pads touch an object at most: a ball in one point."""
+"""Largest height above its centre at which the pads touch an object.
+
+They touch a ball in one point.
+"""
 SPREAD_RAD = 0.025  # standard deviation of the targets of a shake
 END_S = {"full": 20.0, "quick": 6.0}
 SEED_COUNT = {"full": 8, "quick": 2}
-LOST_M = 0.04  # an object below this height after the lifting is dropped
-HOLD_S = (4.5, 5.5)  # between these the creep of a grasp that is held is measured
+LOST_M = 0.04  # height below which an object counts as dropped after the lift
+HOLD_S = (4.5, 5.5)  # interval in which the creep of a held grasp is measured
 COUNTS = ("lifted_count", "held_count")
 DROPS = ("first_drop_s", "median_drop_s", "last_drop_s")
 HELD = (
@@ -60,7 +62,7 @@ HELD = (
 
 @dataclass(frozen=True)
 class Pick:
-    """One case, whose row has these columns; options as in MJCF."""
+    """Describe one case, whose row has these columns; options are as in MJCF."""
 
     case: str
     backend: str = "c"
@@ -72,16 +74,20 @@ class Pick:
 
     @property
     def solrefs(self) -> tuple[tuple[float, float], tuple[float, float]]:
-        """Solrefs of a pad and of the object, which has its own where the pads do."""
+        """Return the solrefs of a pad and of the object.
+
+        The object has its own solref if the pads have the published one.
+        """
         is_published = self.timeconst_s == PAD_TIMECONST_S
         object_s = OBJECT_TIMECONST_S if is_published else self.timeconst_s
         return (self.timeconst_s, 1.0), (object_s, 1.0)
 
     def mjcf(self) -> str:
-        """Write the scene."""
+        """Return the scene."""
         pads, touched = map(numbers, self.solrefs)
         shape = OBJECTS[self.object]
-        # Named is MuJoCo's own integrator: Newton takes implicitfast where none is.
+        # The integrator is named explicitly, because Newton's default would be
+        # implicitfast.
         return (
             (ROOT / SCENE)
             .read_text(encoding="utf-8")
@@ -101,6 +107,7 @@ SETTINGS: dict[str, dict[str, Any]] = {
 }
 
 
+# Every setting with either step, in C and through Newton.
 SHAKEN = [
     Pick(
         f"{kind}-{1e3 * step_s:g}ms-{name}-{engine}",
@@ -112,7 +119,7 @@ SHAKEN = [
     for kind, step_s, name, engine in product(
         OBJECTS, (0.002, 0.01), SETTINGS, ("c", "newton")
     )
-]  # every setting with either step in C and through Newton
+]
 STILL = [
     Pick(f"{kind}-{name}-held", object=kind, **SETTINGS[name])
     for kind, name in product(OBJECTS, SETTINGS)
@@ -120,7 +127,7 @@ STILL = [
 
 
 def rows(conditions: Conditions) -> list[dict[str, object]]:
-    """Make a row for each case, and one for each setting with the grasp held still."""
+    """Return a row for each case, and one for each setting held still."""
     rows = []
     for case in tqdm(SHAKEN, desc="pick", unit="case", delay=3.0):
         controls = shake_controls(case, conditions.profile)
@@ -133,7 +140,10 @@ def rows(conditions: Conditions) -> list[dict[str, object]]:
 
 
 def pick_controls(time_s: np.ndarray) -> np.ndarray:
-    """Return the controls of arm and fingers [rad, m] that pick up and hold, shape [time, 8]."""
+    """Return the controls for picking up and holding [rad, m], shape [time, 8].
+
+    The columns are the seven joints of the arm and the fingers.
+    """
     ends_s = (0.0, *PHASES_S)
     arm = zip(READY, LIFTED, AT_OBJECT, AT_OBJECT, LIFTED, strict=True)
     fingers = (OPEN_M, OPEN_M, OPEN_M, 0.0, 0.0)
@@ -141,7 +151,10 @@ def pick_controls(time_s: np.ndarray) -> np.ndarray:
 
 
 def shake_controls(case: Pick, profile: str) -> np.ndarray:
-    """Return the same with targets at random once it is lifted, shape [sample, seed, 8]."""
+    """Return the same controls with random targets after the lift.
+
+    The shape is [sample, seed, 8].
+    """
     sample_s = STEPS * case.timestep
     count = round(END_S[profile] / sample_s)
     lifting = pick_controls(sample_s * np.arange(1, count + 1))
@@ -155,12 +168,12 @@ def shake_controls(case: Pick, profile: str) -> np.ndarray:
 
 
 def lifted_sample(case: Pick) -> int:
-    """Return the sample after which the object should be up."""
+    """Return the sample after which the object should be lifted."""
     return round(PHASES_S[-1] / (STEPS * case.timestep)) - 1
 
 
 def shake(case: Pick, controls: np.ndarray, device: str) -> dict[str, object]:
-    """Pick the object up and shake it, until the end or until all worlds have dropped it.
+    """Pick the object up and shake it until the end or until all worlds dropped it.
 
     Raises:
         RunFailed: An engine failed in one of the shakes.
@@ -190,10 +203,10 @@ def shake(case: Pick, controls: np.ndarray, device: str) -> dict[str, object]:
 
 
 def hold(case: Pick) -> dict[str, float]:
-    """Pick the object up in MuJoCo's C engine and hold it still: its creep, and as predicted.
+    """Hold the object still in MuJoCo's C engine; return its creep and margin.
 
-    The margin is how far it may still sink until the pads' lower edge has passed what
-    they touch.
+    The margin is the distance that the object can still sink before the lower edge of
+    the pads loses contact with it.
     """
     engine = InC(case.mjcf())
     [world] = engine.worlds

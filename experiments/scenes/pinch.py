@@ -1,10 +1,11 @@
-"""The pinched capsule that ends between the pads, for engines that read no MJCF."""
+"""Define the pinched capsule that ends between the pads, for engines without MJCF."""
 
 from experiments.cure.turntable import SAMPLE_S
 from experiments.drivers.scene import Body, Scene, Support
 from experiments.scenes import capsule
 
-PRESS_N = 12.0  # each pad's, as in the report that the pinched capsule is after
+# Force of each pad, as in the publication of the pinched capsule.
+PRESS_N = 12.0
 CAPSULE = capsule.Pinch("within-pads", half_length_m=0.02)
 ACROSS = capsule.MASS_KG * (capsule.RADIUS_M**2 / 4.0 + CAPSULE.half_length_m**2 / 3.0)
 HELD = Body(
@@ -29,7 +30,7 @@ def pad(side: float) -> Support:
 
 
 def pinch(step_s: float, seconds: float) -> Scene:
-    """Return two pads that press on the ends of a capsule, which touch them."""
+    """Return two pads that touch a capsule and press on its ends."""
     return Scene(
         step_s,
         SAMPLE_S,

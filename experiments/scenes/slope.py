@@ -1,4 +1,4 @@
-"""A box on a slope that is far too flat to slide on: the plainest contact that creeps."""
+"""Measure a box on a slope too flat for sliding: the simplest creep of a contact."""
 
 import math
 from dataclasses import asdict, dataclass
@@ -23,7 +23,7 @@ CREEPS = ("creep_mm_s", "forecast_creep_mm_s")
 
 @dataclass(frozen=True)
 class Slope:
-    """One run, whose row has these columns; options as in MJCF."""
+    """Describe one run, whose row has these columns; options are as in MJCF."""
 
     case: str
     timeconst_s: float = 0.02
@@ -32,7 +32,7 @@ class Slope:
     backend: str = "c"
 
     def mjcf(self) -> str:
-        """Write the scene in the slope's own axes."""
+        """Return the scene in the axes of the slope."""
         x = GRAVITY_M_S2 * math.sin(TILT_RAD)
         z = -GRAVITY_M_S2 * math.cos(TILT_RAD)
         contact = f'friction="{FRICTION} 0.005 0.0001" solref="{self.timeconst_s} 1"'
@@ -60,12 +60,12 @@ CASES = (
 
 
 def rows(_: Conditions) -> list[dict[str, object]]:
-    """Make a row for each run; they take a second, whatever the profile."""
+    """Return a row for each run; all take about a second in either profile."""
     return [asdict(case) | columns_of(partial(creep, case), CREEPS) for case in CASES]
 
 
 def creep(case: Slope) -> dict[str, float]:
-    """Measure how fast the box slides in MuJoCo's C engine, and predict it."""
+    """Return the measured and predicted creep of the box in MuJoCo's C engine."""
     settled, count = (round(time_s / STEPS / STEP_S) for time_s in (SETTLE_S, SECONDS))
     targets = [()] * (settled + count)
     trace = run(Scene(STEP_S, STEPS * STEP_S, targets, case.mjcf()), case.backend)

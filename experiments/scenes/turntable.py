@@ -1,4 +1,4 @@
-"""The box on four feet that a turning table carries, for engines that read no MJCF."""
+"""Define the box on four feet on a turning table, for engines without MJCF."""
 
 from dataclasses import replace
 
@@ -27,7 +27,7 @@ TABLE = Support(
     axis=(0.0, 0.0, 1.0),
     half_size_m=(0.5, 0.5, 0.05),
     position_m=ORIGIN,
-    mass_kg=1000.0,  # so that the table keeps turning whatever the box does
+    mass_kg=1000.0,  # so heavy that the box cannot slow the table down
     inertia_kg_m2=1000.0,
     speed=TURN_RAD_S,
 )
@@ -47,11 +47,11 @@ def turntable(step_s: float, seconds: float) -> Scene:
 
 
 def still(step_s: float, seconds: float) -> Scene:
-    """Return the same on a table that stands."""
+    """Return the same box on a table that stands still."""
     return replace(turntable(step_s, seconds), qvel=(0.0,) * 7)
 
 
 def slope(step_s: float, seconds: float) -> Scene:
-    """Return the same on a slope of 0.35; friction carries up to 1."""
+    """Return the same box on a slope of 0.35; friction can hold up to 1."""
     gravity = GRAVITY_M_S2 * np.array([0.35, 0.0, -1.0]) / np.hypot(1.0, 0.35)
     return replace(still(step_s, seconds), gravity_m_s2=gravity)

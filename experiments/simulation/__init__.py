@@ -1,1 +1,1 @@
-"""The shake test on the simulator: the scene, its batched runs and what is recorded of them."""
+"""Simulate the shake test: the scene, its batched runs and their recording."""

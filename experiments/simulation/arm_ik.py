@@ -1,8 +1,9 @@
-"""Inverse kinematics of an arm whose joints are one after the other: which angles bring its TCP to a pose.
+"""Compute the joint angles that bring the TCP of a serial arm to a pose.
 
-The same Levenberg-Marquardt steps as those of ``newton.ik``, with the same damping, for the seven joints that move the
-TCP alone: δ = −Jᵀ (J Jᵀ + λ 1)⁻¹ r, which is −(JᵀJ + λ 1)⁻¹ Jᵀ r. So what is to be solved is 6×6, one thread does a
-world, and the kernel compiles in seconds.
+The Levenberg-Marquardt steps and the damping are the same as in ``newton.ik``, but only
+the seven joints that move the TCP are included: δ = −Jᵀ (J Jᵀ + λ 1)⁻¹ r, which equals
+−(JᵀJ + λ 1)⁻¹ Jᵀ r. The linear system is therefore 6×6, one thread solves a world, and
+the kernel compiles in seconds.
 """
 
 import newton
@@ -14,7 +15,11 @@ LAMBDA_FACTOR = wp.constant(2.0)
 LAMBDA_MIN = wp.constant(1e-5)
 LAMBDA_MAX = wp.constant(1e10)
 LEAST_GAIN = wp.constant(1e-3)
-"""How damping begins and changes, and which part of the predicted gain a step must bring, as in ``newton.ik``."""
+"""The initial damping, its changes, and the part of the predicted gain that a step must
+reach.
+
+The values are the same as in ``newton.ik``.
+"""
 
 
 @wp.func
@@ -31,7 +36,10 @@ def residual(
     angles: wp.array3d[float],
     columns: wp.array3d[wp.spatial_vector],
 ):
-    """Say how far the TCP is off, in place and as a rotation vector; its Jacobian goes into ``columns``."""
+    """Return the error of the TCP's position and its rotation vector.
+
+    The Jacobian is written to ``columns``.
+    """
     pose = wp.transform_identity()
     for joint in range(axis.shape[0]):
         pose = pose * parent_pose[joint]
@@ -67,7 +75,7 @@ def residual(
 
 @wp.func
 def solved(matrix: wp.spatial_matrix, right: wp.spatial_vector):
-    """Return the x for which ``matrix`` x = ``right``, by Cholesky's decomposition."""
+    """Return the x for which ``matrix`` x = ``right``, by a Cholesky decomposition."""
     lower = wp.spatial_matrix()
     for i in range(6):
         for j in range(i + 1):
@@ -110,9 +118,10 @@ def solve_arm(
     """Step ``joint_q`` in each world.
 
     Args:
-        parent_pose: Pose of each joint in the body before, shape [joints].
-        child_pose: Pose of the body behind in the joint, shape [joints].
-        coordinate: Which coordinate of the robot a joint has, −1 where it is fixed, shape [joints].
+        parent_pose: Pose of each joint in its parent body, shape [joints].
+        child_pose: Pose of the child body in the joint, shape [joints].
+        coordinate: Coordinate of the robot for each joint, −1 if it is fixed, shape
+            [joints].
         angles: Present and proposed coordinates, shape [worlds, 2, coordinates].
         columns: Columns of the Jacobian at both, shape [worlds, 2, joints].
     """
@@ -184,14 +193,14 @@ def solve_arm(
 
 
 class ArmSolver:
-    """Inverse kinematics for the pose ``tip`` in ``body`` of a robot, where that should be in each world.
+    """Compute the inverse kinematics of the pose ``tip`` in ``body`` for all worlds.
 
     Args:
-        target_position: Shape [worlds], vec3 [m].
-        target_rotation: Shape [worlds], vec4.
+        target_position: Target positions, shape [worlds], vec3 [m].
+        target_rotation: Target rotations, shape [worlds], vec4.
 
     Raises:
-        ValueError: A joint before that body neither turns nor is fixed.
+        ValueError: A joint on the path to the body is neither revolute nor fixed.
     """
 
     def __init__(
@@ -249,7 +258,10 @@ class ArmSolver:
         ]
 
     def step(self, joint_q: wp.array, iterations: int) -> None:
-        """Queue the steps that bring ``joint_q``, shape [worlds, coordinates], to the targets."""
+        """Queue steps that move ``joint_q`` towards the targets.
+
+        The shape of ``joint_q`` is [worlds, coordinates].
+        """
         inputs = [iterations, *self.inputs]
         wp.launch(
             solve_arm,

@@ -1,16 +1,20 @@
-"""The parts of a held cube's slip, predicted from the arm's motion alone.
+"""Predict the parts of a held cube's slip from the motion of the arm alone.
 
-Let u = J q̇ be the velocity of the cube's centre against the hand and g = J̇ q̇ what is left of its acceleration for
-q̈ = 0. A friction row asks for J q̈ = -b u - R f, where R f is what it yields under its force (MuJoCo documentation,
-"Computation"). The joints move by another q̈ than the solver's, as implicitfast has a step's damping in the inertia;
-with e = J (q̈ that moves - q̈ of the solver) and steps of h the cube's displacement over a run is
+Let u = J q̇ be the velocity of the cube's centre relative to the hand, and g = J̇ q̇
+the part of its acceleration that remains for q̈ = 0. A friction row aims at J q̈ = -b u
+- R f, where R f is its compliance under load (MuJoCo documentation, "Computation"). The
+joints do not move with the q̈ of the solver, because implicitfast adds the damping of a
+step to the inertia. With e = J (actual q̈ - q̈ of the solver) and steps of length h,
+the displacement of the cube over a run is
 
     x = ∫ g/b dt  -  h/2 ∫ g dt  +  ∫ e/b dt  -  ∫ R f/b dt
         the term      the step      damping       creep under load
 
-along the pads: across them the normal rows hold the cube. RK4 has neither the second nor the third, Euler not the
-third; R goes with 1 / impratio. Rounding of positions is a fifth. g, e and R f are taken from one run through MuJoCo's
-C engine, with the term put back so that the cube stays; b, h and R's factor are those of the case that is predicted.
+along the pads. Across the pads, the normal rows hold the cube. RK4 has neither the
+second nor the third part, and Euler does not have the third. R is proportional to 1 /
+impratio. Rounding of positions is a fifth part. The values of g, e and R f are measured
+in one run in MuJoCo's C engine, with the term restored so that the cube does not slide.
+The values of b, h and the factor of R are taken from the predicted case.
 """
 
 from dataclasses import dataclass, replace
@@ -33,23 +37,22 @@ BISECTION_COUNT = 50
 
 @dataclass(frozen=True)
 class Motion:
-    """Sums over the shake of a run through C, in the axes of the TCP frame, shape [3] each."""
+    """Hold sums over the shake of a run in C, in the TCP frame, shape [3] each."""
 
     bias_m_s: np.ndarray  # ∫ g dt
     damping_m_s: np.ndarray  # ∫ e dt with implicitfast
-    load_m_s: np.ndarray  # ∫ R f dt with the impratio and the cone as shipped, mean over the loaded contacts
-    depth_m: float  # mean depth of these in the end
-    rounding_m: (
-        np.ndarray
-    )  # way of the cube less that by its velocity, in single-precision positions
-    inverse_mass_1_kg: (
-        float  # sum of the engine's inverse weights of a finger and the cube [1/kg]
-    )
-    failure: str | None = None  # reason why the sums say nothing, when they don't
+    # ∫ R f dt with the shipped impratio and cone, mean over the loaded contacts.
+    load_m_s: np.ndarray
+    depth_m: float  # final mean depth of these contacts
+    # Displacement of the cube minus the integral of its velocity, in single precision.
+    rounding_m: np.ndarray
+    # Sum of the engine's inverse weights of a finger and the cube [1/kg].
+    inverse_mass_1_kg: float
+    failure: str | None = None  # reason why the sums are not valid, if there is one
 
 
 def measure_motion(case: Case) -> Motion:
-    """Add up what moves the cube of a case, in a run through MuJoCo's C engine."""
+    """Sum the causes of the cube's motion in a run of a case in MuJoCo's C engine."""
     run = Watched(case)
     if run.failure:
         return Motion(
@@ -62,11 +65,13 @@ def measure_motion(case: Case) -> Motion:
 
 
 class Watched:
-    """A run through MuJoCo's C engine with the term put back, so that no slide of the cube is in what is summed up.
+    """Run a case in C with the term restored, and sum the causes of its motion.
 
-    ``frames``, shape [frames, 4, 3], has the sums over each frame's substeps of bias, damping, load and velocity, and
-    ``shaking`` the indices of those of the shake, from the end of whose first the displacement counts. ``failure`` is
-    why nothing can be told from it, when that is so.
+    The term is restored so that the sums do not contain any slide of the cube.
+    ``frames``, shape [frames, 4, 3], contains the sums of bias, damping, load and
+    velocity over the substeps of each frame. ``shaking`` contains the indices of the
+    frames of the shake; the displacement counts from the end of the first one.
+    ``failure`` is the reason if the run is not valid.
     """
 
     def __init__(self, case: Case):
@@ -106,13 +111,13 @@ class Watched:
     def _step(self, step, engine: mujoco.MjModel, data: mujoco.MjData) -> None:
         before = data.qvel.copy()
         step(engine, data)
-        # The kinematics are still those of the step's beginning.
+        # The kinematics still belong to the beginning of the step.
         centre, h = data.xpos[self.cube].copy(), engine.opt.timestep
         mujoco.mj_jac(engine, data, self.jacobian[0], None, centre, self.hand)
         mujoco.mj_jac(engine, data, self.jacobian[1], None, centre, self.cube)
         mujoco.mj_jacDot(engine, data, self.rate, None, centre, self.hand)
         relative = self.jacobian[1] - self.jacobian[0]
-        bias = -self.rate @ before  # a free body's centre has none
+        bias = -self.rate @ before  # it is zero for the centre of a free body
         used = (data.qvel - before) / h
         into_tcp = (data.xmat[self.hand].reshape(3, 3) @ self.axes).T
         terms = (
@@ -125,7 +130,10 @@ class Watched:
             total += h * (into_tcp @ value)
 
     def _load(self, data: mujoco.MjData) -> np.ndarray:
-        """Return R f of the cube's friction rows, mean over contacts that carry force [m/s²]; keep their depth."""
+        """Return R f of the cube's friction rows [m/s²] and store the depth.
+
+        This is the mean over the contacts that carry force.
+        """
         found, depths_m = [], []
         for contact in data.contact:
             row = contact.efc_address
@@ -145,14 +153,17 @@ class Watched:
 
 
 def predicted_mm(case: Case, motion: Motion) -> dict[str, np.ndarray]:
-    """Predict the parts of a case's slip in the axes of the TCP frame [mm], by name, from the motion of its shake."""
+    """Return the predicted parts of a case's slip by name [mm], in the TCP frame.
+
+    They are predicted from the motion of its shake.
+    """
     h = step_s(case)
     b = 2.0 / (case.pad_dmax * friction_timeconst_s(case, motion.inverse_mass_1_kg))
     left_out = 1.0 - case.contact_bias * (1.0 - 0.5 * h * b * case.bias_centred)
     runge_kutta = case.integrator == "rk4"
     along = np.array([1.0, 0.0, 1.0])
     as_watched = replace(case, cone=AS_SHIPPED.cone, impratio=AS_SHIPPED.impratio)
-    parts = {  # no number is named after the term, for a run with it is marked by a column that is
+    parts = {  # a name with "term" would suggest that the term is restored
         "left_out": left_out * motion.bias_m_s / b,
         "step": -(not runge_kutta) * 0.5 * h * motion.bias_m_s,
         "damping": (case.integrator == "implicitfast") * motion.damping_m_s / b,
@@ -163,15 +174,18 @@ def predicted_mm(case: Case, motion: Motion) -> dict[str, np.ndarray]:
 
 
 def softness(case: Case, reference: Case, depth_m: float) -> float:
-    """Compare R of a case's friction rows with what it is in another case with an elliptic cone, which grips as firmly.
+    """Return the ratio of R in a case to R in a reference with an elliptic cone.
 
-    R is in proportion to (1 - d) / (d impratio), and the impedance d to how deep the pads sink in: to the depth r at
-    which the normal rows balance the grip, k d(r) r = R f. Stiffer pads sink in less. A pyramid's rows are normal and
-    friction rows in one, four a contact, with R = 2 μ² (1 + μ²) / impratio of what an elliptic cone's normal row has
-    (MuJoCo, ``mj_makeImpedance``). Each carries a quarter of the normal force, so that these pads sink in less as well.
+    Both cases have the same grip. R is proportional to (1 - d) / (d impratio), and the
+    impedance d depends on the depth r of the pads. At this depth the normal rows
+    balance the grip, k d(r) r = R f, so that stiffer pads have a smaller depth. The
+    rows of a pyramidal cone are both normal and friction rows. There are four for each
+    contact, with R = 2 μ² (1 + μ²) / impratio times that of the normal row of an
+    elliptic cone (MuJoCo, ``mj_makeImpedance``). Each carries a quarter of the normal
+    force, so that these pads have a smaller depth as well.
 
     Args:
-        depth_m: How deep the contacts of the other case are.
+        depth_m: Depth of the contacts in the reference case.
     """
     solimp, of_other = solimp_of(case), impedance_at(solimp_of(reference), depth_m)
     pull_m = (
@@ -189,11 +203,12 @@ def softness(case: Case, reference: Case, depth_m: float) -> float:
 
 
 def balanced_depth_m(solimp: tuple[float, ...], pull_m: float) -> float:
-    """Find the depth r [m] with d(r) r = pull_m (1 - d) / d."""
+    """Return the depth r [m] with d(r) r = pull_m (1 - d) / d."""
+    # The impedance d is never below the first value of solimp.
     shallow_m, deep_m = (
         0.0,
         pull_m * yielding(solimp[0]) / solimp[0],
-    )  # d is never less than solimp's first
+    )
     for _ in range(BISECTION_COUNT):
         middle_m = 0.5 * (shallow_m + deep_m)
         d = impedance_at(solimp, middle_m)
@@ -215,17 +230,23 @@ def pad_stiffness(case: Case) -> float:
 
 
 def yielding(impedance: float) -> float:
-    """Return what R is in proportion to."""
+    """Return the part of R that depends on the impedance."""
     return (1.0 - impedance) / impedance
 
 
 def contact_timeconst_s(case: Case) -> float:
-    """Return the timeconst of the pads' contacts by ``pad_kd``; the engine takes none shorter than two substeps [s]."""
+    """Return the timeconst of the pads' contacts [s], which ``pad_kd`` determines.
+
+    The engine does not use a timeconst shorter than two substeps.
+    """
     return max(solref(case.pad_ke, case.pad_kd)[0], 2.0 * step_s(case))
 
 
 def friction_timeconst_s(case: Case, inverse_mass_1_kg: float) -> float:
-    """Return the timeconst of the pads' friction rows [s], which in some releases is their own (``kf_is_read``)."""
+    """Return the timeconst of the pads' friction rows [s].
+
+    Some releases have a separate one for friction rows (``kf_is_read``).
+    """
     of_contacts_s = contact_timeconst_s(case)
     if (
         kf_is_read()

@@ -1,4 +1,7 @@
-"""What MuJoCo's C engine warns of and then goes on from: nothing that such a run shows is a measurement."""
+"""Turn warnings of MuJoCo's C engine into failures.
+
+The engine continues after these warnings, but the results are no longer valid.
+"""
 
 import mujoco
 
@@ -13,15 +16,18 @@ FAILURES = {
     _KINDS.mjWARN_CONTACTFULL: ("overflow", "the contact buffer overflowed"),
     _KINDS.mjWARN_CNSTRFULL: ("overflow", "the constraint buffer overflowed"),
 }
-"""Kind and reason of the failure, by the warning; a state that is reset is finite again, and shows nothing of it."""
+"""Kind and reason of the failure for each warning.
+
+A state that was reset is finite again, so that only the warning shows the failure.
+"""
 
 
 class RunFailed(Exception):
-    """A run that gives no numbers; its text is the reason."""
+    """Signal a run without valid numbers; the text is the reason."""
 
 
 def failure_of(data: mujoco.MjData, frame: int) -> Failure | None:
-    """Return what the engine has warned of by frame ``frame``."""
+    """Return the failure that the engine has warned of until ``frame``, if any."""
     reason = next(
         (failure for kind, failure in FAILURES.items() if data.warning[kind].number),
         None,
@@ -30,10 +36,10 @@ def failure_of(data: mujoco.MjData, frame: int) -> Failure | None:
 
 
 def refuse_warned(data: mujoco.MjData) -> None:
-    """Let no run go on that the engine has warned of.
+    """Raise an error if the engine has warned of a failure.
 
     Raises:
-        RunFailed: It has.
+        RunFailed: The engine has raised a warning.
     """
     if failure := failure_of(data, 0):
         raise RunFailed(failure.detail)

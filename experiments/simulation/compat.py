@@ -1,4 +1,7 @@
-"""Where Newton's releases differ, for what is measured here. All else runs on 1.4.0 to 1.8.0 as it is."""
+"""Handle the differences between Newton's releases that concern this package.
+
+The rest of the code runs on 1.4.0 to 1.8.0 without changes.
+"""
 
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -12,7 +15,7 @@ from newton.solvers import SolverMuJoCo
 
 
 def warp_has_noslip() -> bool:
-    """Tell whether MuJoCo Warp of the installed release has the noslip pass; C has it in all."""
+    """Return whether MuJoCo Warp has the noslip pass here; all C engines have it."""
     return any(
         field.name == "noslip_iterations" for field in fields(mujoco_warp.Option)
     )
@@ -21,25 +24,31 @@ def warp_has_noslip() -> bool:
 def make_solver(
     model: newton.Model, *, friction_timeconst_s: float | None = None, **options
 ) -> SolverMuJoCo:
-    """Return a silent ``SolverMuJoCo``; a timeconst [s] is of all friction rows, 0 leaves them that of their solref."""
+    """Return a ``SolverMuJoCo`` that does not print.
+
+    A friction timeconst [s] applies to all friction rows. With 0, they keep the
+    timeconst of their solref.
+    """
     with _buffers_on_the_device():
         if friction_timeconst_s is None:
             solver = SolverMuJoCo(model, **options)
         else:
             solver = _FrictionRowSolver(model, friction_timeconst_s, **options)
     if not solver.use_mujoco_cpu:
-        # Kernels print a line at each overflow and, from 1.6.0 on, at each solve that uses up its iterations. The
-        # recorder keeps all that, and in a large batch the printing costs more than the physics.
+        # Kernels print a line at each overflow and, from 1.6.0 on, at each solve that
+        # uses all its iterations. The recorder stores this information. In a large
+        # batch, printing costs more than the physics.
         solver.mjw_model.opt.warn_overflow = False
     return solver
 
 
 @contextmanager
 def _buffers_on_the_device() -> Iterator[None]:
-    """Return within it ``mujoco_warp.put_data`` allocates room for contacts and constraint rows on the device.
+    """Make ``mujoco_warp.put_data`` allocate contacts and rows on the device.
 
-    By itself it makes arrays of zeros on the host and copies them: with the buffers as shipped that is 2 MB a world,
-    and a minute for 16,384 of them. Each step fills them anew, all but the contacts' type, which Newton leaves alone.
+    By default it creates arrays of zeros on the host and copies them. With the shipped
+    buffers these are 2 MB per world, which takes a minute for 16,384 worlds. Each step
+    overwrites the arrays, except for the type of contacts, which Newton does not write.
     """
     put_data = mujoco_warp.put_data
 
@@ -63,7 +72,7 @@ def _buffers_on_the_device() -> Iterator[None]:
                 and array.shape == getattr(roomy, name).shape
             ):
                 setattr(roomy, name, array)
-        roomy.contact.type.fill_(1)  # a constraint, as put_data says of all
+        roomy.contact.type.fill_(1)  # marks a constraint, as put_data does for all
         return roomy
 
     with mock.patch.object(mujoco_warp, "put_data", put_and_enlarge):
@@ -71,7 +80,7 @@ def _buffers_on_the_device() -> Iterator[None]:
 
 
 class _FrictionRowSolver(SolverMuJoCo):
-    """A solver that writes one solreffriction into all of Newton's contacts."""
+    """Write one solreffriction into all of Newton's contacts."""
 
     def __init__(self, model: newton.Model, friction_timeconst_s: float, **options):
         self.solreffriction = wp.vec2(

@@ -1,14 +1,19 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Joint positions of MuJoCo Warp summed with what rounding takes from them kept, without a patch.
+"""Sum joint positions of MuJoCo Warp with compensation for rounding, without a patch.
 
     import compensated_positions
-    compensated_positions.install(solver)    # a newton.solvers.SolverMuJoCo on MuJoCo Warp, before its first step
+    compensated_positions.install(solver)
 
-In single precision a position of 1 rad moves in steps of 1e-7 rad. A joint that creeps moves less than half of that in
-a short time step, so its position stays where it is, for ever, whatever its velocity; what it holds moves on. Kahan's
-summation keeps what each sum lost and adds it to the next one ("Further remarks on reducing truncation errors",
-Communications of the ACM 8, 1965). It is done for hinges, slides and the translation of free joints, where MuJoCo Warp
-calls ``Model.callback.control``: the sum that the engine made at the end of the step before is done once more there.
+The solver is a SolverMuJoCo on MuJoCo Warp, before its first step.
+
+In single precision, a position of 1 rad changes in steps of 1e-7 rad. A joint that
+creeps moves by less than half of that in a short time step, so its position never
+changes, whatever its velocity is, while the held object moves on. Kahan's summation
+keeps the rounding error of each sum and adds it to the next one ("Further remarks on
+reducing truncation errors", Communications of the ACM 8, 1965). It is applied to
+hinges, slides and the translation of free joints. MuJoCo Warp calls
+``Model.callback.control`` in each step. There, the sum at the end of the previous step
+is repeated with compensation.
 """
 
 from collections.abc import Sequence
@@ -21,23 +26,28 @@ FREE, BALL = int(mujoco.mjtJoint.mjJNT_FREE), int(mujoco.mjtJoint.mjJNT_BALL)
 NO_ACTUATION = int(mujoco.mjtDisableBit.mjDSBL_ACTUATION)
 RUNGE_KUTTA = int(mujoco.mjtIntegrator.mjINT_RK4)
 STAGE_WEIGHTS = (1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0)
-"""Weights of the stages' velocities in a step of RK4."""
+"""Weights of the stage velocities in a step of RK4."""
 NEAR = wp.constant(1e-6)
-"""A position farther than this from the sum, relative to both where they are above 1 rad or 1 m, was set by someone
-else, as a reset does: the sum starts anew."""
+"""Largest difference between a position and its sum, relative above 1 rad or 1 m.
+
+A larger difference means that the position was set, for example by a reset. The sum
+then starts again.
+"""
 
 
 def install(solver, *, worlds: Sequence[bool] | None = None) -> None:
-    """Let the positions of a solver's joints be summed with compensation.
+    """Sum the joint positions of a solver with compensation.
 
     Args:
-        solver: What has ``mjw_model`` and ``mjw_data``: a ``newton.solvers.SolverMuJoCo`` without MuJoCo's C engine.
-        worlds: For each world whether it is done in it; all when left out.
+        solver: An object with ``mjw_model`` and ``mjw_data``, such as a
+            ``newton.solvers.SolverMuJoCo`` without MuJoCo's C engine.
+        worlds: Whether to compensate each world; all worlds if it is left out.
 
-    A control callback that is there already is called before it.
+    An existing control callback is called first.
 
     Raises:
-        ValueError: The solver has no model of MuJoCo Warp, or has no actuation, for which the callback is left out.
+        ValueError: The solver does not run MuJoCo Warp, or its actuation is disabled,
+            so that the callback is never called.
     """
     model = getattr(solver, "mjw_model", None)
     if model is None:
@@ -65,21 +75,27 @@ def install(solver, *, worlds: Sequence[bool] | None = None) -> None:
 
 
 class _Sums:
-    """The positions as pairs of single-precision numbers whose sum they are: ``position`` and the rest that it lost."""
+    """Hold each position as a sum of two single-precision numbers.
+
+    These are ``position`` and the lost remainder.
+    """
 
     def __init__(self, d: mujoco_warp.Data, worlds: wp.array):
         self.worlds = worlds
+        # NaN is not near any position, so that the first step takes the current one.
         self.position = wp.full_like(
-            d.qpos, wp.nan
-        )  # which is near nothing: the first step takes what is there
+            d.qpos,
+            wp.nan,
+        )
         self.lost = wp.zeros_like(d.qpos)
-        self.velocity = wp.zeros_like(
-            d.qvel
-        )  # mean of the step so far, over the stages of RK4
-        self.stage = 0  # of RK4; counted as the calls are queued, so a graph must hold whole steps
+        # Mean velocity of the step so far, over the stages of RK4.
+        self.velocity = wp.zeros_like(d.qvel)
+        # Stage of RK4. It is counted while calls are queued, so a graph must contain
+        # whole steps.
+        self.stage = 0
 
     def add(self, m: mujoco_warp.Model, d: mujoco_warp.Data) -> None:
-        """Queue the sum of the last step where a step begins, and what each stage of RK4 adds to the next."""
+        """Queue the sum of the last step and the contribution of a stage of RK4."""
         staged = int(m.opt.integrator) == RUNGE_KUTTA
         if self.stage == 0:
             wp.launch(

@@ -1,4 +1,7 @@
-"""Imported before kernels are, whose modules take it over: gradients are half of what there is to compile."""
+"""Turn off gradients, which would double the code to compile.
+
+This must be imported before kernels, because their modules copy the setting.
+"""
 
 import warp as wp
 

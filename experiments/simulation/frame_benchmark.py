@@ -1,4 +1,4 @@
-"""Benchmark frames of the shake: cases are compared in turn in one process, all from the same states."""
+"""Time frames of the shake and compare cases in turn, from the same states."""
 
 import gc
 from collections.abc import Sequence
@@ -37,28 +37,40 @@ from experiments.simulation.timing import (
 from measured_report.measuring.batch import is_out_of_memory
 
 STATE_FRAME_STEP = 7
-"""Frames from one state that blocks start from to the next, so that eight rounds see about a cycle of the shake."""
+"""Frames between two start states.
+
+Eight rounds then cover about one cycle of the shake.
+"""
 BLOCK_FRAME_COUNT = 4
-"""Frames of a block of few worlds; one of many, whose frames take long, has fewer, and one on a CPU has one."""
-LARGE_BATCH = 8192  # from so many worlds on a block is one frame
+"""Frames of a block with few worlds.
+
+A block with many worlds has fewer frames because they take long. On a CPU it has one.
+"""
+LARGE_BATCH = 8192  # number of worlds from which a block has one frame
 BUILD_COUNT = {"cuda": 2, "cpu": 1}
-"""Builds of each simulation that takes no more than SHARE_AGAIN: see ``paired_timing``."""
-SHARE_AGAIN = (
-    1 / 32
-)  # share of a device's memory up to which a simulation is built again
+"""Number of builds of each simulation that needs at most SHARE_AGAIN.
+
+See ``paired_timing`` for the reason.
+"""
+# Share of a device's memory up to which a simulation is built again.
+SHARE_AGAIN = 1 / 32
 SHARE_BUILT = 1 / 8
-"""The same of all that is built beside the first case: once it takes more, it is timed before more is built."""
-PADS = AS_SHIPPED, STIFF_PADS  # cases with the pads that frames are timed with
+"""Share of a device's memory that the cases after the first one may use.
+
+If they need more, they are timed before more cases are built.
+"""
+PADS = AS_SHIPPED, STIFF_PADS  # cases with the pads of the timed frames
 RATIO = ("frame_ratio", "frame_ratio_p5", "frame_ratio_p95", "ratio_resolution")
-"""Time of a frame over that of the case that it is compared with, and half of the interval of this ratio."""
+"""Ratio of the frame time to the time of the reference, and half its interval."""
 TIMES = ("frame_ms", "frame_ms_p5", "frame_ms_p95", *RATIO)
 TIMED = (*TIMES, "buffer_bytes_per_world")
 
 
 class WarmState:
-    """States that blocks start from: in each round all cases with the same pads start from the same.
+    """Hold the states from which blocks start.
 
-    There are as many as ``paired_timing`` takes rounds in which each is seen once.
+    In each round, all cases with the same pads start from the same state. There is one
+    state for each of the rounds of ``paired_timing``.
     """
 
     def __init__(self, device: wp.Device):
@@ -70,7 +82,7 @@ class WarmState:
             run_frames(simulation, STATE_FRAME_STEP)
 
     def put(self, target: Simulation, case: Case, number: int = 0) -> None:
-        """Put all worlds of ``target`` where the case starts in the round of that number."""
+        """Put all worlds of ``target`` into the state of a case in this round."""
         world = [(pads.pad_ke, pads.pad_kd) for pads in PADS].index(
             (case.pad_ke, case.pad_kd)
         )
@@ -79,12 +91,12 @@ class WarmState:
 
 @cache
 def warm_state(device: str) -> WarmState:
-    """Return the warm states of the device of that alias, built once in a process."""
+    """Return the warm states of a device, which are built once per process."""
     return WarmState(wp.get_device(device))
 
 
 def _state_of(simulation: Simulation) -> Any:
-    """Copy what ``put_in_state_of`` reads of a simulation."""
+    """Return a copy of the arrays that ``put_in_state_of`` reads."""
 
     def copied(holder: object, names: Sequence[str]) -> SimpleNamespace:
         return SimpleNamespace(
@@ -105,7 +117,10 @@ def _state_of(simulation: Simulation) -> Any:
 
 
 class Clone(Simulation):
-    """A simulation built once more: all that a frame changes has memory of its own, model and collision are shared."""
+    """Build a simulation once more, with its own memory for changing state.
+
+    The model and the collision pipeline are shared.
+    """
 
     def __init__(self, of: Simulation):
         vars(self).update(vars(of))
@@ -120,7 +135,10 @@ class Clone(Simulation):
 
 
 class Frames:
-    """Blocks of frames of a case, which may share a simulation with others that differ in RUN_TIME_FIELDS only."""
+    """Run blocks of frames of a case.
+
+    Cases that differ only in RUN_TIME_FIELDS may share a simulation.
+    """
 
     def __init__(self, simulation: Simulation, case: Case, warm: WarmState):
         self.simulation, self.case, self.warm = simulation, case, warm
@@ -133,7 +151,7 @@ class Frames:
         self.reason = batch_invalid_reason(simulation)
 
     def __call__(self, number: int) -> float:
-        """Time a frame [ms], mean of the block of the round of that number."""
+        """Return the mean time of a frame in the block of this round [ms]."""
         simulation = self.simulation
         simulation.parts, simulation.part_beside = self.parts
         self.warm.put(simulation, self.case, number)
@@ -145,7 +163,7 @@ class Frames:
         )
 
     def columns(self, found: PairedTimes) -> dict[str, object]:
-        """Return times, ratio and memory; None, with the reason, where the frames do not count."""
+        """Return times, ratio and memory, or the reason if the frames are not valid."""
         if self.reason:
             return untimed(TIMED, self.reason)
         memory = buffer_bytes_per_world(
@@ -155,10 +173,10 @@ class Frames:
 
 
 class EngineSteps:
-    """Blocks of the engine's own steps in the frames of a case, all substeps together; CUDA only.
+    """Time the engine's own steps in the frames of a case (CUDA only).
 
-    CUDA events around each ``mjw.step``, inside the graph of whole frames; the IK runs before the physics here, so that
-    the engine has the device for itself.
+    CUDA events surround each ``mjw.step`` inside the graph of whole frames. The IK runs
+    before the physics here, so that the engine has the device for itself.
     """
 
     def __init__(self, frames: Frames):
@@ -187,7 +205,7 @@ class EngineSteps:
             del solver._mujoco_warp_step
 
     def __call__(self, number: int) -> float:
-        """Time the engine's steps in a frame [ms], mean of the block of the round of that number."""
+        """Return the mean time of the engine's steps in a frame of this round [ms]."""
         frames, simulation, total = self.frames, self.frames.simulation, 0.0
         frames.warm.put(simulation, frames.case, number)
         with wp.ScopedDevice(simulation.device), wp.ScopedStream(simulation.stream):
@@ -204,15 +222,21 @@ class EngineSteps:
 def build_frames(
     case: Case, world_count: int, warm: WarmState, device: wp.Device | None = None
 ) -> Frames:
-    """Build frames of a case in so many worlds, on the device of the warm states where no other is given."""
-    case = replace(case, frame_count=1)  # the recorder keeps the last frame only
+    """Return frames of a case in this number of worlds.
+
+    The default is the device of the warm states.
+    """
+    case = replace(case, frame_count=1)  # the recorder keeps only the last frame
     return Frames(Simulation([case] * world_count, device or warm.device), case, warm)
 
 
 def time_columns(
     times: PairedTimes, name: str = "frame_ms", ratio: str = "frame_ratio"
 ) -> dict[str, Any]:
-    """Return times as ``spread`` has them, and the ratio with its resolution; its spread is from round to round."""
+    """Return columns with the time, the ratio and the resolution of the ratio.
+
+    The percentiles of the ratio are taken over the rounds.
+    """
     low, high = (float(value) for value in np.percentile(times.ratios, (5, 95)))
     row = spread(name, times.times) | {
         ratio: times.ratio,
@@ -223,7 +247,7 @@ def time_columns(
 
 
 def world_rate(case: Case, world_count: int, times: PairedTimes) -> dict[str, float]:
-    """Return how many substeps of all worlds together are done in a second."""
+    """Return the number of substeps per second in all worlds together."""
     return {
         "world_substeps_per_s": world_count
         * case.substeps
@@ -232,25 +256,27 @@ def world_rate(case: Case, world_count: int, times: PairedTimes) -> dict[str, fl
 
 
 def untimed(names: Sequence[str], reason: str) -> dict[str, object]:
-    """Return columns of times that do not count."""
+    """Return the columns of times without values, with the reason."""
     return absent(names, f"not timed: {reason}")
 
 
 def time_cases(
     cases: Sequence[Case], world_count: int, device: wp.Device, cap_s: float = CAP_S
 ) -> dict[str, dict]:
-    """Time frames of the shake in ``world_count`` worlds against the first case; columns by case.
+    """Time frames of the shake in ``world_count`` worlds against the first case.
 
-    Where memory runs out or the frames do not count, every number is None, with the reason. Cases that differ only in
-    how they are run share a simulation. As many as have room are built before one is timed: all frames of a process
-    that builds after it has timed take longer from then on. So cases that take little memory should stand first.
+    Return columns by case. If memory runs out or the frames are not valid, every number
+    is None, with a reason. Cases that differ only in run-time fields share a
+    simulation. As many simulations as fit into memory are built before any is timed,
+    because building after timing makes all later frames of the process slower.
+    Therefore, cases that need little memory should come first.
     """
     groups: dict[Case, list[Case]] = {}
     for case in cases:
         groups.setdefault(build_key(case), []).append(case)
     waiting, comparison = list(groups.values()), Comparison(cases, world_count, device)
     while waiting:
-        gc.collect()  # frees what was timed, but for the reference
+        gc.collect()  # frees the timed simulations, except for the reference
         built = comparison.build(waiting.pop(0))
         start = memory_bytes(device)
         while (
@@ -264,22 +290,24 @@ def time_cases(
 
 
 class Comparison:
-    """Cases timed in turn against the first of them, some at a time."""
+    """Time cases in turn against the first one, some at a time."""
 
     def __init__(self, cases: Sequence[Case], world_count: int, device: wp.Device):
         self.first, self.world_count, self.device = cases[0], world_count, device
         self.warm = warm_state(device.alias)
-        self.reference: Frames | None = (
-            None  # first build of the first case, once it is timed
-        )
-        self.rows: dict[
-            str, dict
-        ] = {}  # columns by case of its first build, or why it has none
+        # The first build of the first case, after it was timed.
+        self.reference: Frames | None = None
+        # Columns by case of its first build, or the reason if there are none.
+        self.rows: dict[str, dict] = {}
         self.builds: dict[str, list[PairedTimes]] = {}
-        """Builds of the first case, and of those that have other simulations than it."""
+        """The builds of the first case, and of the cases that have other simulations.
+        """
 
     def build(self, group: Sequence[Case]) -> list[Frames]:
-        """Build what cases with the same ``build_key`` share, the first of them again where it takes little memory."""
+        """Build the simulation of cases with the same ``build_key``.
+
+        The first of them is built again if it needs little memory.
+        """
         built: list[Frames] = []
         start = memory_bytes(self.device)
         try:
@@ -308,7 +336,7 @@ class Comparison:
         return [frames for frames in built if frames.case.name not in self.rows]
 
     def time(self, built: Sequence[Frames], cap_s: float) -> None:
-        """Time the builds of all cases at once, against the reference where that has a time."""
+        """Time the builds of all cases together, against the reference if possible."""
         if not built:
             return
         if self.reference is None and built[0].case is self.first:
@@ -321,13 +349,14 @@ class Comparison:
                 frames.case.name,
                 frames is not reference and frames.simulation is reference.simulation,
             )
-            if frames in built:  # or it is the reference, which keeps its first times
+            # the reference keeps its first times
+            if frames in built:
                 self.rows.setdefault(name, frames.columns(times))
                 if not is_variant:
                     self.builds.setdefault(name, []).append(times)
 
     def columns(self) -> dict[str, dict]:
-        """Return the columns by case, of all of its builds."""
+        """Return the columns of each case, pooled over its builds."""
         together = zip(
             self.builds, pool_builds(list(self.builds.values())), strict=True
         )

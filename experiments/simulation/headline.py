@@ -1,5 +1,7 @@
-"""Measure the headline once more, for whoever doubts it, into a file of its own and not among the results:
-``python -m experiments.simulation.headline --device cpu --json FILE``."""
+"""Measure the headline again and write it into a file, without changing the results.
+
+``python -m experiments.simulation.headline --device cpu --json FILE`` runs this.
+"""
 
 import argparse
 import json

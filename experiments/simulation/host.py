@@ -1,4 +1,4 @@
-"""What the simulator has to do with the machine that it measures on; see ``measured_report.measuring.host``."""
+"""Implement the host of the simulator; see ``measured_report.measuring.host``."""
 
 import os
 import re
@@ -23,8 +23,10 @@ from measured_report.measuring.machine import lacks
 from measured_report.measuring.pool import gather, start
 from measured_report.records.identity import package_versions
 
-PROCESS_COUNT = 16  # chosen: more wait for the largest module
-SHARE_COUNT = 64  # more than a frame takes modules: whoever is done takes the next
+# a chosen value: with more processes, all wait for the largest module
+PROCESS_COUNT = 16
+# More than the modules of a frame, so that a process that is done takes the next.
+SHARE_COUNT = 64
 DEVICE_LOST = re.compile(
     "(?i)cuda error|cudaerror|device-side|driver|unspecified launch failure|graph capture"
 )
@@ -34,10 +36,10 @@ __all__ = ["Conditions", "be_quiet", "card", "explained", "note_work", "prepare"
 
 
 def warp_device(kind: str | None) -> wp.Device:
-    """Return the Warp device to measure on; ReportError when it is not there.
+    """Return the Warp device to measure on; raise ReportError if it does not exist.
 
     Args:
-        kind: ``cuda``, ``cpu``, or None for CUDA where there is one.
+        kind: ``cuda``, ``cpu``, or None for CUDA if it is available.
     """
     be_quiet()
     wp.init()
@@ -49,13 +51,16 @@ def warp_device(kind: str | None) -> wp.Device:
 
 
 def card(kind: str) -> tuple[str | None, str | None]:
-    """Return name and uuid of the GPU to measure on; see ``warp_device``."""
+    """Return the name and uuid of the GPU to measure on; see ``warp_device``."""
     device = warp_device(kind)
     return (device.name, device.uuid) if device.is_cuda else (None, None)
 
 
 def prepare(kind: str) -> None:
-    """Compile what the sections need; ReportError where this release can't run the scene."""
+    """Compile the kernels of the sections.
+
+    Raise ReportError if this release cannot run the scene.
+    """
     tqdm.write(
         "Kernels that this machine has not compiled yet come first, for a minute or three."
     )
@@ -67,9 +72,10 @@ def prepare(kind: str) -> None:
 
 
 def compile_first(kind: str) -> str:
-    """Compile what all sections need, by a frame of the scene; return why that can't be run at all, where it can't.
+    """Compile the kernels of all sections by running a frame of the scene.
 
-    What else goes wrong here is left to the measurement.
+    Return the reason if the scene cannot run at all. Other errors are left to the
+    measurement.
     """
     began = time.perf_counter()
     try:
@@ -92,10 +98,11 @@ def compile_first(kind: str) -> str:
 
 
 def _compile_beside(kind: str) -> None:
-    """Compile in processes beside one another what building a simulation and its frame launch.
+    """Compile the kernels of a simulation and its frame in parallel processes.
 
-    A fork has imported all that it needs, but can't use a device that this process has begun to use, nor what another
-    of its threads, as a worker of a cluster has, may hold at that moment.
+    A fork has imported all modules, but it cannot use a device that this process has
+    started to use. It also cannot use locks that another thread may hold, such as a
+    worker of a cluster.
     """
     method = "spawn" if has_begun() or threading.active_count() > 1 else "fork"
     with workers(min(PROCESS_COUNT, os.cpu_count() or 1), method, be_quiet) as pool:
@@ -106,24 +113,32 @@ def _compile_beside(kind: str) -> None:
 
 
 def _compile(kind: str, index: int) -> None:
-    """Compile a share; most of that is Python that writes what is compiled, so that shares take processes."""
+    """Compile a share of the kernels.
+
+    Most of the time is spent in Python, which generates the code, so shares need
+    processes.
+    """
     device = warp_device(kind)
     for module, block_dim in list(scene_kernels(device.alias))[index::SHARE_COUNT]:
         module.load(device, block_dim=block_dim)
 
 
 def be_quiet() -> None:
-    """Let Warp say errors only."""
+    """Let Warp print only errors."""
+    # Old releases of Warp lack it, and compile_first reports the features that they
+    # lack.
     if hasattr(
-        wp, "LOG_ERROR"
-    ):  # Warp of old releases has none, and they are told what else they lack
+        wp,
+        "LOG_ERROR",
+    ):
         wp.config.log_level = wp.LOG_ERROR
 
 
 def note_work(note: Callable[[str], None]) -> None:
-    """Note name and size of every kernel that is launched, or captured to be launched, from now on.
+    """Note name and size of every kernel that is launched or captured from now on.
 
-    What is timed is then looked at once, so that the same work is noted however long it takes.
+    Timed functions then run for one look only, so that the noted work does not depend
+    on speed.
     """
     paired_timing.LOOK_COUNT = 1
     for name in ("launch", "launch_tiled"):
@@ -138,7 +153,10 @@ def _noted(
 
 
 def explained(error: Exception) -> str:
-    """Return what an error of Warp means, in a line; it has printed what the compiler says."""
+    """Return a line that explains an error of Warp.
+
+    Warp has already printed the messages of the compiler.
+    """
     message = " ".join(str(error).split())
     if DEVICE_LOST.search(message):
         return f"the device does not answer ({message:.200}); nvidia-smi says whether it is there"

@@ -1,4 +1,7 @@
-"""Kernels: compiled beside one another, since Warp compiles a module only when its first kernel is launched."""
+"""Compile kernels in parallel.
+
+Warp itself compiles a module only when its first kernel is launched.
+"""
 
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
@@ -17,12 +20,15 @@ from experiments.simulation.stepper import Stepper
 from experiments.simulation.stepper_c import MuJoCoRecorder, MuJoCoStepper
 
 Launch = Callable[..., Any]
-KEPT_COUNT = 12  # chosen: a frame of the scene takes some 55 modules
+KEPT_COUNT = 12  # a chosen value: a frame of the scene needs about 55 modules
 
 
 @contextmanager
 def launching(instead: Launch) -> Iterator[None]:
-    """Call ``instead`` with each kernel, its size and its options, in place of launching it; arrays are zero then."""
+    """Call ``instead`` with each kernel, its size and its options, without a launch.
+
+    Within the block, new arrays contain zeros.
+    """
     names = (
         "launch",
         "launch_tiled",
@@ -63,27 +69,31 @@ def launching(instead: Launch) -> Iterator[None]:
 
 
 def has_begun() -> bool:
-    """Tell whether this process has begun to use Warp, and devices: only then has it chosen where kernels are kept."""
+    """Return whether this process has started to use Warp and devices.
+
+    Only then has Warp chosen the folder of its kernels.
+    """
     return wp.config.kernel_cache_dir is not None
 
 
 def is_bare() -> bool:
-    """Tell whether this machine has compiled hardly anything yet: where kernels are kept there is next to nothing."""
+    """Return whether the kernel cache of this machine is almost empty."""
     begun = has_begun()
     if not begun:
         init_kernel_cache()
     kept_count = len(list(Path(wp.config.kernel_cache_dir).glob("wp_*")))
     if not begun:
-        wp.config.kernel_cache_dir = None  # for Warp to choose again
+        wp.config.kernel_cache_dir = None  # so that Warp chooses it again
     return kept_count < KEPT_COUNT
 
 
 def launched_kernels(
     device: wp.Device, run: Callable[[], object]
 ) -> dict[tuple[Any, int], list[wp.Kernel]]:
-    """Return what ``run`` launches, by module and block size; nothing is launched for that.
+    """Return the kernels that ``run`` launches, by module and block size.
 
-    Warp drops a kernel from its module once nobody holds it, so that who compiles the module is to hold its kernels.
+    The kernels are not launched. Warp removes a kernel from its module when it is no
+    longer referenced, so the caller must keep the kernels until the module is compiled.
     """
     kernels: dict[tuple[Any, int], list[wp.Kernel]] = {}
 
@@ -95,20 +105,21 @@ def launched_kernels(
         *_: Any,
         **options: Any,
     ) -> None:
-        if (
-            kernel.is_generic
-        ):  # a launch makes of it what its arguments take, and only that is compiled
+        # A launch creates the overload for its arguments, and only this overload is
+        # compiled.
+        if kernel.is_generic:
             kernel.add_overload(kernel.infer_argument_types([*inputs, *outputs]))
         block_dim = options.get("block_dim", 256) if device.is_cuda else 1
         kernels.setdefault((kernel.module, block_dim), []).append(kernel)
 
-    with launching(note), suppress(Exception):  # it may read what no kernel has written
+    # it may read results of kernels that did not run
+    with launching(note), suppress(Exception):
         run()
     return kernels
 
 
 class UnlaunchedRecorder(MuJoCoRecorder):
-    """Looks for no cube among the engine's geoms: no kernel has said what they are of."""
+    """Skip the search for the cube, because no kernel has filled the geoms."""
 
     def __init__(self, stepper: Stepper, frame_count: int):
         Recorder.__init__(
@@ -128,14 +139,17 @@ class UnlaunchedStepper(MuJoCoStepper):
 
 
 class Unlaunched(Simulation):
-    """A simulation whose kernels are never launched."""
+    """Build a simulation whose kernels are never launched."""
 
     stepper_of = UnlaunchedStepper
 
 
 @cache
 def scene_kernels(alias: str) -> dict[tuple[Any, int], list[wp.Kernel]]:
-    """Return what building the scene and its frame launch on a device; see ``launched_kernels``."""
+    """Return the kernels of building the scene and its frame on a device.
+
+    See ``launched_kernels``.
+    """
     device = wp.get_device(alias)
     return launched_kernels(
         device, lambda: Unlaunched([replace(AS_SHIPPED, frame_count=1)], device).frame()

@@ -1,4 +1,4 @@
-"""What theory says of the runs of section stability: formulas, as pure functions."""
+"""Compute theoretical values for the runs of section stability."""
 
 import numpy as np
 
@@ -15,12 +15,15 @@ def step_s(case: Case) -> float:
 
 
 def solref(ke: float, kd: float) -> tuple[float, float]:
-    """Return timeconst [s] and dampratio that Newton makes of ke and kd: 2 / kd, kd / (2 √ke) (``convert_solref``)."""
+    """Return the timeconst [s] and dampratio that Newton computes from ke and kd.
+
+    The formulas are 2 / kd and kd / (2 √ke) (``convert_solref``).
+    """
     return 2.0 / kd, 0.5 * kd / ke**0.5
 
 
 def is_clamped(case: Case) -> bool:
-    """Tell whether the engine lengthens the timeconst to two steps (mujoco_warp, ``_efc_row``)."""
+    """Return whether the engine raises the timeconst to two steps."""
     return (
         case.refsafe
         and not case.pad_direct
@@ -31,9 +34,10 @@ def is_clamped(case: Case) -> bool:
 def reference_stiffness(
     timeconst_s: float, dampratio: float, shortest_s: float, dmax: float = PAD_DMAX
 ) -> float:
-    """Return k [1/s²] of the reference acceleration -b v - k r, with no timeconst below ``shortest_s``.
+    """Return k [1/s²] of the reference acceleration -b v - k r.
 
-    k = 1 / (dmax² timeconst² dampratio²): MuJoCo documentation, "Modeling", solver parameters.
+    k = 1 / (dmax² timeconst² dampratio²), with a timeconst of at least ``shortest_s``
+    (MuJoCo documentation, "Modeling", solver parameters).
     """
     return 1.0 / (dmax * max(timeconst_s, shortest_s) * dampratio) ** 2
 
@@ -43,9 +47,10 @@ def cube_mass_kg(case: Case) -> float:
 
 
 def target_demand_m_s2(case: Case) -> float:
-    """Return the largest acceleration [m/s²] that friction would have to give a cube that follows the shake's target.
+    """Return the largest acceleration that friction must give to a cube [m/s²].
 
-    The pads press along y. Friction carries the two other axes: |(a_x, g + a_z)|.
+    The cube follows the target of the shake. The pads press along y, and friction acts
+    along the two other axes: |(a_x, g + a_z)|.
     """
     rate, time = (
         2.0 * np.pi * case.shake_frequency_hz,
@@ -60,10 +65,11 @@ def target_demand_m_s2(case: Case) -> float:
 
 
 def demand_m_s2(case: Case, trace: Trace) -> float:
-    """Return the same for the motion that the hand made, in the last whole period of the shake.
+    """Return the same acceleration for the actual motion of the hand.
 
-    The acceleration of the TCP is the second difference of its positions. What it has along the line on which the pads
-    press, the y axis of the hand, they carry by pressing.
+    It is evaluated in the last whole period of the shake, as the second difference of
+    the TCP's positions. The part along the pressing direction of the pads, the y axis
+    of the hand, does not need friction.
     """
     poses = trace.poses[trace.phase == metrics.SHAKE][:, metrics.TCP].astype(np.float64)
     period = round(2.0 / (case.shake_frequency_hz * trace.frame_dt))
@@ -78,19 +84,24 @@ def demand_m_s2(case: Case, trace: Trace) -> float:
 
 
 def friction_load(case: Case, demand: float, grip_force_n: float) -> float:
-    """Return the friction that is needed over what two pads can give, m |a| / (μ Σ N); above 1 the cube slides.
+    """Return the required friction as a fraction of the limit, m |a| / (μ Σ N).
 
-    Coulomb's law, which the engine's elliptic cone imposes on each contact (MuJoCo documentation, "Computation",
-    friction cones); the pads have priority, so their coefficient counts alone.
+    Above 1, the cube slides. This is Coulomb's law, which the engine's elliptic cone
+    imposes on each contact (MuJoCo documentation, "Computation", friction cones). Only
+    the coefficient of the pads counts, because they have priority.
     """
     return cube_mass_kg(case) * demand / (max(case.pad_mu, 1e-5) * grip_force_n)
 
 
 def exit_bound_m_s(case: Case) -> float:
-    """Return the speed [m/s] at which an undamped spring throws the cube out of ``start_overlap_m``: overlap √k."""
+    """Return the largest exit speed [m/s] from ``start_overlap_m``, overlap √k.
+
+    An undamped spring would throw the cube out at this speed.
+    """
     parts = [(case.pad_ke, case.pad_kd)]
     if not case.cube_in_hand:
-        # Cube and ground have the same priority: the engine takes the mean of their solrefs.
+        # Cube and ground have the same priority, so the engine uses the mean of their
+        # solrefs.
         parts = [(case.cube_ke, case.cube_kd), (AS_SHIPPED.pad_ke, AS_SHIPPED.pad_kd)]
     timeconst, dampratio = np.mean([solref(*material) for material in parts], axis=0)
     return (

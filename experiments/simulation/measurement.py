@@ -1,4 +1,4 @@
-"""How sections measure the shake test: which frames are run and looked at, and the row that a run makes."""
+"""Measure the shake test: choose the frames to run, and compute the row of a run."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import asdict, fields, replace
@@ -16,10 +16,10 @@ from measured_report.measuring import measurement as conditions
 from measured_report.measuring.measurement import Measurement, absent
 
 QUICK_FRAME_COUNT = 420  # frames of a quick run: the set-up and about 3.5 s of shake
-CONTACT_FRAME_STEP = (
-    15  # frames between the three looks at the live contacts: a quarter of a 1 Hz cycle
-)
-SETUP_FRAME_COUNT = 212  # frames before the shake when no phase has to wait for the TCP
+# Frames between the three recordings of contacts: a quarter of a 1 Hz cycle.
+CONTACT_FRAME_STEP = 15
+# Frames before the shake if no phase has to wait for the TCP.
+SETUP_FRAME_COUNT = 212
 SHAKE_COLUMNS = (
     "slip_mm",
     "drift_mm_s",
@@ -32,7 +32,7 @@ CYCLE_COLUMNS = ("increment_mean_mm", "increment_last_mm", "cycle_count")
 
 
 class Conditions(conditions.Conditions):
-    """How a section is to be measured."""
+    """Hold the conditions under which a section measures."""
 
     def frame_count(self, full: int) -> int:
         """Return ``full``, or fewer frames when quick."""
@@ -44,7 +44,7 @@ class Conditions(conditions.Conditions):
         return middle - CONTACT_FRAME_STEP, middle, middle + CONTACT_FRAME_STEP
 
     def simulate(self, cases: Sequence[Case], **options) -> list[Trace]:
-        """Return ``simulation.simulate`` on this device, with the runs cut short when quick."""
+        """Simulate the cases on this device, with shorter runs when quick."""
         cases = [
             replace(case, frame_count=self.frame_count(case.frame_count))
             for case in cases
@@ -52,7 +52,7 @@ class Conditions(conditions.Conditions):
         return simulate(cases, device=self.device, **options)
 
     def measure(self, cases: Sequence[Case], title: str) -> Measurement:
-        """Return the plain kind of section: a row for each case, and nothing else."""
+        """Measure one row for each case."""
         traces = self.simulate(cases, title=title)
         return Measurement(
             [summarize(case, trace) for case, trace in zip(cases, traces, strict=True)]
@@ -60,9 +60,11 @@ class Conditions(conditions.Conditions):
 
 
 def summarize(case: Case, trace: Trace) -> dict[str, Any]:
-    """Return one row: the case's name, what differs from the scene as shipped, and the metrics of its trace.
+    """Return the row of a run.
 
-    A number that does not exist is None, with a reason under ``<name>_reason``.
+    It contains the name of the case, its differences from the scene as shipped, and the
+    metrics of its trace. A number that does not exist is None, with a reason under
+    ``<name>_reason``.
     """
     row = {"case": case.name, "backend": case.backend, **differences(case)}
     row |= {
@@ -120,7 +122,10 @@ def _cycle_numbers(increments_mm: np.ndarray) -> dict[str, float]:
 
 
 def displacement_table(trace: Trace) -> dict[str, np.ndarray]:
-    """Return the cube's displacement in the TCP frame [mm] over the shake, along each axis and along the shake."""
+    """Return the cube's displacement in the TCP frame over the shake [mm].
+
+    The columns are the axes and the direction of the shake.
+    """
     moved = metrics.displacement(trace)
     vector = 1e3 * moved.vector_m
     return {
@@ -133,7 +138,10 @@ def displacement_table(trace: Trace) -> dict[str, np.ndarray]:
 
 
 def grasp_columns(rows: ContactRows) -> dict[str, object]:
-    """Return ``metrics.grasp`` as columns of a row; each None, with a reason, when no contact carries force."""
+    """Return ``metrics.grasp`` as columns of a row.
+
+    The columns are None, with a reason, if no contact carries force.
+    """
     grasp = metrics.grasp(rows)
     if grasp is not None:
         return asdict(grasp)
@@ -143,7 +151,10 @@ def grasp_columns(rows: ContactRows) -> dict[str, object]:
 
 
 def numbers_of(holder: Any) -> Iterator[tuple[str, float]]:
-    """Name and value of each field of a dataclass that is a number; of one for each world, the first world's."""
+    """Yield the name and value of each numeric field of a dataclass.
+
+    If a field has a value for each world, the value of the first world is used.
+    """
     for name in sorted(field.name for field in fields(holder)):
         value = getattr(holder, name)
         if isinstance(value, wp.array) and value.dtype is wp.float32:

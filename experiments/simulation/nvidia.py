@@ -1,4 +1,4 @@
-"""NVIDIA's GPUs; see ``measured_report.measuring.host``."""
+"""Implement NVIDIA's GPUs as accelerators; see ``measured_report.measuring.host``."""
 
 import os
 from pathlib import Path
@@ -8,19 +8,23 @@ from measured_report.measuring.machine import said
 
 KIND, NOUN = "cuda", "GPU"
 VISIBLE = "CUDA_VISIBLE_DEVICES"
-NONE = {VISIBLE: ""}  # a process that has begun with CUDA must not be forked
+NONE = {VISIBLE: ""}  # a process that has initialized CUDA must not be forked
 MPS, MPS_FOLDER = "CUDA_MPS_PIPE_DIRECTORY", "/tmp/nvidia-mps"
-"""Variable that says where NVIDIA's MPS is, the daemon through which processes share a GPU, and its default."""
+"""Variable with the folder of NVIDIA's MPS, and its default.
+
+MPS is the daemon through which processes share a GPU.
+"""
 ALONE = {MPS: "/nonexistent"}
+# Numbers of processes that share a GPU; without MPS they take turns.
 SHARE_COUNT, MPS_SHARE_COUNT = (
     4,
     16,
-)  # processes that share a GPU: without that daemon they take turns on it
-SHARE_MIB = 2048  # memory of a GPU that there has to be for each of them
+)
+SHARE_MIB = 2048  # memory of a GPU that each of them needs
 
 
 def accelerators() -> list[Accelerator]:
-    """List the GPUs that this process may use."""
+    """Return the GPUs that this process may use."""
     listing = said(
         "nvidia-smi",
         "--query-gpu=index,uuid,memory.total,name",
@@ -32,7 +36,7 @@ def accelerators() -> list[Accelerator]:
     if (allowed := os.environ.get(VISIBLE)) is not None:
         names = {name.strip() for name in allowed.split(",")}
         gpus = [gpu for gpu in gpus if names & {*gpu[:2]}]
-    # What shares memory with the processor may not say how much it has.
+    # GPUs that share memory with the CPU may not report its size.
     return [
         Accelerator(name, int(size) if size.isdecimal() else 0, {VISIBLE: uuid})
         for _, uuid, size, name in gpus

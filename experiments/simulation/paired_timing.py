@@ -1,16 +1,20 @@
-"""Times to a stated resolution: blocks of frames in turn, until the interval of a ratio is narrow enough.
+"""Time blocks of frames in turn until the interval of a ratio is narrow enough.
 
-A round times one block of each case, in the opposite order from the round before (ABBA), so that a drift of the machine
-cancels. Compared are logarithms of a case's time over the reference's in the same round. Their mean has an interval
-from batch means (Law & Carson, "A sequential procedure for determining the length of a steady-state simulation",
-Operations Research 27(5), 1979): the rounds so far make BATCH_COUNT batches, which get longer at each look, so that
-rounds that follow one another need not be independent. Rounds that are BATCH_COUNT apart start from the same state. So
-from the second look on each batch is compared with those that start from its own states, and differences from state to
-state are no noise (a stratified sample: Cochran, "Sampling Techniques", ch. 5). Each of LOOK_COUNT looks has its part
-of the error (Bonferroni), so the interval covers whenever one stops.
+A round times one block of each case, in the reverse order of the previous round (ABBA),
+so that a drift of the machine cancels. The logarithm of a case's time relative to the
+reference in the same round is evaluated. The interval of its mean is computed from
+batch means (Law & Carson, "A sequential procedure for determining the length of a
+steady-state simulation", Operations Research 27(5), 1979). The rounds form BATCH_COUNT
+batches, which become longer at each look, so that consecutive rounds need not be
+independent. Rounds that are BATCH_COUNT apart start from the same state. From the
+second look on, each batch is compared with batches that start from the same states, so
+that differences between states do not count as noise (a stratified sample: Cochran,
+"Sampling Techniques", ch. 5). Each of the LOOK_COUNT looks has its share of the error
+probability (Bonferroni), so that the interval is valid at every stop.
 
-A simulation that is built again takes a little more or less time on a GPU, always, by many times this noise. So cases
-that differ in their build are built more than once, and ``pool_builds`` takes that into the interval.
+If a simulation is built again on a GPU, its time differs permanently by many times this
+noise. Therefore, cases with different builds are built more than once, and
+``pool_builds`` includes this scatter in the interval.
 """
 
 import math
@@ -20,29 +24,33 @@ from dataclasses import dataclass
 
 import numpy as np
 
-RESOLUTION = 0.01  # half of the interval of a ratio that is narrow enough, as a share of the ratio
+# Half of the interval of a ratio that is narrow enough, relative to the ratio.
+RESOLUTION = 0.01
 BATCH_COUNT = 8
-LOOK_COUNT = 5  # looks after 8, 16, 32, 64 and 128 rounds, each with 1 % of error
+LOOK_COUNT = 5  # looks after 8, 16, 32, 64 and 128 rounds, each with an error of 1 %
+# Student's t, two-sided 99 %, by degrees of freedom.
 T_99 = {
     4: 4.6041,
     6: 3.7074,
     7: 3.4995,
-}  # Student's t, two-sided 99 %, by degrees of freedom
+}
 T_95 = (12.7062, 4.3027, 3.1824, 2.7764, 2.5706, 2.4469, 2.3646, 2.3060, 2.2622, 2.2281)
-"""Student's t, two-sided 95 %, from one degree of freedom on; more than these have the last."""
-CAP_S = 6.0  # seconds after which no comparison goes on to another look
+"""Student's t, two-sided 95 %, from one degree of freedom on.
+
+The last value is also used for more degrees of freedom.
+"""
+CAP_S = 6.0  # time after which a comparison does not start another look [s]
 
 
 @dataclass(frozen=True)
 class PairedTimes:
-    """Times of a case and of the reference in the same rounds."""
+    """Hold the times of a case and its ratios to the reference in the same rounds."""
 
     times: np.ndarray  # time of a frame in each round [ms]
-    ratios: (
-        np.ndarray
-    )  # ratio to the reference's time in the same round; 1 everywhere for the reference
+    # Ratio to the reference's time in the same round; 1 for the reference itself.
+    ratios: np.ndarray
     ratio: float  # geometric mean of the ratios
-    resolution: float  # half of the 95 % interval of ``ratio``, as a share of it
+    resolution: float  # half of the 95 % interval of ``ratio``, relative to it
 
 
 def time_in_turn(
@@ -51,13 +59,15 @@ def time_in_turn(
     cap_s: float = CAP_S,
     clock: Callable[[], float] = time.perf_counter,
 ) -> list[PairedTimes]:
-    """Time the blocks against the first of them until each ratio is known to RESOLUTION, in LOOK_COUNT looks at most.
+    """Time blocks against the first one until each ratio is known to RESOLUTION.
 
-    A case that is known takes no further part; the reference does to the end. Alone it is timed for the first look.
+    There are at most LOOK_COUNT looks. A case whose ratio is known is no longer timed,
+    but the reference is timed to the end. A reference alone is timed for the first look
+    only.
 
     Args:
-        blocks: Each times a frame of its case [ms] in the round of that number.
-        cap_s: Where another look would end after this time [s], the resolution stays as it is.
+        blocks: Functions that return the time of a case's frame [ms] in a given round.
+        cap_s: Time [s] that another look must not exceed.
     """
     if not blocks:
         return []
@@ -83,9 +93,8 @@ def _compared(times: Sequence[float], reference: Sequence[float]) -> PairedTimes
     ratios = times_ms / np.array(reference[: len(times)])
     batches = np.log(ratios).reshape(BATCH_COUNT, -1).mean(axis=1)
     pass_count = len(times_ms) // BATCH_COUNT
-    state_count = (
-        1 if pass_count == 1 else max(1, BATCH_COUNT // pass_count)
-    )  # states that batches start from
+    # The number of different start states of the batches.
+    state_count = 1 if pass_count == 1 else max(1, BATCH_COUNT // pass_count)
     by_state = batches.reshape(-1, state_count)
     freedom = BATCH_COUNT - state_count
     deviation = math.sqrt(np.square(by_state - by_state.mean(axis=0)).sum() / freedom)
@@ -94,9 +103,10 @@ def _compared(times: Sequence[float], reference: Sequence[float]) -> PairedTimes
 
 
 def pool_builds(cases: Sequence[Sequence[PairedTimes]]) -> list[PairedTimes]:
-    """Pool the builds of each case, all timed in one comparison; the first case is the reference.
+    """Return the pooled times of the builds of each case in one comparison.
 
-    The spread of builds is taken as the same for all cases. Where no case has two, each is as it was.
+    The first case is the reference. The scatter between builds is assumed to be equal
+    for all cases. If no case has two builds, the times are returned unchanged.
     """
     logarithms = [np.log([build.ratio for build in builds]) for builds in cases]
     freedom = sum(len(logs) - 1 for logs in logarithms)

@@ -1,4 +1,4 @@
-"""Recording on the device: nothing comes back to the host before the end of the run."""
+"""Record runs on the device; data are copied to the host after the run."""
 
 import numpy as np
 import warp as wp
@@ -42,7 +42,10 @@ def watch_substep(
     contact_overflow: wp.array[int],
     constraint_overflow: wp.array[int],
 ):
-    """Keep the peaks, and the first frame in which a buffer was too small. Contacts of all worlds share one buffer."""
+    """Record the peaks and the first frame in which a buffer was too small.
+
+    The contacts of all worlds share one buffer.
+    """
     world = wp.tid()
     peak_constraint[world] = wp.max(peak_constraint[world], constraint_count[world])
     peak_iteration[world] = wp.max(peak_iteration[world], iteration_count[world])
@@ -69,17 +72,17 @@ def end_frame(
         poses[frame, world, body] = body_q[world, tracked[body]] * offset[body]
     phases[frame, world] = phase[world]
     contacts[frame, world, SLIDE] /= wp.max(contacts[frame, world, LOADED], 1.0)
-    # A viewer may run on beyond the last frame; then the last one is written again.
+    # A viewer may run beyond the last frame, which is then overwritten.
     cursor[world] = wp.min(frame + 1, phases.shape[0] - 1)
 
 
 class Recorder:
-    """Device buffers for a batch of ``world_count`` worlds and ``frame_count`` frames.
+    """Hold device buffers for ``world_count`` worlds and ``frame_count`` frames.
 
-    What a solver shows of its contacts is recorded by the subclass that lies beside its stepper.
+    A subclass beside each stepper records the contacts of its solver.
 
     Args:
-        contacts: Newton's contact buffer, or None when MuJoCo generates the contacts.
+        contacts: Newton's contact buffer, or None if MuJoCo generates the contacts.
     """
 
     cube_geom: int
@@ -118,13 +121,13 @@ class Recorder:
         self.failure_in_c: Failure | None = None
 
     def watch_substep(self) -> None:
-        """Watch how far the buffers are used."""
+        """Record the use of the buffers."""
 
     def record_contacts(self) -> None:
-        """Add what the contacts carry to the statistics of the frame."""
+        """Add the contact forces to the statistics of the frame."""
 
     def keep_contact_rows(self, frame: int) -> None:
-        """Copy every live contact of every world to the host; between frames only."""
+        """Copy every live contact of every world to the host; only between frames."""
 
     def begin_frame(self) -> None:
         wp.launch(
@@ -146,7 +149,10 @@ class Recorder:
     def traces(
         self, wall_s: float = 0.0, frame_count: int | None = None
     ) -> list[Trace]:
-        """Fetch the first ``frame_count`` frames, all for None, and cut them into one trace per world."""
+        """Return one trace for each world, with the first ``frame_count`` frames.
+
+        None returns all frames.
+        """
         poses, phases, contacts = (
             array.numpy()[:frame_count]
             for array in (self.poses, self.phases, self.contacts)

@@ -1,4 +1,7 @@
-"""The shake through MuJoCo's own loop in C and float64, without Newton: the reference, and what one core can do."""
+"""Run the shake in MuJoCo's own loop in C, in double precision and without Newton.
+
+This is the reference, and it shows the speed of one core.
+"""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -19,16 +22,18 @@ from experiments.simulation.task import FRAME_RATE
 from newton_lint.newton_models.compat import kf_is_read
 
 ENGINES_AGREE = {"pad_kf": -1.0} if kf_is_read() else {}  # type: dict
-"""What makes MuJoCo Warp and the C engine one model: C cannot have the timeconst that kf gives to friction rows."""
+"""Parameters with which MuJoCo Warp and the C engine have the same model.
+
+The C engine does not support the timeconst that kf sets for friction rows.
+"""
 SETUP_FRAME_LIMIT = 600
-BODIES = TRACKED_BODIES[
-    : max(metrics.CUBE, metrics.TCP) + 1
-]  # bodies that a trace of the native loop keeps
+# The bodies in a trace of the native loop.
+BODIES = TRACKED_BODIES[: max(metrics.CUBE, metrics.TCP) + 1]
 
 
 @dataclass(frozen=True)
 class Start:
-    """Where every run of the shake starts, in the solver's coordinates, and what the joints are told from there on."""
+    """Hold the start state of a run in solver coordinates, and its joint targets."""
 
     qpos: np.ndarray
     qvel: np.ndarray
@@ -37,7 +42,7 @@ class Start:
 
 
 def pilot_at_shake(cases: Sequence[Case], device: wp.Device) -> Simulation:
-    """Return a world for each case, run to where the shake begins in all of them.
+    """Return a simulation with a world for each case, at the start of the shake.
 
     Raises:
         RuntimeError: The shake was not reached within SETUP_FRAME_LIMIT frames.
@@ -54,9 +59,10 @@ def pilot_at_shake(cases: Sequence[Case], device: wp.Device) -> Simulation:
 
 
 def starts_of(pilot: Simulation, frame_count: int) -> list[Start]:
-    """Return the state of each of the pilot's worlds, and the targets of the frames that follow, for which it runs on.
+    """Return the state of each pilot world and the targets of the next frames.
 
-    In the shake the targets depend on nothing but the time and on where the shake began, so all runs get the same.
+    The pilot runs on to compute them. The targets of the shake depend only on time and
+    on the place where the shake began, so all runs get the same targets.
     """
     data = pilot.solver.mjw_data
     state = {
@@ -78,10 +84,11 @@ def starts_of(pilot: Simulation, frame_count: int) -> list[Start]:
 
 
 class NativeShake:
-    """One case in MuJoCo's C engine on one core, in the model that Newton makes for it.
+    """Run one case in MuJoCo's C engine on one core, in Newton's model.
 
-    A frame sets the joint targets and calls ``mj_step`` once for all its substeps. Unlike through Newton, the state is
-    never passed through float32. Other threads run while ``mj_step`` does.
+    A frame sets the joint targets and calls ``mj_step`` once for all its substeps. The
+    state is not rounded to float32, as it would be with Newton. Other threads can run
+    during ``mj_step``.
     """
 
     def __init__(self, case: Case, start: Start):
@@ -109,7 +116,11 @@ class NativeShake:
         self.frame_index += 1
 
     def run(self) -> Trace:
-        """Return the next ``case.frame_count`` frames: poses of BODIES, cone use, iterations of each last substep."""
+        """Return the trace of the next ``case.frame_count`` frames.
+
+        It contains the poses of BODIES, the cone use, and the iterations of each last
+        substep.
+        """
         frame_count = self.case.frame_count
         poses, phase = (
             np.zeros((frame_count, len(BODIES), 7)),
@@ -134,14 +145,17 @@ class NativeShake:
 
     @property
     def pad_timeconst_s(self) -> float:
-        """Return the time constant of the pads' contacts in the model, before MuJoCo raises it to two substeps [s]."""
+        """Return the timeconst of the pads' contacts in the model [s].
+
+        MuJoCo later raises it to at least two substeps.
+        """
         return float(self.model.geom_solref[self.pad, 0])
 
     def _phase(self) -> int:
         return metrics.SHAKE
 
     def _poses(self) -> np.ndarray:
-        # A step ends with new joint positions; the bodies are still where they were before it.
+        # A step updates the joint positions, but not yet the poses of the bodies.
         mujoco.mj_kinematics(self.model, self.data)
         poses, quaternion = np.zeros((len(self.bodies), 7)), np.zeros(4)
         for pose, body, offset in zip(poses, self.bodies, self.offsets, strict=True):
@@ -167,18 +181,22 @@ class NativeShake:
 
 
 class DoubleShake(NativeShake):
-    """A case from approach to end of the shake, in double precision: Newton makes the model and plans, no more."""
+    """Run a case from the approach to the end of the shake in double precision.
+
+    Newton is used only to build the model and to plan.
+    """
 
     def __init__(self, case: Case, *, has_midphase: bool):
         bare = replace(case, contact_bias=False, bias_centred=False, backend="mujoco")
         self.simulation = Simulation([bare], wp.get_device("cpu"))
         qpos = self.simulation.model.joint_q.numpy().astype(float)
+        # The orientation of the cube, which MuJoCo writes with w first.
         qpos[ROBOT_DOF_COUNT + 3 :] = (
             1.0,
             0.0,
             0.0,
             0.0,
-        )  # the cube's turn, which MuJoCo writes with w first
+        )
         rest = np.zeros(len(qpos) - 1)
         super().__init__(
             bare, Start(qpos, rest, rest, targets=np.zeros((0, ROBOT_DOF_COUNT)))
@@ -193,9 +211,9 @@ class DoubleShake(NativeShake):
         self.newton_bodies = self.simulation.solver.mjc_body_to_newton.numpy()[0]
 
     def run(self) -> Trace:
-        mujoco.set_mjcb_control(
-            self.term
-        )  # one for all models, so only for as long as this one is stepped
+        # The callback applies to all models, so it is set only while this one is
+        # stepped.
+        mujoco.set_mjcb_control(self.term)
         try:
             return super().run()
         finally:
@@ -205,7 +223,7 @@ class DoubleShake(NativeShake):
         return int(self.simulation.task.phase.numpy()[0])
 
     def frame(self) -> None:
-        """Plan, and step all substeps; the planner sees where the bodies are, in single precision."""
+        """Plan and run all substeps; the planner sees poses in single precision."""
         self.simulation.queue_targets()
         self.simulation.task.solve()
         self.data.ctrl[:ROBOT_DOF_COUNT] = self.simulation.joint_target.numpy()[
@@ -213,7 +231,7 @@ class DoubleShake(NativeShake):
         ]
         mujoco.mj_step(self.model, self.data, self.case.substeps)
         mujoco.mj_kinematics(self.model, self.data)
-        body_q = self.simulation.body_q.numpy()[0]  # on the CPU a view
+        body_q = self.simulation.body_q.numpy()[0]  # a view on the CPU
         for body, newton_body in enumerate(self.newton_bodies):
             if newton_body >= 0:
                 body_q[newton_body] = (

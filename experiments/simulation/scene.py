@@ -1,4 +1,4 @@
-"""The scene: an FR3 arm and a cube on the ground, once for each case of a batch."""
+"""Build the scene: an FR3 arm and a cube on the ground for each case of a batch."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -29,13 +29,14 @@ PAD_SOLIMP = (0.7, 0.95, 0.0001, 0.5, 2.0)
 CUBE_EDGE = 0.04
 CUBE_POSITION = (0.0, -0.44, 0.02)
 CUBE_IN_HAND = (0.0, -0.44, 0.22)
-"""Where a cube starts that is in the hand: as high above its place on the ground as the task lifts it."""
-PAD_FACE = (
-    2e-5  # how far [m] the faces of the pads stand beyond the origins of the fingers
-)
-SOLREF_MODE_RAW = (
-    1  # Newton's mark of a shape whose solref is given as it is, and not by ke and kd
-)
+"""Start position of a cube in the hand.
+
+The task would lift a cube from the ground to this height.
+"""
+# Distance [m] of the pads' faces from the origins of the fingers.
+PAD_FACE = 2e-5
+# Newton's mark of a shape with an explicit solref, which ke and kd do not determine.
+SOLREF_MODE_RAW = 1
 GROUND_MU = 0.8
 
 TRACKED_BODIES = (
@@ -46,16 +47,20 @@ TRACKED_BODIES = (
     "fr3_rightfinger",
     "fr3_link7",
 )
-"""Bodies whose poses a trace keeps, in this order; found by the last part of their label."""
+"""Bodies in a trace, in this order; they are found by the last part of their label."""
 FINGERS = ("fr3_leftfinger", "fr3_rightfinger")
+# Bodies that do not move, and therefore need no gravity compensation.
 FIXED_BODIES = (
     "base",
     "fr3_link0",
-)  # bodies that do not move, so need no gravity compensation
+)
 
 
 def body_index(builder_or_model, name: str) -> int:
-    """Return the index of the first body whose label ends with ``name``; KeyError if there is none."""
+    """Return the index of the first body whose label ends with ``name``.
+
+    Raise KeyError if there is none.
+    """
     for index, label in enumerate(builder_or_model.body_label):
         if label.rsplit("/", 1)[-1] == name:
             return index
@@ -64,25 +69,32 @@ def body_index(builder_or_model, name: str) -> int:
 
 @dataclass(frozen=True)
 class Link:
-    """Where a link of the description is: on a body, which is its own unless fixed joints are left out."""
+    """Describe the body and pose of a link.
 
-    body: int  # index of the body, within one world
+    The link has its own body unless links with fixed joints are merged.
+    """
+
+    body: int  # index of the body within one world
     pose: wp.transform  # pose of the link in the body's frame
 
 
 @dataclass(frozen=True)
 class Scene:
-    """A finalized batch and where to find things in it. Indices are within one world."""
+    """Hold a finalized batch with the indices of its parts within one world."""
 
     model: newton.Model  # all worlds and the ground
-    robot: newton.Model  # the arm alone, once: what inverse kinematics works on
-    links: dict[str, Link]  # where each of TRACKED_BODIES is
+    robot: newton.Model  # the arm alone, for the inverse kinematics
+    links: dict[str, Link]  # place of each of TRACKED_BODIES
     pads: tuple[int, ...]  # shape indices of the finger boxes
     cube: int  # shape index of the cube
 
 
 def robot_builder(case: Case) -> tuple[ModelBuilder, dict[str, Link]]:
-    """Return the arm as shipped: targets, limits, gravity compensation, finger solimp and priority; and its links."""
+    """Return the arm as shipped, and its links.
+
+    This includes targets, limits, gravity compensation, and the solimp and priority of
+    the fingers.
+    """
     builder = ModelBuilder()
     SolverMuJoCo.register_custom_attributes(builder)
     builder.rigid_gap = BASELINE.robot_gap_m
@@ -132,7 +144,11 @@ def robot_builder(case: Case) -> tuple[ModelBuilder, dict[str, Link]]:
 
 
 def _find_links(builder: ModelBuilder, case: Case) -> dict[str, Link]:
-    """Return the tracked links of the robot; without ``fixed_joints`` links that do not move apart become one body."""
+    """Return the tracked links of the robot.
+
+    Without ``fixed_joints``, links that do not move relative to each other become one
+    body.
+    """
     bodies = {name: body_index(builder, name) for name in TRACKED_BODIES[1:]}
     if case.fixed_joints:
         return {
@@ -150,7 +166,7 @@ def _find_links(builder: ModelBuilder, case: Case) -> dict[str, Link]:
 
 
 def pad_shapes(builder: ModelBuilder) -> tuple[int, ...]:
-    """Return the shapes of the two fingers that collide."""
+    """Return the colliding shapes of the two fingers."""
     fingers = {body_index(builder, name) for name in FINGERS}
     return tuple(
         shape
@@ -161,12 +177,13 @@ def pad_shapes(builder: ModelBuilder) -> tuple[int, ...]:
 
 
 def build_scene(cases: list[Case], device: wp.Device) -> Scene:
-    """Build one world per case; the cases must have the same ``batch_key``."""
+    """Build one world for each case; the cases must have the same ``batch_key``."""
     case = cases[0]
     built: list[tuple[ModelBuilder, dict[str, Link]]] = []
 
     def build(world_count: int) -> newton.Model:
-        # Each from builders of its own: finalizing a mesh a second time frees what the first model points to.
+        # Use new builders each time: finalizing a mesh again frees the memory to which
+        # the first model points.
         built.append(_world_builder(case))
         scene = ModelBuilder()
         scene.replicate(built[-1][0], world_count)
@@ -186,7 +203,7 @@ def build_scene(cases: list[Case], device: wp.Device) -> Scene:
 
 
 def _world_builder(case: Case) -> tuple[ModelBuilder, dict[str, Link]]:
-    """Return the robot and, as its last body and shape, the cube; and where the tracked bodies are."""
+    """Return the robot with the cube as its last body and shape, and the links."""
     robot, links = robot_builder(case)
     world = ModelBuilder()
     SolverMuJoCo.register_custom_attributes(world)
@@ -206,7 +223,10 @@ def _world_builder(case: Case) -> tuple[ModelBuilder, dict[str, Link]]:
 
 
 def _rows(host: np.ndarray, world_count: int) -> np.ndarray:
-    """View an array by world, shape [worlds, …]; what belongs to no world, as the ground, is left out."""
+    """Return an array by world, shape [worlds, …].
+
+    Parts that do not belong to a world, such as the ground, are left out.
+    """
     return host[: host.shape[0] // world_count * world_count].reshape(
         world_count, -1, *host.shape[1:]
     )
@@ -222,7 +242,7 @@ def _write(array: wp.array, indices: Sequence[int], values: np.ndarray) -> None:
 
 
 def _apply_world_parameters(scene: Scene, cases: list[Case]) -> None:
-    """Write what each case has for itself into its world's part of the model's arrays."""
+    """Write the parameters of each case into its world's part of the model's arrays."""
     model, pads, cube, body = (
         scene.model,
         scene.pads,

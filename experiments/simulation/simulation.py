@@ -1,4 +1,4 @@
-"""From cases to traces: cases that can share a simulation are worlds of one batch."""
+"""Run cases and return traces; compatible cases are worlds of one batch."""
 
 import time
 from collections.abc import Callable, Sequence
@@ -26,17 +26,15 @@ from experiments.simulation.stepper_c import (
 from experiments.simulation.task import FRAME_RATE, Task
 from measured_report.measuring.pool import gather, processes, start
 
-PROGRESS_FRAMES = (
-    30  # frames between two updates of the progress bar, which wait for the devices
-)
+# Frames between two updates of the progress bar, which wait for the devices.
+PROGRESS_FRAMES = 30
 
 
 class Simulation:
-    """A batch of cases with the same ``batch_key``, one world each, ready to run frame by frame."""
+    """Run a batch of cases with the same ``batch_key``, one world for each."""
 
-    stepper_of: Callable[..., Stepper] = (
-        MuJoCoStepper  # what steps it, made of the scene and the cases
-    )
+    # Creates the stepper from the scene and the cases.
+    stepper_of: Callable[..., Stepper] = MuJoCoStepper
 
     def __init__(self, cases: Sequence[Case], device: wp.Device):
         newton.use_coord_layout_targets = True
@@ -60,33 +58,32 @@ class Simulation:
             if case.ik_beside:
                 self.task.plan(self.body_q)
                 self.task.solve()
-        wp.synchronize_device(
-            device
-        )  # what was built on the device's own stream is used on another
+        # The arrays were written on the device's own stream and are used on another.
+        wp.synchronize_device(device)
         self._start_uncaptured()
 
     def _build_state(self) -> None:
-        """Build all that frames change but the contacts, which the stepper has."""
+        """Build all state that frames change, except for the stepper's contacts."""
         self.task = Task(self.scene, self.cases)
         self._start_at_approach_pose()
-        self.stepper = copy(
-            self.stepper
-        )  # a simulation that is built once more has contacts of its own
+        # A simulation that is built again has its own contacts.
+        self.stepper = copy(self.stepper)
         self.stepper.contacts = self.contacts
         self.stepper.build(self.state, self.case.frame_count)
         self.solver, self.recorder = self.stepper.solver, self.stepper.recorder
         self._set_flags(self.solver)
 
     def _start_uncaptured(self) -> None:
-        """Begin with a step that is captured anew."""
+        """Let the next step be captured again."""
         self.parts = [self.queue_targets, self.queue_physics]
         self.part_beside = self.task.solve if self.case.ik_beside else None
         self.captured = False
 
     def vary(self, case: Case) -> None:
-        """Go on as another case, which may differ in RUN_TIME_FIELDS only; its first step is captured anew.
+        """Continue as another case that differs only in RUN_TIME_FIELDS.
 
-        The state stays as it is: see ``timing.put_in_state_of``.
+        Its first step is captured again. The state does not change; see
+        ``timing.put_in_state_of``.
         """
         case = replace(case, frame_count=self.case.frame_count)
         if build_key(case) != build_key(self.case):
@@ -105,9 +102,9 @@ class Simulation:
         joint_q[:, :ARM_DOF_COUNT] = self.task.solution.numpy()[:, :ARM_DOF_COUNT]
         model.joint_q.assign(joint_q.reshape(-1))
         self.state = model.state()
-        self.state.body_f = (
-            None  # no external forces, so none are written before every substep
-        )
+        # There are no external forces. None means that the solver does not copy them in
+        # every substep.
+        self.state.body_f = None
         self.control = model.control()
         wp.copy(self.control.joint_target_q, model.joint_q)
         newton.eval_fk(model, model.joint_q, model.joint_qd, self.state)
@@ -143,24 +140,31 @@ class Simulation:
         self.recorder.end_frame(self.body_q, self.task.phase)
 
     def frame(self) -> None:
-        """Queue one frame: targets, substeps and recording, and beside them the IK of the next frame."""
+        """Queue one frame with the IK of the next frame beside it.
+
+        The frame consists of targets, substeps and recording.
+        """
         command, physics = self.parts
         command()
         if self.part_beside is not None:
             if self.stream_beside:  # the CPU has no streams
                 self.stream_beside.wait_stream(self.stream)
             with wp.ScopedStream(self.stream_beside):
-                self.part_beside()  # first: a device that has the long graph queued starts no other beside it
+                # This must be first, because the long graph would block others on the
+                # device.
+                self.part_beside()
         physics()
         if self.part_beside is not None and self.stream_beside:
             self.stream.wait_stream(self.stream_beside)
 
     def step(self) -> None:
-        """Run one frame, as graphs from the second on: a first step must not happen inside a capture.
+        """Run one frame, as graphs from the second frame on.
 
-        What runs beside the physics is a graph of its own: the solver's loops are conditional nodes, and Warp cannot
-        capture those while a second stream is part of the capture. Warp replays graphs on the CPU as well, which saves
-        the cost of launching from Python; MuJoCo's C engine is no kernel and is called frame by frame.
+        The first step compiles and must not be captured. The work beside the physics is
+        a separate graph. The loops of the solver are conditional nodes, and Warp cannot
+        capture these while a second stream is part of the capture. Warp also replays
+        graphs on the CPU, which saves the cost of launching from Python. MuJoCo's C
+        engine is not a kernel and is called frame by frame.
         """
         with wp.ScopedDevice(self.device), wp.ScopedStream(self.stream):
             self.frame()
@@ -175,17 +179,19 @@ def run(
     title: str = "",
     contact_frames: Sequence[int] = (),
 ) -> list[list[Trace]]:
-    """Run all frames of all simulations side by side and return the traces of each one's worlds.
+    """Run all frames of all simulations side by side and return the traces by world.
 
-    On CUDA each simulation has a stream of its own: a few worlds leave most of the device idle, so batches overlap. For
-    the same reason the frames of a shorter simulation are spread over all of the longest.
+    On CUDA, each simulation has a separate stream. A few worlds leave most of the
+    device idle, so batches overlap. For the same reason, the frames of a shorter
+    simulation are spread over the duration of the longest.
 
     Args:
-        title: What the progress bar says.
-        contact_frames: Frames of the longest after which all live contacts are kept.
+        title: Title of the progress bar.
+        contact_frames: Frames of the longest simulation after which all live contacts
+            are kept.
     """
     for simulation in simulations:
-        simulation.step()  # compiles and captures, so the clock starts after it
+        simulation.step()  # this compiles and captures, so the clock starts after it
     _synchronize(simulations)
     start = time.perf_counter()
     frame_count = max(
@@ -213,9 +219,9 @@ def run(
 
 
 def is_due(frame: int, count: int, longest: int) -> bool:
-    """Tell whether frame ``frame`` of the longest simulation is one for a simulation of ``count`` frames too.
+    """Return whether a simulation of ``count`` frames runs at this frame.
 
-    The first frame of all is not: it is run before.
+    The first frame is not counted, because it runs before.
     """
     return frame * count // longest > max(0, frame - 1) * count // longest
 
@@ -229,18 +235,19 @@ def simulate(
 ) -> list[Trace]:
     """Run every case and return its trace, in the order of the cases.
 
-    Cases with the same ``batch_key`` run as worlds of one simulation; cases of MuJoCo's C engine have one each, on the
-    CPU. To time a case, run it in a call of its own: simulations of one call run side by side, and next to a GPU those
-    on the CPU in processes of their own.
+    Cases with the same ``batch_key`` are worlds of one simulation. Cases of MuJoCo's C
+    engine have one simulation each, on the CPU. To time a case, run it in a separate
+    call, because the simulations of a call run side by side. If there is a GPU,
+    simulations on the CPU run in separate processes.
 
     Args:
-        device: Warp device; None takes CUDA where there is one.
+        device: Warp device; None uses CUDA if it is available.
         contact_frames: Frames after which all live contacts are kept in the traces.
-        title: What the progress bar says.
+        title: Title of the progress bar.
     """
     has_away = wp.get_device(device).is_cuda and not contact_frames
     every = batches(cases)
-    # The CPU's runs have processes of their own, beside the GPU and one another.
+    # Runs on the CPU have their own processes, beside the GPU and each other.
     away = [
         members
         for members in every
@@ -269,7 +276,7 @@ def run_groups(
     title: str = "",
     contact_frames: Sequence[int] = (),
 ) -> list[list[Trace]]:
-    """Run groups of cases, those of a group with the same ``batch_key``, side by side."""
+    """Run groups of cases with the same ``batch_key`` side by side."""
     simulations = [
         Simulation(group, wp.get_device(device_of(group[0], device)))
         for group in groups
@@ -278,7 +285,7 @@ def run_groups(
 
 
 def captured(queue: Callable[[], None]) -> Callable[[], None]:
-    """Return what replays ``queue`` as a graph on the current stream."""
+    """Return a function that replays ``queue`` as a graph on the current stream."""
     with wp.ScopedCapture() as capture:
         queue()
     return partial(wp.capture_launch, capture.graph)

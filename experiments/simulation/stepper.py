@@ -1,7 +1,7 @@
-"""The seam between a simulation and what steps it: nothing on this side asks which solver that is.
+"""Define the interface between a simulation and the solver that steps it.
 
-A file has each kind: ``stepper_warp`` MuJoCo Warp, ``stepper_c`` MuJoCo's C engine in its place where a case asks for
-it, and ``newton_solvers.stepper`` Newton's other solvers.
+``stepper_warp`` implements MuJoCo Warp, ``stepper_c`` adds MuJoCo's C engine for cases
+that request it, and ``newton_solvers.stepper`` implements Newton's other solvers.
 """
 
 from collections.abc import Sequence
@@ -15,22 +15,25 @@ from experiments.simulation.recorder import Recorder
 from experiments.simulation.scene import Scene
 
 CONTACT_MAX = 64
-"""Contacts per world when a case asks for none, as ``stepper_warp.CONSTRAINT_MAX`` rows. The measured peaks are 49
-contacts and 50 constraint rows as shipped; every record keeps the peaks of its runs, and a run that needs more is
-marked, not cut."""
+"""Default number of contacts per world; for rows see ``stepper_warp.CONSTRAINT_MAX``.
+
+The measured peaks are 49 contacts and 50 constraint rows as shipped. Every record
+contains the peaks of its runs. A run that needs more is marked as a failure.
+"""
 
 
 class Stepper:
-    """Steps the worlds of a batch, which are cases with the same ``batch_key``, and shows what their contacts carry.
+    """Step the worlds of a batch and record their contacts.
 
-    ``pipeline`` and ``contacts`` are Newton's, or None where the solver finds the contacts itself. ``solver``,
-    ``state`` and ``recorder`` are there once it is built. ``case`` is the first one, and may become another that
-    differs in RUN_TIME_FIELDS.
+    The worlds are cases with the same ``batch_key``. ``pipeline`` and ``contacts`` are
+    Newton's, or None if the solver detects the contacts itself. ``solver``, ``state``
+    and ``recorder`` exist after ``build``. ``case`` is the first one, and may be
+    replaced by another that differs only in RUN_TIME_FIELDS.
     """
 
     @property
     def is_queued(self) -> bool:
-        """Tell whether a step is launches on the device alone, which a graph can hold."""
+        """Return whether a step only launches kernels, so that a graph can hold it."""
 
     def __init__(self, scene: Scene, cases: Sequence[Case]):
         self.scene, self.model, self.world_count = scene, scene.model, len(cases)
@@ -38,16 +41,19 @@ class Stepper:
         self.pipeline, self.contacts = self._build_collision()
 
     def build(self, state: newton.State, frame_count: int) -> None:
-        """Build the solver, whose worlds start from ``state``, and what records ``frame_count`` frames of them."""
+        """Build the solver and the recorder.
+
+        The worlds start from ``state``, and ``frame_count`` frames are recorded.
+        """
         self.state = state
         self.solver = self._build_solver()
         self.recorder = self._build_recorder(frame_count)
 
     def set_flags(self, solver: SolverBase) -> None:
-        """Switch a solver's stages on and off as ``case`` says, where it has some."""
+        """Switch the stages of a solver on and off, as in ``case``."""
 
     def step(self, substep: int, control: newton.Control, step_s: float) -> None:
-        """Queue a substep of a frame, and collisions where they are due in it."""
+        """Queue a substep of a frame, with collisions if they are due."""
 
     def _build_collision(self) -> tuple[CollisionPipeline | None, Contacts | None]: ...
 

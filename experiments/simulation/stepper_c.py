@@ -1,6 +1,7 @@
-"""MuJoCo's C engine in place of MuJoCo Warp, where a case asks for it: the one file that knows of both.
+"""Step cases in MuJoCo's C engine instead of MuJoCo Warp if they request it.
 
-It has one world, on the CPU, and finds its contacts itself.
+This is the only file that uses both engines. The C engine has one world, runs on the
+CPU, and detects its contacts itself.
 """
 
 from collections.abc import Sequence
@@ -20,17 +21,18 @@ from experiments.simulation.compat import make_solver, warp_has_noslip
 from experiments.simulation.stepper import CONTACT_MAX
 from experiments.simulation.stepper_warp import WarpRecorder, WarpStepper, is_elliptic
 
-CONSTRAINT_MAX = (
-    96  # rows per world when a case asks for none: see ``stepper.CONTACT_MAX``
-)
+# Default number of rows per world; see ``stepper.CONTACT_MAX``.
+CONSTRAINT_MAX = 96
 
 FIELDS = "dist friction frame solref solreffriction solimp dim geom".split()
 """Arrays of the engines' contacts that are copied to the host."""
 
 
 def batches(cases: Sequence[Case]) -> list[list[int]]:
-    """Return the indices of the cases that run as worlds of one simulation; cases of MuJoCo's C engine have one
-    each."""
+    """Return the indices of the cases that are worlds of one simulation.
+
+    Cases of MuJoCo's C engine have one simulation each.
+    """
     groups: dict[object, list[int]] = {}
     for index, case in enumerate(cases):
         groups.setdefault(
@@ -44,22 +46,25 @@ def device_of(case: Case, device: str | None) -> str | None:
 
 
 def is_in_c(case: Case) -> bool:
-    """Tell whether the case runs in MuJoCo's own loop."""
+    """Return whether the case runs in MuJoCo's own loop."""
     return case.backend == "mujoco"
 
 
 def has_noslip(case: Case) -> bool:
-    """Tell whether the case's engine has the noslip pass."""
+    """Return whether the case's engine has the noslip pass."""
     return case.backend == "mujoco" or warp_has_noslip()
 
 
 def update_data_interval(case: Case) -> int:
-    """Return how often the state is written: at every step where MuJoCo's C engine is to start as Newton does."""
+    """Return the interval at which the state is written.
+
+    It is written at every step if MuJoCo's C engine must start in Newton's state.
+    """
     return 1 if case.state_sync or case.backend == "mujoco" else 0
 
 
 class MuJoCoStepper(WarpStepper):
-    """Steps a batch in MuJoCo Warp or, where its case says so, in C."""
+    """Step a batch in MuJoCo Warp or in C."""
 
     @property
     def is_queued(self) -> bool:
@@ -98,11 +103,14 @@ class MuJoCoStepper(WarpStepper):
                 option.noslip_iterations = case.noslip_iterations
         self._install_remedies(solver)
         if not solver.update_data_interval:
-            solver.reset(self.state)  # the engine starts all worlds as the first
+            solver.reset(self.state)  # otherwise all worlds would start like the first
         return solver
 
     def _install_remedies(self, solver: SolverMuJoCo) -> None:
-        """Give each world of a solver what its case asks for; nothing is installed that no case asks for."""
+        """Install in each world of a solver the remedies of its case.
+
+        Remedies that none of the cases use are not installed.
+        """
         if any(case.compensated for case in self.cases):
             if solver.use_mujoco_cpu:
                 raise CaseError(
@@ -147,7 +155,7 @@ def _options(solver: SolverMuJoCo) -> tuple:
 
 
 class MuJoCoRecorder(WarpRecorder):
-    """Records what is seen of either engine."""
+    """Record the contacts of both engines."""
 
     def watch_substep(self) -> None:
         if self.solver.use_mujoco_cpu:
@@ -162,7 +170,7 @@ class MuJoCoRecorder(WarpRecorder):
             super().record_contacts()
 
     def keep_contact_rows(self, frame: int) -> None:
-        """Copy every live contact of every world to the host; between frames only."""
+        """Copy every live contact of every world to the host; only between frames."""
         self.contact_rows.append(
             contact_rows(self.solver, len(self.cursor), frame, self.names)
         )
@@ -185,7 +193,10 @@ class MuJoCoRecorder(WarpRecorder):
 
 
 def summarize_contacts(rows: ContactRows) -> np.ndarray:
-    """Return what ``record_contacts`` adds up on the device, for one set of contacts; shape [len(FRAME_COLUMNS)]."""
+    """Return the contact statistics of a frame, shape [len(FRAME_COLUMNS)].
+
+    They are the same as those that ``record_contacts`` computes on the device.
+    """
     normal = rows.force_n[:, 0]
     loaded = normal > 0.0
     tangential = np.linalg.norm(rows.force_n[loaded, 1:], axis=1)
@@ -197,7 +208,7 @@ def summarize_contacts(rows: ContactRows) -> np.ndarray:
             tangential.sum(),
             (tangential / (rows.friction[loaded] * normal[loaded])).max(initial=0.0),
             (-rows.distance_m[loaded]).max(initial=0.0),
-            rows.slide_m_s[loaded].sum(),  # end_frame turns the sum into the mean
+            rows.slide_m_s[loaded].sum(),  # end_frame divides the sum by the count
         ]
     )
 
@@ -250,7 +261,7 @@ def contact_rows(
 def _rows_of_world(
     field, address, efc, frame: int, names: list[str], elliptic: bool
 ) -> ContactRows:
-    """Take apart the constraint rows of one world's contacts."""
+    """Return the constraint rows of one world's contacts."""
     all_force, all_residual, all_velocity, all_reference = efc
     axes, friction = field["frame"].reshape(-1, 3, 3), field["friction"][:, 0]
     force, residual, velocity, reference = (

@@ -1,4 +1,4 @@
-"""MuJoCo Warp through Newton: how the worlds of a batch are stepped in it, and what it shows of their contacts."""
+"""Step the worlds of a batch in MuJoCo Warp through Newton; record their contacts."""
 
 import newton
 import warp as wp
@@ -30,10 +30,11 @@ def row_force(
     elliptic: bool,
     mu: float,
 ) -> wp.vec3:
-    """Return the normal and two tangential forces of a contact from its constraint rows.
+    """Return the normal and two tangential forces of a contact from its rows.
 
-    With a pyramidal cone the rows are the pyramid's edges: their sum is the normal force and each tangential force is
-    mu times the difference of two opposite edges (MuJoCo documentation, "Computation", friction cones).
+    The rows of a pyramidal cone are the edges of the pyramid. Their sum is the normal
+    force, and each tangential force is mu times the difference of two opposite edges
+    (MuJoCo documentation, "Computation", friction cones).
     """
     result = wp.vec3(force[world, address], 0.0, 0.0)
     if dim >= 3:
@@ -56,7 +57,10 @@ def row_force(
 def row_slide(
     velocity: wp.array2d[float], world: int, address: int, elliptic: bool, mu: float
 ) -> wp.vec2:
-    """Return the velocities of the two friction rows; from a pyramid's edges as in ``row_force``."""
+    """Return the velocities of the two friction rows.
+
+    For a pyramidal cone they are computed from the edges as in ``row_force``.
+    """
     result = wp.vec2(velocity[world, address + 1], velocity[world, address + 2])
     if not elliptic:
         first = velocity[world, address] - velocity[world, address + 1]
@@ -83,7 +87,7 @@ def record_contacts(
     elliptic: bool,
     contacts: wp.array3d[float],
 ):
-    """Add each live contact to the statistics of its world's frame."""
+    """Add each live contact to the statistics of the frame in its world."""
     contact = wp.tid()
     if contact >= contact_count[0]:
         return
@@ -112,7 +116,8 @@ def record_contacts(
             if dim[contact] >= 3:
                 slide = row_slide(velocity, world, row, elliptic, friction[contact][0])
                 along = axes[contact][1, 0] * slide[0] + axes[contact][2, 0] * slide[1]
-                # The rows hold the velocity of the second geom against the first.
+                # The rows contain the velocity of the second geom relative to the
+                # first.
                 wp.atomic_add(
                     contacts,
                     frame,
@@ -123,7 +128,7 @@ def record_contacts(
 
 
 class WarpStepper(Stepper):
-    """Steps all worlds in MuJoCo Warp, by Newton's solver."""
+    """Step all worlds in MuJoCo Warp with Newton's solver."""
 
     def step(self, substep: int, control: newton.Control, step_s: float) -> None:
         case = self.case
@@ -132,7 +137,7 @@ class WarpStepper(Stepper):
             and substep % (case.substeps // case.collide_count) == 0
         ):
             self.pipeline.collide(self.state, self.contacts)
-        # Without a control the engine keeps the targets that it has.
+        # Without a control, the engine keeps its targets.
         control = control if substep == 0 or case.state_sync else None
         self.solver.step(self.state, self.state, control, self.contacts, step_s)
 
@@ -147,7 +152,7 @@ class WarpStepper(Stepper):
 
 
 class WarpRecorder(Recorder):
-    """Records of MuJoCo Warp's contacts what they carry, and how far its buffers are used."""
+    """Record the contact forces of MuJoCo Warp and the use of its buffers."""
 
     def __init__(self, stepper: Stepper, frame_count: int):
         super().__init__(
@@ -209,10 +214,11 @@ class WarpRecorder(Recorder):
         )
 
     def _contact_count(self) -> tuple[wp.array, int]:
-        """Say where the generator of the contacts counts them, and the most that is sure to be all of them.
+        """Return the counter of contacts and the largest count without a loss.
 
-        Newton's conversion cuts the count to what fits, so what was lost shows only in Newton's own buffer. That one
-        may have lost some as soon as it is full: the narrow phase then stops, and counts no further.
+        Newton's conversion reduces the count to the size of the buffer, so a loss shows
+        only in Newton's own buffer. That buffer may have lost contacts as soon as it is
+        full, because the narrow phase then stops counting.
         """
         data = self.solver.mjw_data
         if self.contacts_in is None:

@@ -1,4 +1,7 @@
-"""The task: approach, descend, grasp, lift, shake; its state lives on the device, one entry per world."""
+"""Run the task on the device: approach, descend, grasp, lift and shake.
+
+The state of the task has one entry per world.
+"""
 
 import numpy as np
 import warp as wp
@@ -15,12 +18,13 @@ from experiments.simulation.scene import (
 
 FRAME_RATE = 60
 APPROACH, DESCEND, GRASP, LIFT, SHAKE = range(5)
+# Minimum duration of each phase [s]; the shake has no end.
 PHASE_SECONDS = (
     0.25,
     1.0,
     0.75,
     1.5,
-)  # least time of each phase [s]; the shake has no end
+)
 
 FINGER_OPEN = wp.constant(0.035)
 APPROACH_HEIGHT = wp.constant(0.10)
@@ -30,9 +34,8 @@ SHAKE_RATIO_Z = wp.constant(0.35)
 POSITION_TOLERANCE = wp.constant(0.005)
 ROTATION_TOLERANCE = wp.constant(float(np.radians(2.0)))
 FRAME_DT = wp.constant(1.0 / FRAME_RATE)
-APPROACH_SOLVE_COUNT = (
-    30  # warm-started IK solves from the ready pose to the approach pose
-)
+# Number of IK solves from the ready pose to the approach pose.
+APPROACH_SOLVE_COUNT = 30
 
 
 @wp.func
@@ -57,7 +60,7 @@ def set_targets(
     target_rotation: wp.array[wp.vec4],
     target_finger: wp.array[float],
 ):
-    """Advance the phase clock by a frame and say where the TCP and the fingers should be now."""
+    """Advance the phase clock by a frame and set the targets of TCP and fingers."""
     world = wp.tid()
     t = elapsed[world] + FRAME_DT
     elapsed[world] = t
@@ -121,7 +124,7 @@ def apply_targets(
     elapsed: wp.array[float],
     phase_start: wp.array[wp.transform],
 ):
-    """Command the joints and end the phase when its time is up and the TCP is where the phase wants it."""
+    """Command the joints, and end the phase when its time and goal are reached."""
     world = wp.tid()
     for dof in range(ARM_DOF_COUNT):
         joint_target[world, dof] = solution[world, dof]
@@ -143,7 +146,8 @@ def apply_targets(
     angle = 2.0 * wp.atan2(
         wp.length(wp.vec3(between[0], between[1], between[2])), wp.abs(between[3])
     )
-    # A cube in the hand is only held still before the shake, and may be heavy enough to pull the arm down.
+    # A cube in the hand is only held still before the shake, and may be heavy enough to
+    # pull the arm down.
     if in_hand[world] or (distance < POSITION_TOLERANCE and angle < ROTATION_TOLERANCE):
         phase[world] = now + 1
         elapsed[world] = 0.0
@@ -151,9 +155,10 @@ def apply_targets(
 
 
 class Task:
-    """State of the task, one entry per world, and the inverse kinematics that serves it.
+    """Hold the state of the task in each world, and its inverse kinematics.
 
-    The arm is solved to the approach pose. ``solution``, shape [worlds, 9], is what the next solve starts from.
+    The arm is solved to the approach pose. ``solution``, shape [worlds, 9], is the
+    start of the next solve.
     """
 
     def __init__(self, scene: Scene, cases: list[Case]):
@@ -207,7 +212,7 @@ class Task:
             self.solve()
 
     def command(self, body_q: wp.array, joint_target: wp.array) -> None:
-        """Queue the joint targets that were solved for this frame, and the end of the phase when it has come.
+        """Queue the joint targets of this frame, and the end of the phase if due.
 
         Args:
             body_q: Body poses, shape [worlds, bodies].
@@ -231,7 +236,7 @@ class Task:
         )
 
     def plan(self, body_q: wp.array) -> None:
-        """Queue where the TCP and the fingers should be in the next frame."""
+        """Queue the targets of the TCP and the fingers for the next frame."""
         wp.launch(
             set_targets,
             dim=body_q.shape[0],
@@ -254,5 +259,5 @@ class Task:
         )
 
     def solve(self) -> None:
-        """Queue the inverse kinematics of what was planned, from the last solution."""
+        """Queue the inverse kinematics of the planned target."""
         self.solver.step(self.solution, self.ik_iterations)

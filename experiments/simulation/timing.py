@@ -1,4 +1,4 @@
-"""States in the middle of the shake without simulating the way there in every world, and whether a time counts."""
+"""Provide states in the middle of the shake for timing, and validate times."""
 
 import time
 from collections.abc import Callable, Sequence
@@ -19,13 +19,13 @@ from experiments.simulation.simulation import Simulation
 TASK_ARRAYS = "phase elapsed phase_start goal target_position target_rotation target_finger solution".split()
 STATE_ARRAYS = "joint_q joint_qd".split()
 ENGINE_ARRAYS = "qpos qvel qacc_warmstart ctrl".split()
-WATCHED_ARRAYS = {  # sums of the recorder over all frames, and what they start from
+WATCHED_ARRAYS = {  # sums of the recorder over all frames, with their start values
     "peak_constraint": 0,
     "peak_iteration": 0,
     "contact_overflow": NO_FRAME,
     "constraint_overflow": NO_FRAME,
 }
-SHAKE_FRAME_COUNT = 30  # frames of shake before the frames that are timed
+SHAKE_FRAME_COUNT = 30  # frames of shake before the timed frames
 WARMUP_COUNT = 3
 
 
@@ -35,16 +35,20 @@ def run_frames(simulation: Simulation, frame_count: int) -> None:
 
 
 def in_the_shake(cases: Sequence[Case], device: wp.Device) -> Simulation:
-    """Build a world for each case and run it into the first cycle of the shake; others take their state from it."""
+    """Return a simulation with a world for each case in the shake's first cycle.
+
+    Other simulations copy their state from it.
+    """
     simulation = Simulation([replace(case, frame_count=1) for case in cases], device)
     run_frames(simulation, SETUP_FRAME_COUNT + SHAKE_FRAME_COUNT)
     return simulation
 
 
 def put_in_state_of(target: Simulation, source: Simulation, world: int = 0) -> None:
-    """Put every world of ``target`` into the state of one world of ``source``, task and solver included.
+    """Put every world of ``target`` into the state of one world of ``source``.
 
-    Frames that were watched before do not count: one simulation may run several cases, one after the other.
+    This includes the task and the solver. Earlier recordings are reset, because one
+    simulation may run several cases in turn.
     """
     pairs = [
         (getattr(target.task, name), getattr(source.task, name)) for name in TASK_ARRAYS
@@ -57,10 +61,11 @@ def put_in_state_of(target: Simulation, source: Simulation, world: int = 0) -> N
         (getattr(target.solver.mjw_data, name), getattr(source.solver.mjw_data, name))
         for name in ENGINE_ARRAYS
     ]
-    wp.synchronize()  # simulations run on streams of their own, these copies do not
+    wp.synchronize()  # simulations have their own streams, but these copies do not
     for to, of in pairs:
         state = of.reshape((source.world_count, -1))[world]
-        # A step of 0 from one world to the next repeats this one, so the copy never leaves the device.
+        # A stride of 0 between worlds repeats this state, so that the copy never leaves
+        # the device.
         shape, strides = (target.world_count, *state.shape), (0, *state.strides)
         repeated = wp.array(
             ptr=state.ptr,
@@ -79,7 +84,7 @@ def put_in_state_of(target: Simulation, source: Simulation, world: int = 0) -> N
 
 
 def elapsed_ms(device: wp.Device, run: Callable[[], None]) -> float:
-    """Time a call until the device is done with it [ms]."""
+    """Return the time of a call until the device is done [ms]."""
     wp.synchronize_device(device)
     start = time.perf_counter()
     run()
@@ -88,7 +93,7 @@ def elapsed_ms(device: wp.Device, run: Callable[[], None]) -> float:
 
 
 def memory_bytes(device: wp.Device) -> int:
-    """Return the memory that warp has taken on a CUDA device [B]; 0 on the CPU, where it doesn't count."""
+    """Return the memory that Warp uses on a CUDA device [B], or 0 on the CPU."""
     if not device.is_cuda:
         return 0
     wp.synchronize_device(device)
@@ -96,8 +101,11 @@ def memory_bytes(device: wp.Device) -> int:
 
 
 def invalid_reason(case: Case, trace: Trace) -> str | None:
-    """Return why the time of frames of the shake does not count; None when it does. A run that overflows, stops early
-    or is not finite does not take the time that the case takes."""
+    """Return the reason why the frame times of a run are not valid, or None.
+
+    A run that overflows, stops early or is not finite does not take a representative
+    time.
+    """
     if trace.failure:
         return trace.failure.detail
     if metrics.is_dropped(trace):
@@ -108,7 +116,7 @@ def invalid_reason(case: Case, trace: Trace) -> str | None:
 
 
 def batch_invalid_reason(simulation: Simulation) -> str | None:
-    """Return the same of the frames that a simulation has run, in any of its worlds."""
+    """Return the same reason for the frames of a simulation, in any of its worlds."""
     reasons = (
         invalid_reason(simulation.case, trace) for trace in simulation.recorder.traces()
     )
@@ -116,7 +124,7 @@ def batch_invalid_reason(simulation: Simulation) -> str | None:
 
 
 def wall_time(traces: Sequence[Trace]) -> dict[str, object]:
-    """Return the wall time of a batch of whole runs; None, with the reason, where one has failed."""
+    """Return the wall time of a batch of whole runs, or a reason if one has failed."""
     reason = next((str(trace.failure) for trace in traces if trace.failure), None)
     return (
         absent(["wall_s"], f"not timed: {reason}")
@@ -126,7 +134,7 @@ def wall_time(traces: Sequence[Trace]) -> dict[str, object]:
 
 
 def spread(name: str, values: np.ndarray) -> dict[str, float | int]:
-    """Return as columns the median of values, under ``name``, their 5th and 95th percentiles, and how many."""
+    """Return the median, the 5th and 95th percentiles and the count as columns."""
     median, low, high = (float(value) for value in np.percentile(values, (50, 5, 95)))
     return {
         name: median,
@@ -139,7 +147,10 @@ def spread(name: str, values: np.ndarray) -> dict[str, float | int]:
 def buffer_bytes_per_world(
     solver: SolverMuJoCo, contacts: newton.Contacts | None
 ) -> int:
-    """Return the memory of the contact and constraint buffers, the engine's and Newton's, per world [B]."""
+    """Return the memory of the contact and constraint buffers per world [B].
+
+    This includes the buffers of the engine and of Newton.
+    """
     data = solver.mjw_data
     holders = [data.contact, data.efc] + ([contacts] if contacts is not None else [])
     arrays = {

@@ -1,8 +1,9 @@
-"""A model of many equal worlds, worked out from models of two and of three.
+"""Extrapolate a model of many equal worlds from models of two and of three worlds.
 
-Newton's builder goes through Python lists world by world, which takes minutes for many thousands. But the worlds are
-equal: every number in the model is the same in all of them, or it is an index, and then it is linear in the number of
-its world and in how many there are. Two models tell by how much.
+Newton's builder processes Python lists world by world, which takes minutes for many
+thousands of worlds. But the worlds are equal. Every number in the model is either the
+same in all worlds, or it is an index that depends linearly on the number of the world
+and on the count of worlds. Two models determine both coefficients.
 """
 
 from collections.abc import Callable
@@ -12,19 +13,24 @@ import newton
 import numpy as np
 import warp as wp
 
-WORLDS_BUILT = 3  # up to so many worlds a model is built as Newton does it
+WORLDS_BUILT = 3  # largest number of worlds for which Newton builds the model
 NOT_EXTENDED = ("bvh", "_bvh", "body_shapes", "_shape_contact_pair_counts")
-"""How the names begin of what is only for casting rays, is made anew here, or is a cache."""
+"""Prefixes of attributes that are not extended.
+
+They are only needed for casting rays, are rebuilt here, or are caches.
+"""
 
 
 class UnequalWorlds(ValueError):
-    """A part of a model does not repeat world by world; the message names it."""
+    """Signal a part of a model that differs between worlds; the message names it."""
 
 
 def model_of(world_count: int, build: Callable[[int], newton.Model]) -> newton.Model:
-    """Return the model that ``build(world_count)`` makes: built for a few worlds, else worked out from two of those.
+    """Return the model that ``build(world_count)`` would return.
 
-    What belongs to no world must have been added after the worlds. Rays cannot be cast in what is worked out.
+    It is built for a few worlds, and extrapolated for more. Parts that do not belong to
+    a world must have been added after the worlds. The extrapolated model does not
+    support ray casting.
 
     Raises:
         UnequalWorlds: A part of the model is not linear in the worlds.
@@ -47,9 +53,8 @@ def _extended(two: object, three: object, count: int, name: str) -> object:
         if three.shape == two.shape:
             return three
         fewer, rows = two.numpy(), three.numpy()
-        if (
-            three.dtype is wp.uint64
-        ):  # pointers, to what the model of three worlds and the new one hold
+        # Pointers to objects that the model of three worlds and the new one hold.
+        if three.dtype is wp.uint64:
             stride = len(rows) - len(fewer)
             fewer = np.delete(rows, range(stride), axis=0)
         return wp.array(
@@ -75,9 +80,8 @@ def _extended(two: object, three: object, count: int, name: str) -> object:
         or not hasattr(three, "__dict__")
     ):
         return three
-    extended = type(three).__new__(
-        type(three)
-    )  # a plain copy of Newton's lazy set of pairs would hold those of three
+    # A plain copy of Newton's lazy set of pairs would contain those of three worlds.
+    extended = type(three).__new__(type(three))
     vars(extended).update(vars(three))
     for attribute, value in vars(three).items():
         if isinstance(getattr(type(three), attribute, None), cached_property):
@@ -92,9 +96,10 @@ def _extended(two: object, three: object, count: int, name: str) -> object:
 def _extended_array(
     two: np.ndarray, three: np.ndarray, count: int, name: str
 ) -> np.ndarray:
-    """Return the rows of each world one after the other, then those of none; shape [count * rows per world + rest, …].
+    """Return the rows of all worlds, then the rows outside of worlds.
 
-    Integers may grow from world to world and with the number of worlds; all else must be the same in all worlds.
+    Integers may grow from world to world and with the number of worlds. All other
+    values must be equal in all worlds. The shape is [count * rows per world + rest, …].
     """
     stride = len(three) - len(two)
     fewer, fewer_rest = _cut(two, WORLDS_BUILT - 1, stride)

@@ -1,4 +1,7 @@
-"""Where the grasp holds, creeps, drops and explodes: extreme cases, and steps from short to long."""
+"""Measure whether the grasp holds, creeps, drops or explodes in extreme cases.
+
+This includes short and long time steps.
+"""
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
@@ -37,24 +40,35 @@ from experiments.stability.families import (
 )
 from measured_report.measuring.batch import Batch, Plan
 
+# Starts of the repeats: shifts of the cube in the hand.
 OFFSETS_M = {
     "full": (0.0, 2e-4, -2e-4),
     "quick": (0.0,),
-}  # starts of the repeats: the cube's shift in the hand
+}
 FLOOR_FAMILY = "steps"
-"""The family whose repeats say what creep cannot be told from none; it has two of them also when quick."""
+"""The family whose repeats determine the smallest creep that can be distinguished from
+none.
+
+It has two repeats even in a quick run.
+"""
 SINGLE_FAMILY = "buffers"
 TRIED_FAMILIES = ("ke-critical", "ke-kd-100")
 TRIAL_FRAME_COUNT = 30
+# Frames in which the grip at rest is measured.
 HOLD_END = slice(
-    HOLD_FRAME_COUNT - 11, HOLD_FRAME_COUNT - 1
-)  # frames in which the grip at rest is measured
-GONE_M = 0.005  # a cube that has moved farther in the hand by the end of the hold is sliding out
+    HOLD_FRAME_COUNT - 11,
+    HOLD_FRAME_COUNT - 1,
+)
+# A cube that has moved farther in the hand at the end of the hold is sliding out.
+GONE_M = 0.005
 EXIT_FRAMES = 15
 
 
 def measure(conditions: Conditions) -> Plan:
-    """Measure the long run beside all others: it takes as long as they together, and they have the GPU."""
+    """Measure the long run and all other runs in parallel.
+
+    The long run takes as long as all other runs together, which use the GPU.
+    """
     (rows, floor), (long, trace) = yield [
         Batch("others", measure_others, (conditions,)),
         Batch("long", measure_long, (conditions,)),
@@ -65,7 +79,10 @@ def measure(conditions: Conditions) -> Plan:
 
 
 def measure_others(conditions: Conditions) -> tuple[list[dict[str, object]], float]:
-    """Return a row for each case but the long run, and what creep cannot be told from none [mm/s]."""
+    """Return a row for each case except the long run, and the creep floor [mm/s].
+
+    Creep below the floor cannot be distinguished from none.
+    """
     frame_count = HOLD_FRAME_COUNT + SHAKE_FRAME_COUNT[conditions.profile]
     probes = stability_families.probes(conditions.profile)
     runs = [
@@ -100,10 +117,11 @@ def measure_long(conditions: Conditions) -> tuple[Probe, Trace]:
 def simulate_repeats(
     conditions: Conditions, runs: Sequence[Probe]
 ) -> list[list[tuple[Case, Trace]]]:
-    """Return every repeat of every run, all of them side by side.
+    """Return every repeat of every run; all run side by side.
 
-    What explodes does so at once, and then costs the most solver iterations that there are, of which all worlds of its
-    batch wait for the last. So the runs that may are tried for some frames first, and not run on where that is enough.
+    A run that explodes does so immediately and then uses all solver iterations, so that
+    all worlds of its batch wait for it. Runs that may explode are therefore tried for
+    some frames first, and are not continued if they do.
     """
     groups = [
         [
@@ -137,7 +155,7 @@ def simulate_repeats(
 
 
 def offsets_m(conditions: Conditions, run: Probe) -> tuple[float, ...]:
-    """Return the starts of a run's repeats; what is as certain as an overflow has one."""
+    """Return the starts of a run's repeats; runs that always overflow have one."""
     if run.family == SINGLE_FAMILY:
         return (0.0,)
     offsets = OFFSETS_M[conditions.profile]
@@ -149,12 +167,15 @@ def offsets_m(conditions: Conditions, run: Probe) -> tuple[float, ...]:
 
 
 def creep_floor_mm_s(groups: Sequence[Sequence[float]]) -> float:
-    """Say how far apart the repeats of one case come out at most [mm/s]."""
+    """Return the largest difference between repeats of one case [mm/s]."""
     return max(max(group) - min(group) for group in groups)
 
 
 def observe(case: Case, trace: Trace, floor: float) -> dict[str, Any]:
-    """Return what is measured in one run. Motion in the grasp has numbers only where the cube stays in it."""
+    """Return the results of one run.
+
+    Columns about motion in the grasp have numbers only if the cube stays in it.
+    """
     kind = classify(case, trace, floor)
     finite = is_finite(trace)
     row = {
@@ -190,14 +211,17 @@ def observe(case: Case, trace: Trace, floor: float) -> dict[str, Any]:
 
 
 def numbers(reason: str, **functions: Callable[[], float]) -> dict[str, object]:
-    """Return the value of each function under its name; with a reason, None for each and the reason beside it."""
+    """Return the value of each function by name, or None with the given reason."""
     if not reason:
         return {name: function() for name, function in functions.items()}
     return absent(functions, reason)
 
 
 def worst(run: Probe, observed: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
-    """Return one row for the repeats of a case: the worst of them, and the classes of them all, the worst first."""
+    """Return one row for the repeats of a case.
+
+    It contains the worst repeat, and the classes of all repeats, the worst first.
+    """
     ranked = sorted(
         observed,
         key=lambda row: (CLASSES.index(row["class"]), -(row["creep_mm_s"] or 0.0)),
@@ -210,7 +234,10 @@ def worst(run: Probe, observed: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
 
 
 def exit_speed_m_s(case: Case, trace: Trace) -> float:
-    """Return the largest speed [m/s] at which the cube leaves what it starts in, √(v² + 2 g h) at h above contact."""
+    """Return the largest exit speed [m/s] of the cube from its overlap.
+
+    The speed is √(v² + 2 g h) at height h above contact.
+    """
     start = np.array(cube_start(case))
     touching = start[2] + (0.0 if case.cube_in_hand else case.start_overlap_m)
     position = np.vstack(
@@ -227,7 +254,10 @@ def exit_speed_m_s(case: Case, trace: Trace) -> float:
 
 
 def grip_force_n(trace: Trace) -> float:
-    """Return the sum of both pads' normal forces [N] at the hold's end, or in frame 0 where the cube slides out."""
+    """Return the sum of both pads' normal forces [N] at the end of the hold.
+
+    If the cube slides out, return the force in frame 0.
+    """
     positions = metrics.relative_position(
         trace.poses[:HOLD_FRAME_COUNT], metrics.CUBE, metrics.TCP
     )
@@ -237,7 +267,7 @@ def grip_force_n(trace: Trace) -> float:
 
 
 def long_columns(trace: Trace, case: Case, kind: str) -> dict[str, object]:
-    """Say how far the cube creeps per cycle in the first and in the last tenth of the long run.
+    """Return the creep per cycle in the first and in the last tenth of the long run.
 
     The first two cycles, in which the cube settles, are left out.
     """
@@ -263,7 +293,7 @@ def long_columns(trace: Trace, case: Case, kind: str) -> dict[str, object]:
 
 
 def long_table(trace: Trace) -> dict[str, np.ndarray]:
-    """Return the long run once a second."""
+    """Return the displacement in the long run once per second."""
     moved = metrics.displacement(trace)
     stride = slice(None, None, FRAME_RATE)
     vector = 1e3 * moved.vector_m[stride]

@@ -1,4 +1,4 @@
-"""The families of section stability: which cases each has."""
+"""Define the families of section stability and their cases."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
@@ -16,14 +16,18 @@ from experiments.simulation.limits import (
 from experiments.simulation.scene import EFFORT_LIMIT, PAD_FACE, TARGET_KE
 
 HOLD_FRAME_COUNT = 91  # frames in which a cube that starts in the hand is held still
+# Two periods of the shake as shipped, or one.
 SHAKE_FRAME_COUNT = {
     "full": 241,
     "quick": 121,
-}  # two periods of the shake as shipped, or one
+}
 LONG_FRAME_COUNT = {"full": HOLD_FRAME_COUNT + 36_001, "quick": HOLD_FRAME_COUNT + 361}
 
 BASE = replace(LEAN, cube_in_hand=True, contact_max=64, constraint_max=192)
-"""Room for more than a grasp needs, so that no buffer overflows: an arm that falls to the ground has more contacts."""
+"""The base case with larger buffers than a grasp needs.
+
+An arm that falls to the ground has more contacts, which must not overflow the buffers.
+"""
 PADS = {
     "as-shipped": {},
     "stiff": {"pad_ke": STIFF_PADS.pad_ke, "pad_kd": STIFF_PADS.pad_kd},
@@ -34,10 +38,12 @@ STEPS = {"full": (1, 2, 4, 8, 16, 32, 64, 128), "quick": (4, 16)}
 GRID_STEPS = {"full": STEPS["full"], "quick": (2, 4)}
 GRID_KE = {"full": np.logspace(1, 9, 25), "quick": (1e4, 1e6)}
 DAMPING = {"ke-critical": lambda ke: 2.0 * ke**0.5, "ke-kd-100": lambda ke: 100.0}
-"""kd of the two grids over ke: with the damping ratio kept at 1, and left at its import default."""
+"""kd of the two grids over ke: with a damping ratio of 1, or at its import default."""
 TIMECONST_STEPS = {"full": np.geomspace(4.0, 0.25, 9), "quick": (4.0, 0.25)}
 SHAKE_MU = 0.0187
-"""Friction with which the pads carry the cube as shipped, at the grip as shipped, 1.4 times over when nothing moves."""
+"""Friction with which the shipped grip could hold 1.4 times the weight of the cube at
+rest.
+"""
 SHAKES = {  # amplitude [m] and frequency [Hz]
     "full": [
         (a, 2.0)
@@ -51,7 +57,7 @@ GRIPS = {
     "full": (0.25, 0.5, 0.7, 0.8, 0.9, 1.0, 1.1, 1.2, 1.4, 2.0, 4.0),
     "quick": (0.5,),
 }
-"""Grip force over what the shake as shipped needs."""
+"""Grip force relative to the force that the shake as shipped needs."""
 FRICTIONS = {"full": (0.0, 1e-3, 0.1, 1.0, 2.0, 100.0), "quick": (0.0, 100.0)}
 MASSES_KG = {"full": np.geomspace(1e-3, 10.0, 9), "quick": (10.0,)}
 EDGES_M = {
@@ -61,7 +67,8 @@ EDGES_M = {
 OVERLAPS_M = {"full": (1e-4, 3e-4, 1e-3, 3e-3, 5e-3), "quick": (5e-3,)}
 GRAVITIES = {"full": (0.0, 9.81, 98.1, -9.81), "quick": (-9.81,)}
 SPRINGY = {"cube_ke": 1e8, "cube_kd": 1e3}
-"""Material of a cube that leaves the ground, where that of the cube as shipped is damped too well for it."""
+"""Material of a cube that leaves the ground; the shipped material is damped too much.
+"""
 BUFFERS = (
     {},
     {"contact_max": 8},
@@ -69,18 +76,20 @@ BUFFERS = (
     {"constraint_max": 24},
     {"constraint_max": 12},
 )  # type: tuple[dict, ...]
-"""None, then less than the grasp needs."""
-OVERFLOW_FRAME_COUNT = 4  # an overflow shows in the first frame
-FINGER_FORCE_N = 1.0  # grip that is added for the fingers' own inertia where the grip is scaled with the cube's mass
+"""Unchanged buffers, then smaller buffers than the grasp needs."""
+OVERFLOW_FRAME_COUNT = 4  # an overflow occurs in the first frame
+# Grip that is added for the inertia of the fingers if the grip scales with the cube's
+# mass.
+FINGER_FORCE_N = 1.0
 
 
 @dataclass(frozen=True)
 class Probe:
-    """One case of a family, to be run some times with a perturbed start."""
+    """Describe one case of a family, which runs several times with other starts."""
 
     family: str
     case: Case
-    parameters: dict[str, object]  # what the family varies, as columns of the row
+    parameters: dict[str, object]  # varied parameters, as columns of the row
 
 
 def probe(family: str, name: str, changes: Mapping[str, Any], **parameters) -> Probe:
@@ -90,7 +99,7 @@ def probe(family: str, name: str, changes: Mapping[str, Any], **parameters) -> P
 
 
 def probes(profile: str) -> list[Probe]:
-    """Return all families but the buffers, whose runs are of another length."""
+    """Return all families except the buffers, whose runs have another length."""
     return [
         *steps(profile),
         *grids(profile),
@@ -131,7 +140,10 @@ def grid_cell(family: str, ke: float, substeps: int) -> Probe:
 
 
 def without_clamp(profile: str) -> list[Probe]:
-    """Return damping ratio 1 and a timeconst of so many steps, once with the clamp off and once as a direct solref."""
+    """Return cases with damping ratio 1 and a timeconst of several steps.
+
+    Each runs once with the clamp off and once with a direct solref.
+    """
     cells = []
     for way, changes in (("off", {"refsafe": False}), ("direct", {"pad_direct": True})):
         for count in TIMECONST_STEPS[profile]:
@@ -199,7 +211,7 @@ def masses(profile: str) -> list[Probe]:
 
 
 def sizes(profile: str) -> list[Probe]:
-    """Return cubes of one density, in the grip as shipped and in one that goes with their mass."""
+    """Return cubes of one density, in the shipped grip and in one scaled by mass."""
     found = []
     as_shipped_n = TARGET_KE * (
         0.5 * BASE.cube_edge_m + PAD_FACE - AS_SHIPPED.finger_closed_m
@@ -227,7 +239,11 @@ def sizes(profile: str) -> list[Probe]:
 
 
 def overlaps(profile: str) -> list[Probe]:
-    """Start too deep in both pads, or in the ground with the cube as shipped and with one of springy contacts."""
+    """Return cases that start with an overlap.
+
+    The cube overlaps both pads or the ground, with the shipped or with springy
+    contacts.
+    """
     starts = {f"pads-{pads}": changes for pads, changes in PADS.items()}
     if profile == "full":  # a quick run ends before a cube from the ground is shaken
         starts["ground"] = {"cube_in_hand": False}
@@ -258,7 +274,11 @@ def gravities(profile: str) -> list[Probe]:
 
 
 def long_run(profile: str) -> Probe:
-    """Return one world for ten minutes. A CPU is as fast at that as a GPU, and has it beside all the others."""
+    """Return the long run: one world for ten minutes.
+
+    A CPU is as fast as a GPU for one world. It runs this case while the GPU runs all
+    other cases.
+    """
     room = {"contact_max": LEAN.contact_max, "constraint_max": LEAN.constraint_max}
     changes = (
         PADS["stiff"]
@@ -287,8 +307,11 @@ def buffers(frame_count: int) -> list[Probe]:
 
 
 def carrying_force_n(mass_kg: float) -> float:
-    """Return the force [N] of each finger that has friction carry ``mass_kg`` twice over in the shake as shipped, and a
-    bit more; no more than the fingers' effort limit."""
+    """Return the force [N] of each finger that holds ``mass_kg`` with a margin.
+
+    Friction could hold twice the mass in the shake as shipped, and slightly more. The
+    force is limited to the effort limit of the fingers.
+    """
     return min(
         mass_kg * target_demand_m_s2(BASE) / BASE.pad_mu + FINGER_FORCE_N,
         EFFORT_LIMIT[-1],
@@ -296,5 +319,5 @@ def carrying_force_n(mass_kg: float) -> float:
 
 
 def closed_m(edge_m: float, force_n: float) -> float:
-    """Return the position target [m] with which a finger presses on a cube of that edge with ``force_n``."""
+    """Return the finger's target [m] at which it presses on a cube with ``force_n``."""
     return 0.5 * edge_m + PAD_FACE - force_n / TARGET_KE

@@ -1,4 +1,7 @@
-"""Bisect: between which two editions a claim or a value changes, and which package did it; measures what that takes."""
+"""Find the two neighbouring editions between which a claim or a value changes.
+
+The search also finds the package that caused the change. It measures missing records.
+"""
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -20,7 +23,7 @@ from measured_report.measuring.measure import measure
 from measured_report.records.identity import MISSING, package_changes, sections
 from measured_report.records.record import load_record
 
-ASIDE = "bisect"  # the folder below `results` of what a search measured
+ASIDE = "bisect"  # the folder below `results` for the measurements of a search
 
 
 @dataclass(frozen=True)
@@ -30,29 +33,34 @@ class Bisection:
     device: str
 
     def answer(self, release: Release) -> Answer | None:
-        """Return what a release answers, measured unless it has records of that."""
+        """Return the answer of a release, which is measured if records are missing."""
         answer = self._measured(release, [self.query.section])
         noise = self.project.settings.noise_section
-        # Without the section on noise most differences cannot be told.
+        # Most differences can be told only with the section that measures noise.
         if answer is None and noise in sections(self.project.root):
             answer = self._measured(release, [self.query.section, noise])
         print(f"{release}: {self.query.text} {answer_text(answer)}", flush=True)
         return answer
 
     def _measured(self, release: Release, names: Sequence[str]) -> Answer | None:
-        """Return what these sections of a release answer, by themselves."""
+        """Return the answer of a release from these sections alone."""
         side = self.side(release, names)
         chapters = editions_of(side, among=[side.release])[side.release].chapters
         if self.query.is_claim and self.query.section in chapters:
             claims = [*self.query.names(chapters)]
             if self.query.text not in claims:
                 similar = suggestion(self.query.text, claims)
-                raise UsageError(f"there is no claim {self.query.text}{similar}")
+                raise UsageError(
+                    f"claim {self.query.text} does not exist: use the name of a "
+                    f"claim{similar}"
+                )
         return self.query.answer(chapters)
 
     def side(self, release: Release, names: Sequence[str]) -> Project:
-        """Return where a release has records of these sections; what is missing is
-        measured, and kept apart."""
+        """Return the project that has records of these sections for a release.
+
+        Missing records are measured and kept in a separate folder.
+        """
         side = self.project.of(str(release))
         if not _lacking(side, names):
             return side
@@ -67,8 +75,11 @@ class Bisection:
 
 
 def _lacking(project: Project, names: Sequence[str]) -> list[str]:
-    """Return the sections that have to be measured: those without a record, and those
-    whose record is of other packages, or, if a search measured it, of older code."""
+    """Return the sections that must be measured.
+
+    Their record is missing or has other packages. A record of an earlier search must
+    also have the current code.
+    """
     states = states_of(project)
     records = [state.record for state in states if state.record]
     packages = expected_packages(project, records)
@@ -91,7 +102,11 @@ def answer_text(answer: Answer | None) -> str:
 def first_change(
     points: Sequence[Any], is_first: Callable[[Any], bool | None]
 ) -> tuple[Any, Any, list[Any]]:
-    """Return the neighbours between which the answer changes, which first and last differ in, and what can't tell."""
+    """Return the two neighbours between which the answer changes.
+
+    The first and the last point must have different answers. Also return the points
+    between them whose answer is unknown.
+    """
     low = 0
     high = len(points) - 1
     skipped = set[int]()
@@ -109,7 +124,10 @@ def first_change(
 
 
 def points_between(project: Project, first: Release, last: Release) -> list[str]:
-    """Name what a search may look at, as a command would: commits of one local repository, or else releases."""
+    """Return the points of a search, named as in a command.
+
+    They are the commits of a local repository, or else the releases in between.
+    """
     path, _, old = first.asked.rpartition("@")
     new_path, _, new = last.asked.rpartition("@")
     folder = folder_at(path, project.report.root)
@@ -123,38 +141,47 @@ def points_between(project: Project, first: Release, last: Release) -> list[str]
 
 
 def bisect(search: Bisection, first: Release, last: Release) -> str:
-    """Return a text on the first edition that answers otherwise, and the package that did it."""
+    """Return a text that names the first edition with the new answer and its cause."""
     report = search.project.report
-    # The newer one is often measured, and its claims are the names that there are.
+    # Start with the newer edition: it is often measured, and its claims are the names
+    # that exist.
     b = search.answer(last)
     a = search.answer(first)
     if a is None or b is None or a == b:
         is_quick = search.project.profile == "quick"
-        hint = "; PROFILE=full looks closer" if is_quick else ""
+        hint = "; PROFILE=full measures more precisely" if is_quick else ""
         raise UsageError(
-            f"{search.query.text} is {answer_text(a)} at A and {answer_text(b)} at B{hint}"
+            f"{search.query.text} does not change from A ({answer_text(a)}) to B "
+            f"({answer_text(b)}): use editions with different answers{hint}"
         )
 
     def is_first(release: Release) -> bool | None:
         try:
             answer = search.answer(release)
         except ReportError as error:
-            print(f"{release}: cannot be measured: {error}".rstrip(": "), flush=True)
+            print(
+                f"{release} cannot be measured: {error}".rstrip(": "),
+                flush=True,
+            )
             return None
         return None if answer is None else search.query.is_first(answer, a, b)
 
     points = points_between(search.project, first, last)
-    old, new, untold = first_change(
-        points, lambda name: is_first(release_of(name, report=report))
-    )
+
+    def is_first_at(name: str) -> bool | None:
+        return is_first(release_of(name, report=report))
+
+    old, new, untold = first_change(points, is_first_at)
     before = release_of(old, report=report)
     after = release_of(new, report=report)
     lines = [
-        f"{search.query.text} changes between {before} and {after}: {answer_text(a)} → {answer_text(b)}"
+        f"{search.query.text} changes between {before} and {after}: "
+        f"{answer_text(a)} → {answer_text(b)}"
     ]
-    if untold:  # each may be the one that differs
+    if untold:  # each of these may be the first with the new answer
         lines.append(
-            f"no answer from {', '.join(untold)}: the first that answers otherwise is one of these and {after}"
+            f"no answer from {', '.join(untold)}: the first edition with the new "
+            f"answer is one of these or {after}"
         )
     return "\n".join([*lines, _which_package(search, before, after, is_first)])
 
@@ -162,7 +189,11 @@ def bisect(search: Bisection, first: Release, last: Release) -> str:
 def _which_package(
     search: Bisection, before: Release, after: Release, is_first: Callable[..., Any]
 ) -> str:
-    """Say which package did it: the older edition takes the newer one's others in turn, as it may run with newer."""
+    """Return a text that names the package which caused the change.
+
+    The older edition gets the newer versions of the other packages in turn, because it
+    may also run with newer ones.
+    """
     settings = search.project.settings
     old = search.packages(before)
     new = search.packages(after)
@@ -172,7 +203,10 @@ def _which_package(
     for names in settings.changes.package_groups:
         if any(old[name] != new[name] for name in names):
             if any(new[name] == MISSING for name in names):
-                return "which package did it cannot be told: one of them is not in both"
+                return (
+                    "the package cannot be determined, because one is missing in one "
+                    "of the editions"
+                )
             groups.append(names)
             pins += [f"{name}=={new[name]}" for name in names]
             pinned = release_of(
@@ -184,5 +218,5 @@ def _which_package(
     changed = [*groups, (settings.edition,)][steps.index(low) : steps.index(high)]
     names = " or ".join(" and ".join(group) for group in changed)
     if skipped:
-        return f"it is one of {names}"
-    return f"{names} did it: {low} is as before, {high} is not"
+        return f"the cause is one of {names}"
+    return f"the cause is {names}: {low} has the old answer, and {high} the new one"

@@ -1,7 +1,8 @@
-"""Carry: a record outlives a change of code if quick runs of the old and of the new code give the same bits.
+"""Carry a record over a code change if the old and the new code give the same bits.
 
-Both run on the CPU, where simulations repeat to the last bit, each in a worktree of its commit. ``program.py`` decides
-whether the runs cover all that changed.
+Quick runs of both are compared. They run on the CPU, where simulations are
+deterministic, each in a worktree of its commit. ``program.py`` checks that the runs
+cover all changes.
 """
 
 import os
@@ -27,14 +28,17 @@ from measured_report.measuring.measure import MODULE
 from measured_report.records.identity import identity_of
 from measured_report.records.record import Carried, Record, basis_of, load_record
 
-COMMIT_LIMIT = 200  # so many commits back the old code is looked for
-SHORT = 12  # characters of a commit
+COMMIT_LIMIT = 200  # the number of commits among which the old code is searched
+SHORT = 12  # length of an abbreviated commit
 
 
 def carried(
     project: Project, release: Release, names: Sequence[str]
 ) -> Iterator[tuple[str, str]]:
-    """Carry the records of sections; yield each with the reason why it could not be carried, or empty."""
+    """Carry the records of sections.
+
+    Yield each section with the reason why it could not be carried, or an empty string.
+    """
     with worktree(project.root) as old, worktree(project.root) as new:
         python = python_of(release, expected_packages(project), project.root)
         sides = [replace(project, profile="quick", root=root) for root in (old, new)]
@@ -47,26 +51,28 @@ def carried(
 
 
 def carry(project: Project, name: str, sides: Sequence[Project], python: Path) -> None:
-    """Carry one record; raise ReportError, and write nothing, unless it is proven that no number changes."""
+    """Carry one record if no number changes; otherwise raise ReportError."""
     old, new = (side.root for side in sides)
     path = project.record_path(name)
     packages = expected_packages(project)
-    basis = basis_of(name, path, project.profile, project.root, packages)
+    basis = basis_of(name, path, project.profile, project.root, packages=packages)
     record = load_record(path)
     recorded = record.identity
     if basis.identity.code == recorded.code:
-        raise ReportError("its code did not change")
+        raise ReportError("its code has not changed: it does not need to be carried")
     if replace(basis.identity, code=recorded.code, files=recorded.files) != recorded:
-        raise ReportError(f"more than its code changed: make rerun SECTION={name}")
+        raise ReportError(
+            f"more than its code has changed: use make rerun SECTION={name}"
+        )
     columns = [project.report.columns[each] for each in record.units]
-    # The time of a whole batch is a cost that nothing compares.
+    # The run time of a whole batch is a cost, but it is never compared.
     if any(each.is_cost and "uncompared" not in each.kinds for each in columns):
         raise ReportError(
-            f"it has times, which are not carried: make rerun SECTION={name}"
+            f"it measures times, which cannot be carried: use make rerun SECTION={name}"
         )
     committed = identity_of(name, project.profile, new, recorded.packages)
     if committed.code != basis.identity.code:
-        raise ReportError("its code has changes without a commit; commit them first")
+        raise ReportError("its code has uncommitted changes: commit them first")
     old_commit = _check_out_measured(record, old)[:SHORT]
     new_commit = git(new, "rev-parse", "HEAD")[:SHORT]
     with tempfile.TemporaryDirectory() as folder:
@@ -92,17 +98,18 @@ def carry(project: Project, name: str, sides: Sequence[Project], python: Path) -
 
 @contextmanager
 def worktree(root: Path) -> Iterator[Path]:
-    """Check the newest commit out in a folder for a while; return the folder that the project has in it."""
+    """Yield the project's folder in a temporary worktree of the newest commit."""
     if not git(root, "rev-parse", "HEAD"):
         raise UsageError(
-            f"{root} is not in a git repository with commits; make carry needs the commit that was measured"
+            f"{root} is not in a git repository with commits: make carry needs the "
+            "commit that was measured"
         )
     with tempfile.TemporaryDirectory() as folder:
         tree = Path(folder).resolve() / "tree"
         run_git(root, "worktree", "add", "--quiet", "--detach", str(tree))
         try:
             tree_root = tree / git(root, "rev-parse", "--show-prefix")
-            # Environments take minutes to make.
+            # Creating environments takes minutes.
             for made in root.glob(".venv-*"):
                 (tree_root / made.name).symlink_to(made)
             yield tree_root
@@ -111,18 +118,18 @@ def worktree(root: Path) -> Iterator[Path]:
 
 
 def _check_out_measured(record: Record, root: Path) -> str:
-    """Check out the newest commit with the code of a record; return its name."""
+    """Check out the newest commit with the code of a record and return its name."""
     identity = record.identity
     files = [f":(top,glob)**/{file}" for file in identity.files]
     head = git(root, "rev-parse", "HEAD")
     limit = f"--max-count={COMMIT_LIMIT}"
-    # Commits before each change of a file.
+    # Commits before a change of one of the files.
     parents = git(root, "log", "--format=%P", limit, head, "--", *files).split()
     noted = [change.new for change in record.carried[-1:]]
     noted.append(str(record.measured["commit"]).removesuffix("-dirty"))
     check_out = partial(run_git, root, "checkout", "--quiet", "--force", "--detach")
     for commit in dict.fromkeys([*noted, head, *parents]):
-        with suppress(ReportError):  # the commit is not here, or has no such section
+        with suppress(ReportError):  # the commit or its section may not exist
             check_out(commit)
             found = identity_of(
                 record.section, identity.profile, root, identity.packages
@@ -130,12 +137,16 @@ def _check_out_measured(record: Record, root: Path) -> str:
             if found.code == identity.code:
                 return git(root, "rev-parse", "HEAD")
     raise ReportError(
-        f"none of the {COMMIT_LIMIT} newest commits that change its files has the code that was measured"
+        f"its measured code is not in the {COMMIT_LIMIT} newest commits of its "
+        f"files: use make rerun SECTION={record.section}"
     )
 
 
 def _run(name: str, python: Path, log: Path, side: Project) -> Record:
-    """Measure a section by the code of a worktree, noting in ``log`` which of its functions are called."""
+    """Measure a section with the code of a worktree.
+
+    The functions that it calls are written to ``log``.
+    """
     path = side.record_path(name)
     path.unlink(missing_ok=True)
     start = log.with_name("start")
@@ -157,7 +168,7 @@ def _run(name: str, python: Path, log: Path, side: Project) -> Record:
     )
     if process.returncode or not path.exists():
         lines = process.stderr.strip().splitlines() or ["no reason was given"]
-        raise ReportError(f"both codes could not be measured: {lines[-1]}")
+        raise ReportError(f"the old or the new code could not be measured: {lines[-1]}")
     return load_record(path)
 
 
@@ -171,16 +182,18 @@ def _places(log: Path) -> set[Place]:
 
 
 def first_difference(before: Record, after: Record) -> str:
-    """Name the first cell or trace that differs between two runs; empty if all are the same."""
+    """Return the first cell or trace that differs between two runs, if there is one."""
     if len(before.rows) != len(after.rows):
-        return f"there were {len(before.rows)} rows, and are {len(after.rows)}"
+        return (
+            f"the number of rows changes from {len(before.rows)} to {len(after.rows)}"
+        )
     for old, new in zip(before.rows, after.rows, strict=True):
         for column in {**old, **new}:
             was = repr(old.get(column, "nothing"))
             now = repr(new.get(column, "nothing"))
             if was != now:
-                return f"{column} of {new['case']} was {was} and is {now}"
+                return f"{column} of {new['case']} changes from {was} to {now}"
     for case in {**before.traces, **after.traces}:
         if before.traces.get(case) != after.traces.get(case):
-            return f"the trace of {case} differs"
+            return f"the trace of {case} changes"
     return ""

@@ -1,4 +1,4 @@
-"""Checks: what ``report.toml`` names and no result has, and what results leave open."""
+"""Check ``report.toml`` against the results, and list gaps in the results."""
 
 import math
 import re
@@ -21,16 +21,17 @@ from measured_report.values.quantities import Quantity
 def refuse_unknown_names(
     editions: Mapping[str, Edition], edition: Edition | None
 ) -> None:
-    """Raise ReportError for the first name in report.toml that names nothing.
+    """Raise ReportError for the first name in report.toml that does not exist.
 
-    Sections that were not measured yet are not asked for a value.
+    Sections that were not measured yet do not need to have the value.
     """
     if edition is None or edition.project.profile != "full":
         return
     report = edition.project.report
     measurable = sections(edition.project.root)
     if report.root.resolve() != edition.project.root.resolve():
-        return  # results elsewhere, which need not have what the report names
+        # The results belong to another folder and may lack names of this report.
+        return
     settings = report.settings
     rules = settings.changes
     _refuse("noise_section", [settings.noise_section], "section", measurable)
@@ -72,12 +73,13 @@ def _refuse(
         if name and name not in existing:
             similar = suggestion(name, existing)
             raise ReportError(
-                f"{FILE}: {setting} names {name}, which is no {kind} here{similar}"
+                f"{FILE}: {setting} names {name}, which is not a {kind} of this "
+                f"report: correct the name{similar}"
             )
 
 
 def _is_there(query: Query, edition: Edition) -> bool:
-    """Return whether an edition has the claim or the number, which may be missing."""
+    """Return whether an edition has a claim or a number, which may be missing."""
     if query.is_claim:
         return query.claim(edition.chapters) is not None
     number = query.quantity(edition.chapters)
@@ -94,8 +96,11 @@ def _columns_of(edition: Edition) -> list[str]:
 
 
 def gaps(edition: Edition) -> list[str]:
-    """Return rows that nothing tells apart, numbers that do not exist, and claims and
-    figures that lack something."""
+    """Return a line for each gap in the results.
+
+    Gaps are rows that cannot be distinguished, missing numbers, figures without
+    sources, and claims that cannot tell or that print other numbers than they test.
+    """
     lines = []
     for name, chapter in edition.chapters.items():
         rows = [row for row in chapter.results.record.rows if "of" not in row]
@@ -108,18 +113,18 @@ def gaps(edition: Edition) -> list[str]:
         ]
         for case in dict.fromkeys(doubles):
             lines.append(
-                f"{name}: several rows of case {case}, which nothing tells apart"
+                f"{name}: case {case} has several rows that cannot be distinguished"
             )
         for row in rows:
             for column, reason in unbelieved(row).items():
                 lines.append(f"{name}: {row['case']} has no {column}: {reason}")
         for key, figure in chapter.section.figures.items():
             if not figure.sources:
-                lines.append(f"{name}: the figure {key} has no sources")
+                lines.append(f"{name}: figure {key} has no sources")
         for claim in chapter.section.claims:
             for number in claim.unread(edition.report.columns):
                 lines.append(
-                    f"{name}.{claim.name} prints {number}, which its test has not read"
+                    f"{name}.{claim.name} prints {number}, which its test does not read"
                 )
             outcome = claim.outcome
             is_near = outcome.is_inconclusive or outcome == WITHIN
@@ -129,7 +134,7 @@ def gaps(edition: Edition) -> list[str]:
 
 
 def blind_spots(edition: Edition) -> list[str]:
-    """Return thresholds that are below the noise, or of a number that is missing."""
+    """Return the thresholds that are below the noise or whose number is missing."""
     late = []
     for name, threshold in edition.project.report.settings.changes.thresholds.items():
         query = Query(name)
@@ -137,7 +142,7 @@ def blind_spots(edition: Edition) -> list[str]:
         if not isinstance(number, Quantity) or query.section not in edition.chapters:
             continue
         if number.value is None:
-            late.append(f"{name} can raise no alarm: {number.reason}")
+            late.append(f"{name} cannot raise an alarm: {number.reason}")
         elif number.value:
             least = CHOSEN_SHARE
             if number.noise is not None:
@@ -145,13 +150,16 @@ def blind_spots(edition: Edition) -> list[str]:
             if least > threshold:
                 hidden = f"noise hides changes below {format_share(least)}"
                 late.append(
-                    f"{name}: threshold {format_share(threshold)}, but {hidden}"
+                    f"{name} has the threshold {format_share(threshold)}, but {hidden}"
                 )
     return late
 
 
 def idle_settings(edition: Edition) -> list[str]:
-    """Return settings that name columns or cells that no row has, as a mistyped pattern."""
+    """Return the settings that name columns or cells which no row has.
+
+    For example, a pattern may have a typing error.
+    """
     if edition.left_out:
         return []
     schema = edition.project.report.columns

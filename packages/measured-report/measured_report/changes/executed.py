@@ -1,7 +1,8 @@
-"""Write a line for each function of a folder that a program calls, in all of its Python processes.
+"""Write a line for each function in a folder that a program calls.
 
-Python imports this file as ``sitecustomize``, before anything else. A function is named as its code object is: by file,
-first line and name. It is written when it is first called, because a process of a pool may end by a signal.
+Python imports this file as ``sitecustomize`` before anything else, in all processes of
+the program. A line contains the file, first line and name of the code object. It is
+written at the first call, because a process of a pool may end by a signal.
 """
 
 import os
@@ -9,12 +10,13 @@ import sys
 import threading
 from types import CodeType, FrameType
 
-VARIABLE = "MEASURED_REPORT_EXECUTED"  # holds the file to write to and the folder, separated as in PATH
+# The log file and the folder, separated as in PATH.
+VARIABLE = "MEASURED_REPORT_EXECUTED"
 
 
 def follow(log: str, folder: str) -> None:
     descriptor = os.open(log, os.O_WRONLY | os.O_APPEND | os.O_CREAT)
-    known: dict[int, CodeType] = {}  # each is kept, so that no other one gets its id
+    known: dict[int, CodeType] = {}  # keeps the objects, so that no id is used twice
 
     def called(frame: FrameType, event: str, argument: object) -> None:
         code = frame.f_code

@@ -1,7 +1,9 @@
-"""Programs: the functions of a section's code, and whether runs of an old and a new code cover all changes.
+"""Check whether runs of the old and the new code of a section cover all changes.
 
-A run covers a change in a function that it calls. It does not show a constant, an operator or a name that only the full
-profile uses, so all changed functions together must have the same ones before and after.
+A run covers a change in a function that it calls. It does not cover a constant, an
+operator or a name that only the full profile uses. Therefore the changed functions
+together must contain the same constants, operators and names before and after the
+change.
 """
 
 import ast
@@ -25,15 +27,17 @@ Token = tuple[str, str]  # kind and text
 
 
 class Program:
-    """Holds the code of a section in the folder ``root``."""
+    """Hold the code of a section in the folder ``root``."""
 
     def __init__(self, section: str, root: Path):
         self.code = Code(root)
         self.functions: dict[str, tuple[str, Any]] = {}
-        """Files and syntax trees of functions and methods, with the functions in them."""
+        """The file and syntax tree of each function or method, including inner
+        functions.
+        """
         self.statements: dict[str, Any] = {}
-        """By file, those that run when it is imported."""
-        self.defined: set[str] = set()  # all names that the project gives to something
+        """The statements of each file that run when it is imported."""
+        self.defined: set[str] = set()  # all names that the project defines
         start = self.code.module(f"experiments.{section}")
         for file in self.code.closure(start, GENERATOR):
             name = self.code.name_of(file)
@@ -43,7 +47,7 @@ class Program:
             self.statements[name] = _import_time(tree.body)
             for qualified, function in _definitions(tree.body, f"{name}:"):
                 while qualified in self.functions:
-                    qualified += "'"  # as the setter of a property
+                    qualified += "'"  # such as the setter of a property
                 self.functions[qualified] = file, function
 
     def places(self, name: str) -> list[Place]:
@@ -58,7 +62,10 @@ class Program:
         return places
 
     def tokens(self, name: str) -> Iterator[Token]:
-        """Yield the constants, operators and names in a function, without its own variables and checks."""
+        """Yield the constants, operators and names in a function.
+
+        Its local variables and its checks are left out.
+        """
         function = self.functions[name][1]
         local = _names_defined(function, with_attributes=False)
         for node in _working_nodes([*_header(function), *function.body]):
@@ -77,10 +84,16 @@ class Program:
 
 
 def uncovered(old: Program, new: Program, called: set[Place]) -> str:
-    """Return the first change that runs of both, which called these functions, do not cover; empty for none."""
+    """Return the first change that the runs do not cover, or an empty string.
+
+    ``called`` contains the functions that the runs of both codes called.
+    """
     for name in sorted({*old.statements, *new.statements}):
         if old.statements.get(name, []) != new.statements.get(name, []):
-            return f"a statement that runs when {name} is imported changed"
+            return (
+                f"a statement that runs at the import of {name} has changed: measure "
+                "again with make rerun"
+            )
     counts = Counter[Token]()
     changed = []
     for name in sorted({*old.functions, *new.functions}):
@@ -90,23 +103,32 @@ def uncovered(old: Program, new: Program, called: set[Place]) -> str:
             if plain(trees[0]) == plain(trees[1]):
                 continue
             if plain(_header(trees[0])) != plain(_header(trees[1])):
-                return f"a default or a decorator of {name} changed"
+                return (
+                    f"a default or a decorator of {name} has changed: measure again "
+                    "with make rerun"
+                )
         for side in sides:
             places = side.places(name)
             if not called.issuperset(places) or len({*places}) < len(places):
-                return f"no run calls {name}, or not all of it"
+                return (
+                    f"the quick run does not call all of {name}: measure again with "
+                    "make rerun"
+                )
             for token in side.tokens(name):
                 counts[token] += 1 if side is new else -1
         changed.append(name)
     renamed = old.defined ^ new.defined
     for (kind, text), count in sorted(counts.items()):
         if count and not (kind == "name" and text in renamed):
-            return f"a run may not show the {kind} {text} of {', '.join(changed)}"
+            return (
+                f"the quick run may not use the changed {kind} {text} in "
+                f"{', '.join(changed)}: measure again with make rerun"
+            )
     return ""
 
 
 def _resolve_imports(tree: ast.Module, name: str) -> None:
-    """Write imported names as the paths that they stand for."""
+    """Replace imported names by the dotted paths that they stand for."""
     package = PurePosixPath(name).parts[:-1]
     imports: dict[str, str] = {}
     for node in ast.walk(tree):
@@ -126,13 +148,13 @@ def _definitions(body: Sequence[ast.stmt], prefix: str) -> Iterator[tuple[str, A
 
 
 def _header(function: Any) -> list[ast.AST]:
-    """Return the decorators and defaults of a function, which run when it is defined."""
+    """Return the decorators and defaults of a function, which run at its definition."""
     defaults = [*function.args.defaults, *filter(None, function.args.kw_defaults)]
     return [*function.decorator_list, *defaults]
 
 
 def _working_nodes(nodes: Iterable[ast.AST]) -> Iterator[ast.AST]:
-    """Yield nodes with those below them, without docstrings and checks."""
+    """Yield nodes and their descendants, without docstrings and checks."""
     for node in nodes:
         if not is_docstring(node) and not _is_check(node):
             yield node
@@ -140,7 +162,7 @@ def _working_nodes(nodes: Iterable[ast.AST]) -> Iterator[ast.AST]:
 
 
 def _is_check(node: ast.AST) -> bool:
-    """Return whether a statement does nothing but raise errors."""
+    """Return whether a statement only raises errors."""
     if isinstance(node, ast.If):
         blocks = filter(None, (node.body, node.orelse))
         return all(all(map(_is_check, block)) for block in blocks)
@@ -150,7 +172,10 @@ def _is_check(node: ast.AST) -> bool:
 
 
 def _import_time(body: Sequence[ast.stmt]) -> list[Any]:
-    """Return what the statements of a module or a class do when it is imported, besides importing and defining."""
+    """Return the statements that run when a module or a class is imported.
+
+    Imports and definitions of functions are left out.
+    """
     skipped = (*FUNCTIONS, ast.Import, ast.ImportFrom)
     forms: list[Any] = []
     for node in body:
@@ -164,7 +189,10 @@ def _import_time(body: Sequence[ast.stmt]) -> list[Any]:
 
 
 def _names_defined(tree: ast.AST, with_attributes: bool = True) -> set[str]:
-    """Return the names that functions, classes, parameters, variables and attributes below a node get."""
+    """Return the names of everything that is defined below a node.
+
+    These are functions, classes, parameters, variables and attributes.
+    """
     names = set()
     for node in ast.walk(tree):
         if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef | ast.ClassDef):

@@ -1,4 +1,4 @@
-"""Queries: a claim or a value by its name, and what editions answer."""
+"""Look up claims and values by name and compare their answers between editions."""
 
 import math
 from collections.abc import Iterator, Sequence
@@ -18,18 +18,23 @@ from measured_report.values.quantities import Quantity, absent
 from measured_report.values.results import Results, Row
 
 Answer = str | float
-LEAST_STEPS = 3  # chosen: fewer differences of neighbours do not show a noise
+# A chosen value: fewer differences between neighbours do not show the noise.
+LEAST_STEPS = 3
 
 
 @dataclass(frozen=True)
 class Query:
     text: str
-    """As CLAIM= or VALUE= takes it: ``section.claim``, ``section.value`` or
-    ``section.case.column``."""
+    """The name in CLAIM= or VALUE=.
+
+    It is ``section.claim``, ``section.value`` or ``section.case.column``.
+    """
     is_claim: bool = False
     label: str = ""
     device: str = ""
-    """Of a case that was run on several devices, the one that is meant, at least cost."""
+    """The device of the case, if it was run on several; the row with the lowest cost
+    counts.
+    """
 
     @property
     def section(self) -> str:
@@ -37,7 +42,7 @@ class Query:
 
     @property
     def case(self) -> str:
-        """Return the case of a number of a row; empty for other values."""
+        """Return the case if this names a number of a row, or else an empty string."""
         return self.text.partition(".")[2].rpartition(".")[0]
 
     @property
@@ -45,7 +50,7 @@ class Query:
         return self.text.rpartition(".")[2]
 
     def answer(self, chapters: Chapters) -> Answer | None:
-        """Return what the chapters of an edition say; None if they cannot tell."""
+        """Return the answer of an edition, or None if it cannot tell."""
         if self.is_claim:
             claim = self.claim(chapters)
             known = claim and claim.outcome.name != "unknown"
@@ -62,7 +67,7 @@ class Query:
         return chapter.results.derived.get(self.column) if chapter else None
 
     def cell(self, chapters: Chapters, release: str = "") -> Quantity:
-        """Return a cell of a row of the edition ``release``, absent if it has none."""
+        """Return a cell of a row of the edition ``release``, or an absent number."""
         columns = schema_of(chapters)
         alike = columns.settings.changes.equivalent_sections if columns else ()
         sections = (self.section, *(alike if self.section in alike else ()))
@@ -76,7 +81,7 @@ class Query:
             f" with {columns.settings.name_of(release)}" if columns and release else ""
         )
         unit = columns[self.column].unit if columns else PLAIN
-        return absent(unit, f"{self.section} has not been measured so{edition}")
+        return absent(unit, f"{self.section} has not been measured this way{edition}")
 
     def _row(self, results: Results) -> Row | None:
         if not self.device:
@@ -96,8 +101,10 @@ class Query:
         return claims[names.index(self.text)] if self.text in names else None
 
     def names(self, chapters: Chapters) -> Iterator[str]:
-        """Yield what can be asked: claims, or else values and, of the section that is
-        meant, numbers of rows."""
+        """Yield the names that a query can use.
+
+        These are claims, or else values and the numbers of rows in the query's section.
+        """
         for name, chapter in chapters.items():
             claims = [claim.name for claim in chapter.section.claims]
             labels = claims if self.is_claim else chapter.results.derived
@@ -112,15 +119,17 @@ class Query:
                 yield from (f"{name}.{case}.{column}" for column in numbers)
 
     def is_first(self, answer: Answer, first: Answer, last: Answer) -> bool:
-        """Return whether an answer is the first one rather than the last; of numbers,
-        whether it is nearer to it."""
+        """Return whether an answer equals the first one.
+
+        For a number, return whether it is nearer to the first than to the last.
+        """
         if self.is_claim:
             return answer == first
         return abs(float(answer) - float(first)) < abs(float(answer) - float(last))
 
 
 def schema_of(chapters: Chapters) -> Schema | None:
-    """Return the columns of an edition; None if it has no results."""
+    """Return the schema of an edition's columns, or None if it has no results."""
     return next((chapter.results.columns for chapter in chapters.values()), None)
 
 
@@ -128,14 +137,16 @@ def schema_of(chapters: Chapters) -> Schema | None:
 class Point:
     release: str
     answer: Answer
-    noise: float | None  # how far the truth may be from it; None if that is not known
+    noise: float | None  # the possible deviation from the truth; None if it is unknown
     text: str
-    mark: str = ""  # against the answer before: better, worse, moved or flipped
+    mark: str = ""  # the change from the answer before: better, worse, moved or flipped
 
 
 def points(releases: Releases, query: Query) -> list[Point]:
-    """Return the answers of the editions that have one, oldest first, and where they
-    changed."""
+    """Return the answers of all editions that have one, oldest first.
+
+    Changes are marked.
+    """
     answered: list[Point] = []
     columns = None
     for release, chapters in releases.items():
@@ -168,11 +179,14 @@ def points(releases: Releases, query: Query) -> list[Point]:
 def changes_in(
     numbers: Sequence[float], noises: Sequence[float | None], resolution: float
 ) -> list[int]:
-    """Return where a series changed: where it splits best in two that differ, and then
-    where each of these does.
+    """Return the positions at which a series of numbers changes.
 
-    Scott and Knott (1974), Biometrics 30, 507-512, with a two-sample test by the noise.
-    An unknown noise is taken from the differences of neighbours; of few, it is 0.
+    The series is split where its parts differ most if this difference is significant.
+    Each part is then split in the same way.
+
+    The method is that of Scott and Knott (1974), Biometrics 30, 507-512, with a
+    two-sample test that uses the noise. An unknown noise is estimated from the
+    differences between neighbours; it is 0 if there are few.
     """
     if None in noises:
         steps = [abs(after - before) for before, after in pairwise(numbers)]
@@ -204,7 +218,7 @@ def changes_in(
 
 
 def history(releases: Releases, query: Query) -> str:
-    """Return a line for each edition that answers or says why it cannot, oldest first."""
+    """Return a line for each edition with an answer or a reason, oldest first."""
     answered = {point.release: point for point in points(releases, query)}
     lines = []
     for release, chapters in releases.items():

@@ -1,4 +1,7 @@
-"""The command ``measured-report audit``: number-audit, which gets the noise of records from here."""
+"""Run number-audit with the noise that the records of this report imply.
+
+This is the command ``measured-report audit``.
+"""
 
 import sys
 from functools import cache
@@ -22,11 +25,13 @@ def main() -> int:
     except ImportError:
         install = "pip install ./packages/number-audit"
         print(
-            f"measured-report audit needs the package number-audit: {install}",
+            "number-audit is not installed, and measured-report audit needs it: "
+            f"{install}",
             file=sys.stderr,
         )
         return 2
-    sys.path.insert(0, str(report().root))  # a report names modules of its own
+    # The package number-audit imports modules of the report.
+    sys.path.insert(0, str(report().root))
     status = number_audit(
         sys.argv[2:], prog="measured-report audit", noise_of_record=noise_of_record
     )
@@ -37,13 +42,13 @@ def main() -> int:
 
 
 def noise_of_record(path: Path, row: int, column: str) -> float | None:
-    """Return the noise of a number in a record, from all that was measured of it."""
+    """Return the noise of a number in a record, computed from all its measurements."""
     try:
         cells = load_record(path).rows[row]
         evidence = evidence_of(path.parent.name).get(path.stem, Evidence())
         estimate = evidence.estimate(column, cells, report().columns)
     except (ReportError, LookupError) as error:
-        raise ValueError(f"the noise of {column} is not known: {error}") from None
+        raise ValueError(f"cannot compute the noise of {column}: {error}") from None
     return estimate.written_noise if estimate else None
 
 

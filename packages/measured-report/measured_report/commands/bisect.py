@@ -22,10 +22,13 @@ def run(project: Project, arguments: Arguments) -> int:
     names = sections(project.root)
     if query.section not in names or query.section == query.text:
         similar = suggestion(query.section, names)
-        raise UsageError(f"{query.text} is in no section{similar}")
+        raise UsageError(
+            f"no section has {query.text}: use SECTION.NAME with an existing "
+            f"section{similar}"
+        )
     between = points_between(project, arguments.a, arguments.b)
     count = 2 + math.ceil(math.log2(len(between) - 1))
     step = f"{project.profile} run of {query.section}"
-    print(f"about {count} steps, each a {step} where there is none", flush=True)
+    print(f"about {count} steps; a step without a record needs a {step}", flush=True)
     print(bisect(Bisection(project, query, device), arguments.a, arguments.b))
     return 0

@@ -1,7 +1,8 @@
-"""The command line: finds the commands, hands one what was typed, and ends as it did.
+"""Find the commands, run one with its options, and return its exit status.
 
-A command is a module here or in a report's ``report/commands/`` that has ``run(project, arguments)``, and may have
-``OPTIONS``, as ``add_argument`` takes them. The first line of its docstring is its help.
+A command is a module in this folder or in ``report/commands/`` of a report. It has a
+function ``run(project, arguments)`` and may have ``OPTIONS``, the keywords of
+``add_argument`` by option. The first line of its docstring is its help text.
 """
 
 import argparse
@@ -28,7 +29,7 @@ from measured_report.files.errors import (
 )
 from measured_report.records.code import cached_sources
 
-OWN = "report.commands"  # the package of a report's own commands
+OWN = "report.commands"  # the package of the commands that a report defines itself
 
 
 class Parser(argparse.ArgumentParser):
@@ -36,30 +37,33 @@ class Parser(argparse.ArgumentParser):
         text = f"{' '.join(message.split()):.300}"
         if os.environ.get("MAKELEVEL") == "1":
             name = self.prog.rpartition(" ")[2]
-            text = re.sub("--([a-z-]+)", lambda flag: f"{variable_of(flag[1])}=", text)
-            raise UsageError(f"make {name}: {text}; make help says what it takes")
-        raise UsageError(f"{text}; see {self.prog} --help")
+            text = re.sub("--[a-z-]+", _variable_of_flag, text)
+            raise UsageError(f"make {name}: {text} (see make help)")
+        raise UsageError(f"{text} (see {self.prog} --help)")
 
 
 def main() -> int:
-    """Run the command that was asked for; return its exit status, with one line for whatever can be mended."""
+    """Run the command given on the command line and return its exit status.
+
+    Print an error that the user can fix as one line.
+    """
     try:
         is_help = sys.argv[1:] in ([], ["-h"], ["--help"])
         status = _run(*(["help"] if is_help else sys.argv[1:]))
         sys.stdout.flush()
         return status
     except KeyboardInterrupt:
-        print("stopped; what was measured before is kept", file=sys.stderr)
+        print("stopped: measurements that were completed are kept", file=sys.stderr)
         return 130
     except OSError as error:
-        # Whoever reads the output, as head, may have enough of it.
+        # A program that reads the output, such as head, may close it early.
         if not isinstance(error, BrokenPipeError):
-            what = error.filename or "the output cannot be written"
-            _say(f"{what}: {error.strerror or error}")
+            subject = error.filename or "the output cannot be written"
+            _say(f"{subject}: {error.strerror or error}")
         os.dup2(os.open(os.devnull, os.O_WRONLY), 1)
         return 1
     except ReportError as error:
-        if str(error):  # whoever failed may have said it
+        if str(error):  # the text is empty if the message was printed already
             _say(str(error))
         return 2 if isinstance(error, UsageError) else 1
 
@@ -74,7 +78,8 @@ def _run(name: str, *typed: str) -> int:
     names = commands(report.root)
     if name not in names:
         raise UsageError(
-            f"{name} is no command{suggestion(name, names)}; use one of: {', '.join(names)}"
+            f"{name} is not a command{suggestion(name, names)}: use one of "
+            f"{', '.join(names)}"
         )
     module = import_module(names[name])
     prog = f"build.py {name}"
@@ -87,14 +92,19 @@ def _run(name: str, *typed: str) -> int:
     edition = arguments.edition or own
     arguments.release = release_of(edition, arguments.pins, report=report)
     project = Project(str(arguments.release), arguments.profile, report.root, own)
-    for stop in (signal.SIGINT, signal.SIGTERM):  # now that all is imported
+    # All imports are done, which may take seconds. From here on, Ctrl-C prints a
+    # message.
+    for stop in (signal.SIGINT, signal.SIGTERM):
         signal.signal(stop, signal.default_int_handler)
     with cached_sources():
         return int(module.run(project, arguments) or 0)
 
 
 def commands(root: Path) -> dict[str, str]:
-    """Find the module of each command by its name, the generator's first; none is imported, which takes long."""
+    """Return the module of each command by name, the generator's commands first.
+
+    No module is imported, because that takes long.
+    """
     folders = {__package__: Path(__file__).parent, OWN: root.joinpath(*OWN.split("."))}
     names = {}
     for package, folder in folders.items():
@@ -109,7 +119,7 @@ def help_of(module: ModuleType) -> str:
 
 
 def options_of(module: ModuleType, settings: Config) -> Mapping[str, Mapping[str, Any]]:
-    """Return a command's options by the variables of make that set them."""
+    """Return the options of a command by the make variables that set them."""
     options = {}
     for name, option in getattr(module, "OPTIONS", {}).items():
         is_edition = name == "edition" and settings.option
@@ -121,13 +131,21 @@ def variable_of(option: str) -> str:
     return option.upper().replace("-", "_")
 
 
+def _variable_of_flag(flag: re.Match[str]) -> str:
+    return f"{variable_of(flag[0].removeprefix('--'))}="
+
+
 def _flag(variable: str) -> str:
     return f"--{variable.lower().replace('_', '-')}"
 
 
 def _of_make(module: ModuleType, report: Report) -> Iterator[str]:
-    """Yield the options that were typed as variables of make; raise UsageError for one that no command has."""
-    # Taken out, since programs that are started from here, as the tests, are no part of what make was asked for.
+    """Yield the options that were given as variables of make.
+
+    Raise UsageError for a variable that is not an option of any command.
+    """
+    # Remove TYPED from the environment, so that programs started from here, such as the
+    # tests, do not read these options as their own.
     typed = variables_of(os.environ.pop("TYPED", ""))
     options = options_of(module, report.settings)
     unknown = typed.keys() - options
@@ -138,7 +156,7 @@ def _of_make(module: ModuleType, report: Report) -> Iterator[str]:
         for name in sorted(unknown - variables):
             similar = suggestion(name.upper(), variables)
             raise UsageError(
-                f"{name}= is no variable of make here{similar}; see make help"
+                f"{name}= is not a variable of make here{similar}: see make help"
             )
     for name, value in typed.items():
         if name not in options or not value:
@@ -149,14 +167,14 @@ def _of_make(module: ModuleType, report: Report) -> Iterator[str]:
             yield _flag(name)
         else:
             raise UsageError(
-                f"a switch is on as {name}=1 or left out, not {name}={value}"
+                f"{name}={value} is not a valid switch: use {name}=1 or leave it out"
             )
 
 
 def variables_of(typed: str) -> dict[str, str]:
-    """Return the values of variables that make was called with, except those that are make's own to read."""
+    """Return the variables given to make, except those that make uses itself."""
     values = {}
-    # Make writes a backslash before blanks and itself, and $ twice.
+    # Make writes a backslash before spaces and backslashes, and doubles each $.
     for word in re.findall(r"(?:\\.|[^\\ \t])+", typed):
         plain = re.sub(r"\\(.)", r"\1", word).replace("$$", "$")
         name, value = re.split(":?=", plain, maxsplit=1)

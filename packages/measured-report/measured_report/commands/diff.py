@@ -1,4 +1,4 @@
-"""Print which claims flipped and what moved between two editions, worst first."""
+"""Print the claims that flipped and the numbers that moved between two editions."""
 
 from measured_report.changes.alarm import diff_text, rate_of, rate_text
 from measured_report.changes.compare import compare
@@ -16,12 +16,15 @@ OPTIONS = shared("a", "b", "profile", "format")
 
 
 def run(project: Project, arguments: Arguments) -> int:
-    """Print what differs; 1 when one edition can't be trusted or a claim flipped."""
+    """Print the differences and return 1 for an alarm.
+
+    An alarm is a claim that flipped, a number that moved, or an edition with faults.
+    """
     refuse_itself(project, str(arguments.a), str(arguments.b))
     for release in (arguments.a, arguments.b):
         refuse_unmeasured(project.of(str(release)), release.asked)
     names = [str(arguments.a), str(arguments.b)]
-    # Each by itself: what compares releases says nothing of one of them.
+    # Derive each edition alone, without the evidence of the other one.
     before, after = (derive_edition(project.of(name)) for name in names)
     comparison = compare(before, after)
     rate = rate_of(before) + rate_of(after)

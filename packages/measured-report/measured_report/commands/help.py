@@ -1,4 +1,4 @@
-"""Print this."""
+"""Print this help."""
 
 from importlib import import_module
 
@@ -17,7 +17,7 @@ def run(project: Project, arguments: Arguments) -> int:
         shown = f" [{' '.join(options)}]" if options else ""
         print(f"make {name:9} {help_of(module)}{shown}")
         texts |= {variable: option["help"] for variable, option in options.items()}
-    texts["PYTHON"] = "a Python that has everything, on a host without network"
+    texts["PYTHON"] = "a Python with all packages installed, for a host without network"
     print()
     for name, text in texts.items():
         print(f"{f'{name}=':10} {text}")

@@ -1,4 +1,4 @@
-"""Print a claim or a value over all editions, or the headlines."""
+"""Print a claim or a value in all editions, or all headline values."""
 
 from measured_report.changes.query import Query, history
 from measured_report.commands.options import Arguments, shared
@@ -22,14 +22,16 @@ def run(project: Project, arguments: Arguments) -> int:
         query.answer(side) is not None or query.text in query.names(side)
         for side in releases.values()
     ):
-        raise UsageError(
-            f"no edition has {query.text}{suggestion(query.text, query.names(releases[project.release]))}"
-        )
+        similar = suggestion(query.text, query.names(releases[project.release]))
+        raise UsageError(f"no edition has {query.text}{similar}: use SECTION.NAME")
     print(history(releases, query))
     return 0
 
 
 def query_of(arguments: Arguments) -> Query:
     if bool(arguments.claim) == bool(arguments.value):
-        raise UsageError("one of CLAIM=SECTION.NAME and VALUE=SECTION.NAME is needed")
+        raise UsageError(
+            "CLAIM= and VALUE= are both given or both missing: use exactly one of "
+            "CLAIM=SECTION.NAME and VALUE=SECTION.NAME"
+        )
     return Query(arguments.claim or arguments.value, bool(arguments.claim))

@@ -1,4 +1,7 @@
-"""New reports: ``measured-report new DIR`` writes one that works, the folder ``skeleton`` of this package."""
+"""Write a new report into a folder: ``measured-report new DIR``.
+
+The report is a copy of the folder ``skeleton`` of this package, and it works as it is.
+"""
 
 import argparse
 import json
@@ -28,10 +31,15 @@ def main() -> int:
     if sys.argv[1:2] == ["audit"]:
         return audit.main()
     parser.add_argument(
-        "command", choices=("new", "audit"), help="audit --help tells more"
+        "command",
+        choices=("new", "audit"),
+        help="see also: measured-report audit --help",
     )
     parser.add_argument(
-        "folder", metavar="DIR", type=Path, help="a folder that is empty or not there"
+        "folder",
+        metavar="DIR",
+        type=Path,
+        help="a folder that is empty or does not exist",
     )
     parser.add_argument(
         "--version", action="version", version=metadata.version(GENERATOR)
@@ -46,9 +54,9 @@ def main() -> int:
 
 
 def new(folder: Path) -> None:
-    """Write a report on a pendulum into a folder that is empty or does not exist."""
+    """Write a report about a pendulum into a folder that is empty or does not exist."""
     if folder.is_file() or (folder.is_dir() and any(folder.iterdir())):
-        raise UsageError(f"{folder} is not empty: name a folder that does not exist")
+        raise UsageError(f"{folder} is not empty: use a folder that does not exist")
     folder.mkdir(parents=True, exist_ok=True)
     name = re.sub(r"[^a-z0-9]+", "-", folder.name.lower()).strip("-")
     requirement = f'"{GENERATOR}"'
@@ -71,13 +79,17 @@ def new(folder: Path) -> None:
     write_file(folder / FILE, reference(report_in(folder)))
     shown = shlex.quote(os.path.relpath(folder))
     print(
-        f"wrote {folder}; cd {shown} && make report measures, and builds site/index.html"
+        f"wrote {folder}: run cd {shown} && make report to measure and to build "
+        "site/index.html"
     )
 
 
 def _source(folder: Path) -> Iterator[str]:
-    """Yield the lines of pyproject.toml that say where this generator is from, unless
-    that is the index; a wheel is copied into the report."""
+    """Yield the lines of pyproject.toml that name the source of this generator.
+
+    There are none if it was installed from the package index. If it was installed from
+    a wheel, the wheel is copied into the report.
+    """
     text = metadata.distribution(GENERATOR).read_text("direct_url.json")
     if not text:
         return

@@ -1,9 +1,11 @@
-"""Print, for a workflow, which release to measure: a newer one, or the newest one again.
+"""Print the release that a workflow should measure next.
 
-The newest release is measured again until its own measurements show how they scatter.
+This is a newer release if there is one. Otherwise it is the newest release again, until
+its measurements show how much its numbers scatter.
 """
 
 from dataclasses import replace
+from operator import attrgetter
 
 from measured_report.commands.options import Arguments
 from measured_report.editions.project import PROFILES, Project
@@ -12,7 +14,7 @@ from measured_report.editions.status import records_of
 from measured_report.files.errors import ReportError
 from measured_report.findings.replicas import read_replicas
 
-ENOUGH = 3  # chosen: so many measurements show how the numbers of a release scatter
+ENOUGH = 3  # chosen: three measurements show how much the numbers of a release scatter
 
 
 def run(project: Project, arguments: Arguments) -> int:
@@ -20,7 +22,7 @@ def run(project: Project, arguments: Arguments) -> int:
     package = settings.edition
     sides = [replace(project, profile=profile) for profile in PROFILES]
     projects = [side.of(release) for side in sides for release in side.releases]
-    newest = max((each.named for each in projects), key=lambda named: named.order)
+    newest = max((each.named for each in projects), key=attrgetter("order"))
     releases = releases_of(package, settings)
     if not releases:
         raise ReportError(
@@ -45,7 +47,8 @@ def run(project: Project, arguments: Arguments) -> int:
     if found:
         release, pins = found
         label = release_of(release, pins, report=project.report)
-        # Both under the name of the package, and for a workflow that does not know it.
+        # The release is printed twice: under the name of the package, and under a name
+        # that does not depend on the report.
         answer = {
             package: release,
             "with": pins,
@@ -59,7 +62,7 @@ def run(project: Project, arguments: Arguments) -> int:
 
 
 def _lacks_measurements(project: Project) -> bool:
-    """Return whether a section that decides was measured fewer than `ENOUGH` times."""
+    """Return whether a deciding section was measured fewer than `ENOUGH` times."""
     names = {record.section for record in records_of(project)}
     deciding = names.intersection(project.settings.changes.upgrade_sections) or names
     replicas, _ = read_replicas(project)

@@ -1,4 +1,4 @@
-"""Options that several commands share. Each refuses what makes no sense, in one line."""
+"""Define the options that several commands share, and check their values."""
 
 import re
 from argparse import Namespace
@@ -11,13 +11,14 @@ from measured_report.files.errors import UsageError, suggestion
 from measured_report.measuring.machine import read_device
 from measured_report.records.identity import sections
 
-Arguments = Namespace  # the options of a command, and the `release` that is asked for
+Arguments = Namespace  # the options of a command, and the requested `release`
 
 
 def read_cluster(cluster: str) -> str:
     if not re.fullmatch(r"(tcp|tls)://[^\s/@]+:[0-9]{1,5}", cluster):
         raise UsageError(
-            f"CLUSTER={cluster:.80} is no Dask scheduler; use one as tls://HOST:8786"
+            f"CLUSTER={cluster:.80} is not the address of a Dask scheduler: use "
+            "tls://HOST:8786"
         )
     return cluster
 
@@ -25,7 +26,8 @@ def read_cluster(cluster: str) -> str:
 def read_address(address: str) -> str:
     if address and not re.fullmatch(r"https?://[^/@\s]+(/[^\s?]*)?", address):
         raise UsageError(
-            f"ADDRESS={address} is no address of a site; use one as https://example.org/report/"
+            f"ADDRESS={address} is not the address of a site: use "
+            "https://example.org/report/"
         )
     return f"{address.rstrip('/')}/" if address else ""
 
@@ -34,66 +36,70 @@ def read_section(section: str) -> str:
     names = sections()
     if section not in names:
         raise UsageError(
-            f"SECTION={section} is no section{suggestion(section, names)}; use one of: {', '.join(names)}"
+            f"SECTION={section} is not a section{suggestion(section, names)}: use "
+            f"one of {', '.join(names)}"
         )
     return section
 
 
 SHARED: dict[str, dict[str, Any]] = {
-    "edition": {  # which is typed as the report calls it
+    "edition": {  # its option has the name of the report's package
         "dest": "edition",
         "default": "",
-        "help": "edition other than the project's own: a release, git+https://HOST/NAME.git@COMMIT, "
-        "FOLDER@COMMIT, or the label of what has results, as 1.2.3@cpu",
+        "help": (
+            "edition to use instead of the project's own: a release, "
+            "git+https://HOST/NAME.git@COMMIT, FOLDER@COMMIT, "
+            "or the label of an edition with results, such as 1.2.3@cpu"
+        ),
     },
     "with": {
         "dest": "pins",
         "default": "",
-        "help": "other packages than it comes with, as PACKAGE==1.2.3",
+        "help": "packages that replace those of the edition, as PACKAGE==1.2.3",
     },
     "profile": {
         "choices": PROFILES,
         "default": "full",
-        "help": "quick: small grids, short runs, in results/quick/",
+        "help": "quick: measure small grids and short runs, kept in results/quick/",
     },
     "device": {
         "type": read_device,
-        "help": "kind of device to measure on; a CPU, which is cpu, only when asked",
+        "help": "kind of device to measure on; the CPU is used only if you give cpu",
     },
     "cluster": {
         "type": read_cluster,
-        "help": "a Dask scheduler whose workers measure, as tls://HOST:8786",
+        "help": "Dask scheduler whose workers measure, as tls://HOST:8786",
     },
     "address": {
         "type": read_address,
         "default": "",
-        "help": "where the site will lie: https://example.org/report/",
+        "help": "address of the published site, as https://example.org/report/",
     },
     "a": {
         "type": partial(release_of, option="A"),
         "required": True,
-        "help": "edition to compare from",
+        "help": "older edition of the comparison",
     },
     "b": {
         "type": partial(release_of, option="B"),
         "required": True,
-        "help": "edition to compare with it",
+        "help": "newer edition of the comparison",
     },
     "claim": {"default": "", "help": "claim to follow, as SECTION.NAME"},
     "value": {
         "default": "",
-        "help": "value, as SECTION.NAME of the page, or SECTION.CASE.COLUMN of a row",
+        "help": "value to follow, as SECTION.NAME (page) or SECTION.CASE.COLUMN (row)",
     },
     "format": {
         "choices": ("text", "markdown", "json"),
         "default": "text",
-        "help": "text, markdown or json (docs/alarm.md)",
+        "help": "format of the output: text, markdown or json (docs/alarm.md)",
     },
 }
 
 
 def shared(*names: str) -> dict[str, dict[str, Any]]:
-    """Return shared options by their names; ``edition`` brings ``with``."""
+    """Return the shared options with these names; ``edition`` also adds ``with``."""
     options = {}
     for name in names:
         options[name] = SHARED[name]
@@ -103,13 +109,14 @@ def shared(*names: str) -> dict[str, dict[str, Any]]:
 
 
 def refuse_unmeasured(project: Project, name: str) -> None:
-    """Raise UsageError for an edition without results, unless it is the project's own."""
+    """Raise UsageError if an edition, other than the project's own, has no results."""
     paths = map(project.record_path, sections(project.root))
     if not project.is_own and not any(path.exists() for path in paths):
         others = [each for each in project.releases if each != project.release]
         name = f"{project.settings.option}={name}"
         raise UsageError(
-            f"{name} has no results (there are: {', '.join(others) or 'none'}); make upgrade {name} measures it"
+            f"{name} has no results (editions with results: "
+            f"{', '.join(others) or 'none'}): measure it with make upgrade {name}"
         )
 
 
@@ -117,5 +124,7 @@ def refuse_itself(project: Project, before: str, after: str) -> None:
     if before == after:
         settings = project.settings
         raise UsageError(
-            f"{settings.name_of(after)} would be compared with itself; {settings.option}= names another edition, as make newest does"
+            f"{settings.name_of(after)} would be compared with itself: name another "
+            f"edition with {settings.option}=, such as the one that make newest "
+            "prints"
         )

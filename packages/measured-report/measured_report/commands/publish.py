@@ -1,4 +1,4 @@
-"""Check site/ and put it at TARGET, or on the branch gh-pages of git's origin."""
+"""Check site/ and publish it to TARGET (default: branch gh-pages of git's origin)."""
 
 import dataclasses
 import os
@@ -24,16 +24,16 @@ from measured_report.records.replicas import SUMS
 from measured_report.site.check import check_site
 
 OPTIONS = {
-    "target": {"default": "", "help": "where to publish: dir:PATH or git:REMOTE"},
+    "target": {"default": "", "help": "place to publish to: dir:PATH or git:REMOTE"},
     **shared("address"),
 }
-DEFAULT, BRANCH = "git:origin", "gh-pages"
-SUBJECT = "The report, as make publish made it"
-MARK = (
-    ".published"  # a file of every copy that is published: only what has it is replaced
-)
-ASIDE = ".site-copy"  # a folder beside the site, where the copy lies meanwhile
-DOMAIN = "CNAME"  # a file that GitHub keeps on the branch
+DEFAULT = "git:origin"
+BRANCH = "gh-pages"
+SUBJECT = "Publish the report with make publish"
+# A file in every published copy; folders and branches without it are not replaced.
+MARK = ".published"
+ASIDE = ".site-copy"  # a folder beside the site for the temporary copy
+DOMAIN = "CNAME"  # a file of GitHub that stays on the branch
 ALONE = (
     "core.autocrlf=false",
     "core.bare=false",
@@ -46,14 +46,17 @@ AUTHOR = {
     for field, value in (("NAME", "make publish"), ("EMAIL", "publish@localhost"))
 }
 PROTOCOLS = "file:git:http:https:ssh"
-QUICK = (
-    '<meta name="profile" content="quick">'  # of a page of small grids and short runs
-)
+# Marks a page that shows small grids and short runs.
+QUICK = '<meta name="profile" content="quick">'
 
 
 def run(project: Project, arguments: Arguments) -> int:
-    """Build the site, where something that it is made from has changed, and publish it; 1 where a record is damaged."""
-    page, is_damaged = project.site / "index.html", False
+    """Build the site if its sources have changed, and publish it.
+
+    Return 1 if a record is damaged.
+    """
+    page = project.site / "index.html"
+    is_damaged = False
     if page.is_file():
         profile = "quick" if QUICK.encode() in page.read_bytes() else project.profile
         is_damaged, _ = build_site(
@@ -64,7 +67,11 @@ def run(project: Project, arguments: Arguments) -> int:
 
 
 def publish(site: Path, target: str) -> str:
-    """Put a checked copy of ``site`` at ``dir:PATH`` or ``git:REMOTE#BRANCH``, whole, and return where it lies."""
+    """Put a checked copy of ``site`` at its target and return the place.
+
+    The target is ``dir:PATH`` or ``git:REMOTE#BRANCH``. A reader of the target never
+    sees half of a copy.
+    """
     scheme, _, location = (target or DEFAULT).partition(":")
     option = f"TARGET={target}"
     if (
@@ -74,13 +81,13 @@ def publish(site: Path, target: str) -> str:
         or "\0" in location
     ):
         raise UsageError(
-            f"{option!r} is no place to publish to; use TARGET=dir:PATH or git:REMOTE"
+            f"{option!r} is not a place to publish to: use TARGET=dir:PATH or "
+            "git:REMOTE"
         )
     try:
         (site.parent / ASIDE).mkdir(exist_ok=True)
-        with staging_folder(
-            site.parent / ASIDE / "copy"
-        ) as folder:  # what a killed one has left goes now
+        # The copy of a command that was killed is removed here too.
+        with staging_folder(site.parent / ASIDE / "copy") as folder:
             return without_secrets(
                 TARGETS[scheme](_checked_copy(site, folder / "site"), location, site)
             )
@@ -91,41 +98,56 @@ def publish(site: Path, target: str) -> str:
 
 
 def _checked_copy(site: Path, copy: Path) -> Path:
-    """Copy the site; ReportError where anything is wrong with it. Anyone may read the copy, whatever the umask is."""
+    """Copy the site and check it; raise ReportError if there is a problem.
+
+    The copy is readable for everyone, whatever the umask is.
+    """
     if not (site / "index.html").is_file():
-        raise UsageError(f"{site.name}/ holds no report; make report builds it")
-    with locked(site.parent, alone=False):  # not while it is being put in place
+        raise UsageError(
+            f"{site.name}/ does not contain a report: build it with make report"
+        )
+    # The lock keeps other processes from replacing the site during the copy.
+    with locked(site.parent, alone=False):
         digests = digests_below(site)
         if not digests.pop(SUMS, "") or (site / SUMS).read_text(
             encoding="utf-8", errors="replace"
         ) != sums(digests):
             raise ReportError(
-                f"not published: {site.name}/ is not as it was built; make report builds it again"
+                f"not published, because {site.name}/ was changed after it was "
+                "built: build it again with make report"
             )
         shutil.copytree(site, copy)
     if QUICK.encode() in (copy / "index.html").read_bytes():
         raise UsageError(
-            f"{site.name}/ holds a quick look, not the report; make report builds that"
+            f"{site.name}/ contains quick measurements only: build the report with "
+            "make report"
         )
     if problems := check_site(copy):
         raise ReportError(
-            f"not published, problems found: {len(problems)}; the first: {problems[0]}"
+            f"not published, because the check found {len(problems)} problems: fix "
+            f"them, starting with {problems[0]}"
         )
-    write_file(copy / MARK, "what make publish made; it removes what else is here\n")
+    write_file(
+        copy / MARK,
+        "make publish wrote this folder and will remove any other file in it\n",
+    )
     for path in (copy, *copy.rglob("*")):
         path.chmod(0o755 if path.is_dir() else 0o644)
     return copy
 
 
 def _to_folder(copy: Path, location: str, site: Path) -> str:
-    # Path.expanduser would raise for a user that does not exist.
+    # Path.expanduser raises an error for a user that does not exist.
     path = Path(os.path.abspath(os.path.expanduser(location)))  # noqa: PTH111
     if not path.name or not path.parent.is_dir():
-        raise UsageError(f"TARGET=dir:{location}: there is no folder to put it into")
+        raise UsageError(
+            f"TARGET=dir:{location}: the parent folder does not exist: create it first"
+        )
     is_free = not path.exists() or (path.is_dir() and not any(path.iterdir()))
     if path.is_symlink() or not (is_free or (path / MARK).is_file()):
         raise UsageError(
-            f"{path} holds something that was not published here; it was left alone"
+            f"{path} contains files that make publish did not write: use an empty "
+            "folder"
         )
     with staging_folder(path) as fresh:
         shutil.copytree(copy, fresh)
@@ -134,10 +156,14 @@ def _to_folder(copy: Path, location: str, site: Path) -> str:
 
 
 def _to_branch(copy: Path, location: str, site: Path) -> str:
-    """Publish to a branch of a remote, as its one commit, made in the copy and pushed by address."""
+    """Publish a copy as the only commit on a branch of a remote.
+
+    The commit is made in the copy and pushed to the address of the remote.
+    """
     if not shutil.which("git"):
         raise UsageError(
-            "publishing there needs git, which is not there; TARGET=dir:PATH needs nothing"
+            "git is not installed, and publishing to a branch needs it: use "
+            "TARGET=dir:PATH"
         )
     try:
         return _pushed(copy, location, site.parent)
@@ -152,14 +178,17 @@ def _pushed(copy: Path, location: str, root: Path) -> str:
     here = partial(run_git, root)
     if Path(here("rev-parse", "--show-toplevel")) != root.resolve():
         raise UsageError(
-            f"{root} is no git repository of its own; TARGET=dir:PATH needs none"
+            f"{root} is not the root of a git repository: use TARGET=dir:PATH"
         )
     is_plain = here("check-ref-format", "--branch", branch) == branch
     if not is_plain or branch.startswith(("@", "refs/")):
-        raise UsageError(f"{branch} is no name for a branch")
+        raise UsageError(
+            f"{branch} is not a valid branch name: use TARGET=git:REMOTE#BRANCH"
+        )
     is_named = remote in here("remote").splitlines()
     address = here("remote", "get-url", "--push", remote) if is_named else remote
-    # The clone's settings say who pushes, and nothing else.
+    # Use the clone's settings to authenticate, and override settings that affect the
+    # copy.
     config = root / here("rev-parse", "--git-path", "config")
     settings = [f"include.path={config}", *ALONE]
     options = [option for setting in settings for option in ("-c", setting)]
@@ -171,7 +200,8 @@ def _pushed(copy: Path, location: str, root: Path) -> str:
         names = there("ls-tree", "--name-only", before).splitlines()
         if MARK not in names:
             raise UsageError(
-                f"the branch {branch} of {remote} holds something else; it was left alone"
+                f"the branch {branch} of {remote} has files that make publish did "
+                "not write: use another branch"
             )
         if DOMAIN in names and not (copy / DOMAIN).exists():
             write_file(copy / DOMAIN, there("show", f"{before}:{DOMAIN}") + "\n")
@@ -183,13 +213,14 @@ def _pushed(copy: Path, location: str, root: Path) -> str:
     there("push", "--quiet", lease, address, f"{commit}:{ref}")
     if _tip(there, address, ref) != commit:
         raise ReportError(
-            f"not published: {remote} does not have it on its branch {branch}"
+            f"not published, because {remote} does not have the new commit on its "
+            f"branch {branch}: run make publish again"
         )
     return f"{remote}, branch {branch}"
 
 
 def _tip(git: Callable[..., str], address: str, ref: str) -> str:
-    """Return the commit that a branch of a remote is at; empty if it has none."""
+    """Return the commit at the tip of a branch of a remote, or an empty string."""
     for line in git("ls-remote", address, ref).splitlines():
         tip, name = line.split("\t")
         if name == ref:

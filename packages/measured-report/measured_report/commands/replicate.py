@@ -1,4 +1,4 @@
-"""Measure an edition again, or take in a measurement by somebody else, and keep it as a replica."""
+"""Measure an edition again, or import another person's measurement, as a replica."""
 
 import shutil
 from collections import Counter
@@ -21,10 +21,11 @@ from measured_report.measuring.machine import (
 from measured_report.measuring.measure import measure
 from measured_report.records.replicas import FOLDER, Records, archive_of, read_replica
 
-ASIDE = "replicate"  # the folder below `results` of what is being measured again
+# The folder below `results` for sections that are being measured again.
+ASIDE = "replicate"
 FILE = {
     "default": "",
-    "help": "somebody else's replica, a .tgz; without one it is measured here",
+    "help": "replica of another person, a .tgz file (default: measure here)",
 }
 OPTIONS = {"file": FILE, **shared("edition", "device", "cluster")}
 
@@ -44,24 +45,29 @@ def run(project: Project, arguments: Arguments) -> int:
     if not names:
         raise UsageError(lacks())
     again = replace(project.of(project.release), aside=ASIDE)
-    # What an interrupted command has measured is not measured twice.
+    # Keep the sections that an interrupted command has measured already.
     lacking = [name for name in names if not again.record_path(name).exists()]
     if lacking:
         device = device or "cpu"
-        again = measure(again, arguments.release, lacking, device, arguments.cluster)
+        again = measure(
+            again, arguments.release, lacking, device, cluster=arguments.cluster
+        )
     records = {record.section: record for record in records_of(again)}
-    _keep(project, records, "what was measured")
+    _keep(project, records, "this measurement")
     shutil.rmtree(again.results)
     return 0
 
 
 def _keep(project: Project, records: Records, source: str) -> None:
-    """Keep the records that measured the same as this edition's; ``source`` names them in messages."""
+    """Keep the records that measured the same code and packages as this edition.
+
+    ``source`` is the name of the records in messages.
+    """
     try:
         left_out = refused(project, records)
     except ReportError as error:
         raise ReportError(
-            f"{source} is no replica of {project.release}: {error}"
+            f"{source} cannot be kept as a replica of {project.release}: {error}"
         ) from None
     accepted = [record for name, record in records.items() if name not in left_out]
     content = archive_of(accepted)
@@ -71,7 +77,8 @@ def _keep(project: Project, records: Records, source: str) -> None:
     path = project.results / FOLDER / f"{name}.tgz"
     write_file(path, content)
     print(
-        f"{len(accepted)} sections of {project.release}, measured on {machine} on {day}: {path.relative_to(project.root)}"
+        f"{len(accepted)} sections of {project.release}, measured on {machine} "
+        f"on {day}: {path.relative_to(project.root)}"
     )
     if left_out:
         print(f"left out: {reasons_text(left_out)}")

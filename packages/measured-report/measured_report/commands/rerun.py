@@ -1,4 +1,4 @@
-"""Measure one section, fresh or not, and build site/."""
+"""Measure one section, even if its record is fresh, and build site/."""
 
 from measured_report.commands.options import Arguments, read_section, shared
 from measured_report.commands.page import build_site
@@ -22,5 +22,5 @@ def run(project: Project, arguments: Arguments) -> int:
         device = measuring_device(arguments.device, project.profile, cluster)
     if not device:
         raise UsageError(lacks())
-    project = measure(project, arguments.release, [section], device, cluster)
+    project = measure(project, arguments.release, [section], device, cluster=cluster)
     return int(build_site(project, arguments.address)[0])

@@ -1,4 +1,4 @@
-"""Serve site/ at http://127.0.0.1:8000, rebuilt on every change."""
+"""Serve site/ at http://127.0.0.1:8000 and rebuild it after every change."""
 
 import os
 import subprocess
@@ -17,7 +17,7 @@ from measured_report.commands.options import Arguments, refuse_unmeasured, share
 from measured_report.editions.project import INPUTS, Project
 from measured_report.files.errors import UsageError
 
-PORT = {"type": int, "default": 8000, "help": "where to serve, 8000 if not given"}
+PORT = {"type": int, "default": 8000, "help": "port to serve at (default: 8000)"}
 OPTIONS = {"port": PORT, **shared("edition", "profile")}
 
 
@@ -27,7 +27,7 @@ def run(project: Project, arguments: Arguments) -> int:
     print(
         f"serving {project.site.name}/ at http://127.0.0.1:{arguments.port}", flush=True
     )
-    # A program of its own builds, since what changes may be the program.
+    # Build in another process, because the change may be in the generator itself.
     command = [sys.executable, "build.py", "page", "--profile", project.profile]
     command += [f"--{project.settings.flag}", arguments.release.asked]
     build = partial(subprocess.run, command, cwd=project.root, check=False)
@@ -37,10 +37,14 @@ def run(project: Project, arguments: Arguments) -> int:
 
 class _Handler(SimpleHTTPRequestHandler):
     def send_head(self) -> Any:
-        """Answer whoever asks for this machine by its own name, with files of the site that no link leads out of."""
+        """Return the requested file, if the request names this machine by a local name.
+
+        Links that lead out of the site are not followed.
+        """
         host = self.headers.get("Host", "").partition(":")[0]
         if host not in ("127.0.0.1", "localhost"):
-            # A page from elsewhere asks, whose name leads here.
+            # The request comes from a foreign page whose host name resolves to this
+            # machine.
             return self.send_error(HTTPStatus.MISDIRECTED_REQUEST)
         name = self.translate_path(self.path)
         below = os.path.relpath(name, self.directory)
@@ -54,28 +58,30 @@ class _Handler(SimpleHTTPRequestHandler):
         super().end_headers()
 
     def log_message(self, format: str, *args: Any) -> None:
-        """Print nothing, since the output of builds would be lost in it."""
+        """Print nothing, so that the output of the builds stays readable."""
 
 
 def server_of(folder: Path, port: int) -> ThreadingHTTPServer:
-    """Return a server of a folder at a port of this machine."""
+    """Return a server for a folder at a local port."""
     handler = partial(_Handler, directory=str(folder))
     try:
         return ThreadingHTTPServer(("127.0.0.1", port), handler)
     except (OSError, OverflowError) as error:
         raise UsageError(
-            f"PORT={port} can't be served at: {error}; PORT=8001 may be free"
+            f"cannot serve at PORT={port} ({error}): try another port, such as "
+            "PORT=8001"
         ) from None
 
 
 def follow(
     server: ThreadingHTTPServer, folders: Sequence[Path], build: Callable[[], object]
 ) -> None:
-    """Serve until Ctrl-C; build first, and again whenever something in these folders has changed."""
+    """Serve until Ctrl-C; build at the start and after each change in the folders."""
     threading.Thread(target=server.serve_forever, daemon=True).start()
     before = None
     while True:
-        # As it was when the build began: what changes meanwhile is seen the next time.
+        # Take the stamp before the build, so that a change during the build causes
+        # another one.
         now = stamp(folders)
         if now != before:
             before = now
@@ -84,13 +90,13 @@ def follow(
 
 
 def stamp(folders: Iterable[Path]) -> dict[str, tuple[int, int]]:
-    """Return when each file in some folders was changed, and its size."""
+    """Return the time of the last change and the size of each file in some folders."""
     stamps = {}
     for folder in folders:
         for parent, _, names in os.walk(folder):
             for name in names:
-                path = os.path.join(parent, name)  # noqa: PTH118 # quicker
-                with suppress(OSError):  # it was removed just now
+                path = os.path.join(parent, name)  # noqa: PTH118 # faster than Path
+                with suppress(OSError):  # the file was just removed
                     info = os.stat(path)  # noqa: PTH116
                     stamps[path] = info.st_mtime_ns, info.st_size
     return stamps

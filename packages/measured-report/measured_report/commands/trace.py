@@ -1,4 +1,4 @@
-"""Show where a number comes from: page, rows, case and command."""
+"""Print where a number comes from: its pages, rows, cases and command."""
 
 import re
 from collections.abc import Iterable, Iterator, Mapping
@@ -40,7 +40,10 @@ def run(project: Project, arguments: Arguments) -> int:
 
 
 def provenance(project: Project, editions: Mapping[str, Edition], name: str) -> str:
-    """Return in lines where ``section.name``, ``section.case.column`` or a page's pointer comes from."""
+    """Return lines about the origin of a number.
+
+    The name is ``section.name``, ``section.case.column`` or a pointer of a page.
+    """
     chapters = editions[project.release].chapters
     records = {
         owner.results.source: owner
@@ -60,31 +63,35 @@ def provenance(project: Project, editions: Mapping[str, Edition], name: str) -> 
     if not isinstance(quantity, Quantity) or not quantity.source:
         hint = suggestion(name, query.names(chapters))
         raise UsageError(
-            f"{name} is no value of {folder}{hint}; all values are in "
-            f"site/data/{VALUES_FILE}, a number of a row is SECTION.CASE.COLUMN"
+            f"{name} is not a value of {folder}{hint}: use a name in "
+            f"site/data/{VALUES_FILE}, or SECTION.CASE.COLUMN for a number of a row"
         )
     lines = [f"{name}: {_text(quantity)}"]
     if isinstance(quantity, Value):
-        lines.append(f"  is          {quantity.formula}")
+        lines.append(f"  formula     {quantity.formula}")
         for value in (values[each] for each in quantity.sources if each in values):
             source = ".".join(value.source.split("/")[2:])
-            lines.append(f"  made of     {source}, {_text(value)}: {value.formula}")
+            lines.append(f"  from value  {source}, {_text(value)}: {value.formula}")
     for page in _pages(project, quantity.source) or ["no page"]:
-        lines.append(f"  printed at  {page}")
+        lines.append(f"  printed on  {page}")
     for section, chapter in chapters.items():
         for claim in chapter.section.claims:
             if quantity.source in claim.outcome.reads:
                 answer = claim.outcome.answer
                 lines.append(f"  decides     {section}.{claim.name}: {answer}")
     pointers = [each for each in sorted(quantity.reads) if VALUES_FILE not in each]
-    for file, of_file in groupby(pointers, key=lambda each: each.partition("#")[0]):
+    for file, of_file in groupby(pointers, key=_file_of):
         trace = re.sub(r"\.[^/]*\.csv\.gz$", ".json", file)
         lines += ["", f"from {file}", *_of_record(project, records, trace, of_file)]
     return "\n".join(lines)
 
 
+def _file_of(pointer: str) -> str:
+    return pointer.partition("#")[0]
+
+
 def _pages(project: Project, source: str) -> list[str]:
-    """Return the pages that print a number, each with the part that does."""
+    """Return the pages that print a number, each with the anchor before the number."""
     own = project.of(project.own_release or project.release).results.name
     site = project.site if project.is_own else project.site / project.results.name
     places: dict[str, None] = {}
@@ -98,7 +105,7 @@ def _pages(project: Project, source: str) -> list[str]:
 
 
 def _cell(records: Mapping[str, Chapter], text: str) -> Quantity | None:
-    """Return the number that a pointer to a cell leads to."""
+    """Return the number of the cell that a pointer names."""
     pointer = Pointer(text)
     if not pointer.cell or pointer.file not in records:
         return None
@@ -125,8 +132,10 @@ def _of_record(
         row = record.rows[index]
         parameters = columns.changed_parameters(row).items()
         changed = ", ".join(f"{name} {value}" for name, value in parameters)
-        but = f", but for {changed}" if changed else ""
-        changes = f" ({columns.settings.baseline}{but})" if columns.parameters else ""
+        exception = f", except {changed}" if changed else ""
+        changes = (
+            f" ({columns.settings.baseline}{exception})" if columns.parameters else ""
+        )
         number = _cell(records, pointer)
         text = _text(number) if number else row[column]
         yield f"  row {index}, case {row['case']}{changes}: {column} = {text}"
@@ -142,13 +151,13 @@ def _of_record(
     if chapter.state.notes:
         yield f"  stale:      {chapter.state.words}"
     again = project.of(record.origin.release)
-    yield f"  again by    {again.rerun(record.section, record.machine['device'])}"
+    yield f"  repeat with {again.rerun(record.section, record.machine['device'])}"
 
 
 def _text(number: Quantity) -> str:
     if number.value is None:
-        return f"not there, for {number.reason}"
-    noise = "not known"
+        return f"missing: {number.reason}"
+    noise = "unknown"
     if number.noise is not None:
         noise = f"{number.noise:.2g} {unit_label(number.unit)}".rstrip()
     return f"{number} ({number.value!r}), noise {noise}"

@@ -1,4 +1,4 @@
-"""Measure the sections of a release, in minutes, and say what changed."""
+"""Measure the deciding sections of a release in minutes, and print the changes."""
 
 import os
 import shlex
@@ -6,6 +6,7 @@ import sys
 from collections.abc import Sequence
 from dataclasses import replace
 from functools import partial
+from operator import attrgetter
 from typing import TextIO
 
 from measured_report.changes.alarm import (
@@ -35,17 +36,20 @@ from measured_report.records.identity import package_changes, sections
 from measured_report.records.replicas import FOLDER, archive_of
 from measured_report.values.evidence import is_absolute
 
-TIMED = "timed"  # the folder below `results` of what two editions were timed for, each time anew
+# The folder below `results` for the timings of two editions; they are never reused.
+TIMED = "timed"
 SINCE = {
     "type": partial(release_of, option="SINCE"),
-    "help": "edition to compare with, in place of the one before",
+    "help": "edition to compare with (default: the release before)",
 }
 OPTIONS = {"since": SINCE, **shared("edition", "device", "profile", "format")}
 
 
 def run(project: Project, arguments: Arguments) -> int:
-    """Measure the few sections that decide, and print what changed, largest first; return 1
-    for an alarm."""
+    """Measure the deciding sections, print the changes, and return 1 for an alarm.
+
+    The largest changes are printed first.
+    """
     report = project.report
     device = measuring_device(arguments.device, project.profile)
     measurable = sections(project.root)
@@ -54,12 +58,14 @@ def run(project: Project, arguments: Arguments) -> int:
     base = arguments.since or release_of(base_of(project, names) or own)
     refuse_itself(project, str(base), project.release)
     answer = sys.stdout if arguments.format == "text" else _answer_file()
-    # The newer edition goes first: if it cannot be installed, no base is measured for it.
+    # Measure the newer edition first: if it cannot be installed, measuring its base
+    # would be useless.
     releases = [arguments.release, base]
     sides = [project.of(str(release)) for release in releases]
     unmeasured = []
     for side in sides:
-        # Only what the newer one lacks is measured if its code changed.
+        # Measure the missing sections of both editions. For the newer edition, also
+        # measure sections whose code has changed.
         kinds = {Kind.MISSING}
         if device and side.release == project.release:
             kinds |= {Kind.STALE, Kind.DAMAGED}
@@ -67,10 +73,10 @@ def run(project: Project, arguments: Arguments) -> int:
         wanted = [name for name in names if name in found]
         unmeasured.append(wanted)
         if wanted and not device:
-            raise UsageError(f"{lacks()}, and with PROFILE=quick in minutes")
+            raise UsageError(f"{lacks()} (takes minutes with PROFILE=quick)")
         if wanted:
             shown = f"{report.settings.edition} {side.release}"
-            print(f"{shown}: to be measured are {', '.join(wanted)}", flush=True)
+            print(f"{shown}: sections to measure: {', '.join(wanted)}", flush=True)
     for index, wanted in enumerate(unmeasured):
         if wanted and device:
             label = f"{report.settings.edition} {releases[index]}"
@@ -91,15 +97,18 @@ def run(project: Project, arguments: Arguments) -> int:
     ]
     comparison = replace(comparison, faults=[*lost, *comparison.faults])
     say = sentences_of(project)
-    lines = verdict(comparison, say, old, new, names)
+    lines = verdict(comparison, say, before=old, after=new, names=names)
     text = upgrade_text(comparison, lines, arguments.format, say)
     print(text, file=answer, flush=True)
     return int(comparison.is_alarm)
 
 
 def _answer_file() -> TextIO:
-    """Return a file for the answer to a program; whatever is printed from now on, by
-    other programs as well, goes to standard error."""
+    """Return a file for an answer that a program reads.
+
+    Anything that is printed afterwards goes to standard error, including the output of
+    other programs.
+    """
     sys.stdout.flush()
     answer = os.fdopen(os.dup(1), "w", encoding="utf-8")
     os.dup2(2, 1)
@@ -112,10 +121,10 @@ def timed_in_turn(
     measurable: Sequence[str],
     device: str,
 ) -> list[Edition]:
-    """Time two editions twice, one after the other, on this machine; return nothing if no
-    section is timed, or one cannot be.
+    """Time two editions twice in turn on this machine and return them.
 
-    The speed of the machine, its load and its card are then the same for both.
+    The speed and the load of the machine are then the same for both editions. Return an
+    empty list if there is no timed section, or if a timing fails.
     """
     report = sides[0].report
     sections_timed = {
@@ -128,7 +137,8 @@ def timed_in_turn(
     for again in (False, True) if names else ():
         for index, release in enumerate(releases):
             print(
-                f"{report.settings.edition} {release}: timing {', '.join(names)}, in turn",
+                f"{report.settings.edition} {release}: timing {', '.join(names)} in "
+                "turn",
                 flush=True,
             )
             timed[index], is_done = measure_what_can(
@@ -149,8 +159,10 @@ def timed_in_turn(
 
 
 def base_of(project: Project, names: Sequence[str]) -> str | None:
-    """Return the same release as it came out, or else the newest one before it, that has
-    the sections of these names."""
+    """Return the published release of this version, or else the newest one before it.
+
+    Only editions that have records of all these sections count.
+    """
     profiles = project, replace(project, profile="full")
     sides = [side.of(release) for side in profiles for release in side.releases]
     before = [
@@ -160,11 +172,11 @@ def base_of(project: Project, names: Sequence[str]) -> str | None:
         and side.named.order <= project.named.order
         and not lacking(side, names)
     ]
-    return max(before, key=lambda side: side.named.order).release if before else None
+    return max(before, key=attrgetter("named.order")).release if before else None
 
 
 def lacking(project: Project, names: Sequence[str]) -> list[str]:
-    """Return the sections that an edition has no record of."""
+    """Return the sections without a record in an edition."""
     return [name for name in names if not project.record_path(name).exists()]
 
 
@@ -175,7 +187,7 @@ def verdict(
     after: Edition,
     names: Sequence[str],
 ) -> list[str]:
-    """Return at most a dozen lines on the sections of these names, worst first."""
+    """Return at most a dozen lines about these sections, the worst first."""
     settings = comparison.report.settings
     a, b = comparison.releases
     old, new = (
@@ -193,13 +205,15 @@ def verdict(
             {name: each for name, each in versions if name != settings.edition}
         )
     packages = ", ".join(package_changes(*others)) if old and new else ""
+    packages = packages and f" ({packages})"
     machines = " and ".join(sorted({record.machine_text for record in new}))
-    measured = f"{', '.join(record.section for record in new) or 'nothing'} on {machines or 'no machine'}"
+    measured_names = ", ".join(record.section for record in new) or "nothing"
+    measured = f"{measured_names} on {machines or 'no machine'}"
     measured += "" if after.project.profile == "full" else f", {after.project.profile}"
     flips = [f"{flip.claim} {flip.outcomes}" for flip in comparison.flips]
     faults = few([fault.text(settings) for fault in comparison.faults])
     return [
-        f"{settings.edition_name} {b} against {a}{f' ({packages})' if packages else ''}: {summary(comparison)}",
+        f"{settings.edition_name} {b} against {a}{packages}: {summary(comparison)}",
         f"measured: {measured}",
         *([f"can't be trusted: {faults}"] if faults else []),
         f"settings: {settings_text(comparison.settings)}",
@@ -212,8 +226,7 @@ def verdict(
 
 
 def _why(comparison: Comparison, say: Say, after: Edition) -> list[str]:
-    """Return a line on the cause of a flip or of a number's alarm; nothing if there is
-    neither."""
+    """Return a line about the cause of a flip or of an alarming number, if any."""
     if not comparison.flips and all(move.is_setting for move in comparison.alarms):
         return []
     query = Query(comparison.report.settings.changes.explanation, is_claim=True)
@@ -226,29 +239,30 @@ def _why(comparison: Comparison, say: Say, after: Edition) -> list[str]:
         if move.is_setting or "computed" in move.column.kinds
     ]
     if given:
-        return [f"why: what it is set to changed: {few(given)}"]
-    return ["why: the sections that were measured do not say"]
+        return [f"why: settings changed: {few(given)}"]
+    return ["why: the measured sections do not show the cause"]
 
 
 def _advice(comparison: Comparison, before: Project, after: Project) -> str:
+    settings = comparison.report.settings
     if comparison.faults:
-        return "look at what can't be trusted first; nothing else can be said"
+        return "fix the faults first, because nothing else can be concluded"
     profile = "" if after.profile == "full" else f" PROFILE={after.profile}"
-    lists = (
-        f"make diff A={before.release} B={after.release} FORMAT=json{profile} lists it"
-    )
-    values = [
-        f"VALUE={move.name}" for move in comparison.alarms if not move.is_gone
-    ]  # else there is no middle
+    ends = f"A={before.release} B={after.release}"
+    lists = f"make diff {ends} FORMAT=json{profile} lists every change"
+    # A number that no longer exists cannot be followed between the editions.
+    values = [f"VALUE={move.name}" for move in comparison.alarms if not move.is_gone]
     if queries := [*(f"CLAIM={flip.claim}" for flip in comparison.flips), *values]:
-        ends = shlex.join([f"A={before.asked}", f"B={after.asked}"])
-        return f"make bisect {queries[0]} {ends} finds which change did it; {lists}"
+        asked = shlex.join([f"A={before.asked}", f"B={after.asked}"])
+        return (
+            f"make bisect {queries[0]} {asked} finds the change that caused it; {lists}"
+        )
     if comparison.moves:
-        return f"see whether what changed was meant to: {lists}"
+        return f"check whether the changes were intended: {lists}"
     if blind := blind_sections(comparison):
         return (
-            f"measure again, as a change could be hidden in {few(blind)}: "
-            f"make replicate {after.settings.option}={after.release}"
+            f"measure again, because a change could be hidden in {few(blind)}: "
+            f"make replicate {settings.option}={after.release}"
         )
-    is_part = comparison.report.settings.changes.upgrade_sections
-    return "nothing; make report measures the rest" if is_part else "nothing"
+    is_part = settings.changes.upgrade_sections
+    return "nothing; make report measures the other sections" if is_part else "nothing"

@@ -1,1 +1,1 @@
-"""Editions: what is installed, which records belong to it, and whether they are fresh."""
+"""Find the environments and records of editions, and whether records are fresh."""

@@ -1,4 +1,8 @@
-"""Environments: each edition has one of its own, except the project's. uv makes them."""
+"""Create the environments of editions with uv.
+
+The project's own edition uses the project's environment. Every other edition has a
+separate environment.
+"""
 
 import hashlib
 import os
@@ -20,15 +24,19 @@ from measured_report.files.errors import ReportError, UsageError
 from measured_report.records.identity import MISSING, package_versions
 
 MEASURING = ("measured_report", "msgspec", "packaging", "tqdm", "tomli")
-"""What the generator imports to measure, itself included."""
+"""The packages that the generator imports while measuring, including itself."""
 VERSION = re.compile(r"[0-9]+(\.[0-9]+)*[a-z0-9.]*(\+[a-z0-9.]+)?")
 NAME = re.compile(r"[^A-Za-z0-9-].*")
-FILTER = "UV_EXCLUDE_NEWER"  # uv's variable for another day than that of the release
-READY = ".ready"  # in an environment that is whole: the digest of what it was made from
+# This variable of uv overrides the date of the release.
+FILTER = "UV_EXCLUDE_NEWER"
+READY = ".ready"  # a file in a complete environment with the digest of its requirements
 
 
 def add_group(name: str, root: Path, python: Path = Path(sys.executable)) -> None:
-    """Install a dependency group of pyproject.toml, unless the Python is not one of the project."""
+    """Install a dependency group of pyproject.toml into the project's environments.
+
+    Do nothing if the Python belongs to another environment.
+    """
     if python.parents[2] != root:
         return
     if python.parents[1].name != ".venv":
@@ -41,7 +49,10 @@ def add_group(name: str, root: Path, python: Path = Path(sys.executable)) -> Non
 
 
 def python_of(release: Release, packages: Mapping[str, str], root: Path) -> Path:
-    """Return a Python with a release, and with the ``packages`` that it was measured with; it is made if need be."""
+    """Return a Python that has a release and the ``packages`` it was measured with.
+
+    The environment is created if it does not exist.
+    """
     settings = release.settings
     package = settings.edition
     if release.is_installed_with(package_versions(settings)):
@@ -49,7 +60,8 @@ def python_of(release: Release, packages: Mapping[str, str], root: Path) -> Path
     if not release.requirement:
         example = f"git+https://HOST/{package}.git@COMMIT"
         raise UsageError(
-            f"{settings.option}={release} does not say where its code is; {example} does"
+            f"{settings.option}={release} does not include the address of its code: "
+            f"use {example}"
         )
     label = replace(release, machine="")
     folder = root / f".venv-{settings.edition_folder(str(label))}"
@@ -65,7 +77,10 @@ def python_of(release: Release, packages: Mapping[str, str], root: Path) -> Path
 
 
 def _lend(folder: Path) -> None:
-    """Let an environment, which has only what is measured, import what measuring takes of the generator's own."""
+    """Link the packages that measuring imports from the generator into an environment.
+
+    The environment itself contains only the measured packages.
+    """
     lent = folder / "lent"
     lent.mkdir(exist_ok=True)
     for name in MEASURING:
@@ -77,13 +92,16 @@ def _lend(folder: Path) -> None:
                 link.symlink_to(source)
     for packages in folder.glob("lib/python*/site-packages"):
         path = packages / "measured-report.pth"
-        # Another process may just begin to read it.
+        # Write it only if it differs, because another process may be reading it.
         if not path.exists() or path.read_text(encoding="utf-8") != f"{lent}\n":
             write_file(path, f"{lent}\n")
 
 
 def python_with(name: str, requirements: Sequence[str]) -> Path:
-    """Return the Python of ``.venv-<name>``, which has these requirements alone; it is made if need be."""
+    """Return the Python of ``.venv-<name>`` with exactly these requirements.
+
+    The environment is created if it does not exist.
+    """
     folder = current().root / f".venv-{name}"
     _make(folder, name, requirements)
     return folder / "bin" / "python"
@@ -92,13 +110,17 @@ def python_with(name: str, requirements: Sequence[str]) -> Path:
 def requirements(
     root: Path, packages: Mapping[str, str], settings: Config
 ) -> list[str]:
-    """Return the project's requirements with these versions in place of its own, ``missing`` ones as they come."""
+    """Return the project's requirements, with these versions of packages.
+
+    Packages with the version ``missing`` get no version.
+    """
     pinned = {}
     for name, version in packages.items():
         is_version = version == MISSING or VERSION.fullmatch(version)
         if name not in settings.packages or not is_version:
             raise ReportError(
-                f"{name} {version!r:.60} is no package of this report with a plain version"
+                f"{name} {version!r:.60} cannot be installed: use a package of "
+                "report.toml with a plain version such as 1.2.3"
             )
         if version != MISSING:
             pinned[name] = f"{settings.requirement_of(name)}=={version}"
@@ -110,12 +132,16 @@ def requirements(
 
 
 def _of_its_day(release: Release, asked: str, installs: Sequence[str]) -> list[str]:
-    """Return uv's options for packages of the day on which a release came out, except those with a version."""
+    """Return uv's options for the newest packages on the release date.
+
+    They do not apply to requirements with a version.
+    """
     day = release_date(release)
     if os.environ.get(FILTER) or not day:
         return []
     print(
-        f"{asked} came out on {day}; its packages are of that day, and {FILTER}={date.today()} takes later ones"
+        f"{asked} was released on {day}, so packages of that day are installed; "
+        f"{FILTER}={date.today()} allows later ones"
     )
     next_day = date.fromisoformat(day) + timedelta(days=1)
     options = ["--exclude-newer", next_day.isoformat()]
@@ -129,7 +155,10 @@ def _of_its_day(release: Release, asked: str, installs: Sequence[str]) -> list[s
 def _make(
     folder: Path, name: str, arguments: Sequence[str], pins: Sequence[str] = ()
 ) -> None:
-    """Make an environment of what is asked for, unless it is there; ``pins`` count whatever other packages ask for."""
+    """Create an environment, unless a complete one exists.
+
+    The versions in ``pins`` replace those that other packages require.
+    """
     digest = hashlib.sha256("\n".join(["", *arguments, *pins]).encode()).hexdigest()
     ready = folder / READY
     overrides = folder / "overrides.txt"
@@ -148,14 +177,15 @@ def _make(
 
 
 def _run(arguments: Sequence[str], name: str) -> None:
-    """Run uv, which may take a while; raise UsageError with the cause if it fails."""
-    # The Makefile puts it into .venv.tools on a host that has none.
+    """Run uv, which may take minutes; raise UsageError with the cause if it fails."""
+    # The Makefile installs uv into .venv.tools on hosts without it.
     folders = [Path(sys.executable).parent, current().root / ".venv.tools" / "bin"]
     path = os.pathsep.join([os.environ.get("PATH", ""), *map(str, folders)])
     uv = shutil.which("uv", path=path)
     if not uv:
         raise UsageError(
-            f"{name} cannot be installed: uv is not there; https://docs.astral.sh/uv says how to get it"
+            f"{name} cannot be installed, because uv is missing: see "
+            "https://docs.astral.sh/uv"
         )
     if sys.stdout.isatty():
         print(f"{name}: uv {' '.join(arguments[:2])} …", flush=True)
@@ -164,6 +194,6 @@ def _run(arguments: Sequence[str], name: str) -> None:
     )
     if process.returncode:
         lines = [line.strip(" ×╰─▶\t") for line in process.stdout.splitlines()]
-        lines = [*filter(None, lines)] or ["no reason was given"]
+        lines = [*filter(None, lines)] or ["uv gave no reason"]
         _, because, cause = " ".join(lines).partition("Because ")
         raise UsageError(f"{name} cannot be installed: {because + cause or lines[-1]}")

@@ -1,10 +1,11 @@
-"""Project: one report of one checkout, of an edition and in a profile, and what ``edition.toml`` says of that."""
+"""Describe the report of a checkout, for one edition in one profile."""
 
 import json
 import os
 import re
 import shlex
 from dataclasses import dataclass, field, replace
+from operator import attrgetter
 from pathlib import Path
 from typing import Any
 
@@ -39,7 +40,7 @@ BYTE_LIMIT = 1 << 20
 
 
 class Manifest(Struct, frozen=True, forbid_unknown_fields=True):
-    """Holds what is known of an edition besides its records."""
+    """Hold the contents of ``edition.toml``, which describes an edition."""
 
     asked: str  # the release or address that was measured, as the command named it
     date: str
@@ -47,7 +48,10 @@ class Manifest(Struct, frozen=True, forbid_unknown_fields=True):
 
 
 def read_manifest(results: Path) -> Manifest | None:
-    """Return the manifest in a folder of results, or None; raise RecordError if it is damaged."""
+    """Return the manifest in a folder of results, or None if there is none.
+
+    Raise RecordError if it is damaged.
+    """
     path = results / MANIFEST
     if not os.path.lexists(path):
         return None
@@ -56,13 +60,13 @@ def read_manifest(results: Path) -> Manifest | None:
         fields = tomllib.loads(content.decode("utf-8"))
         for text in (*fields.values(), *fields.get("sections", ())):
             if name_problem(str(text)):
-                raise ValueError("it has a text that cannot be printed")
+                raise ValueError("it contains text that cannot be printed")
         asked = fields.pop(current().settings.edition)
         return convert({"asked": asked, **fields}, Manifest)
     except (KeyError, ValueError, RecursionError) as error:
         message = " ".join(str(error).split())
         raise RecordError(
-            f"{short_path(path)} is no whole manifest: {message:.200}"
+            f"{short_path(path)} is not a valid manifest: {message:.200}"
         ) from None
 
 
@@ -79,20 +83,22 @@ def write_manifest(results: Path, manifest: Manifest) -> None:
     write_file(results / MANIFEST, "".join(lines))
 
 
+def current_root() -> Path:
+    return current().root
+
+
 @dataclass(frozen=True)
 class Project:
-    """Names the folders, editions and commands of a report in one checkout."""
+    """Describe the folders, editions and commands of a report in one checkout."""
 
     release: str
-    profile: str = (
-        "full"  # or `quick`: small grids and short runs, which are kept apart
-    )
-    root: Path = field(default_factory=lambda: current().root)
+    profile: str = "full"
+    """``full``, or ``quick`` for small grids and short runs, which are kept apart."""
+    root: Path = field(default_factory=current_root)
     own_release: str | None = None
-    """The release that is meant if none is named; None: this one."""
-    aside: str = (
-        ""  # a folder below `results` for what only a search or a comparison measures
-    )
+    """The default release of the project; None means this release."""
+    aside: str = ""
+    """A folder below ``results`` for measurements of a search or a comparison."""
 
     @property
     def is_own(self) -> bool:
@@ -100,7 +106,11 @@ class Project:
 
     @property
     def report(self) -> Report:
-        """Return the report in its folder, or the current one if that has, or links, no other ``report.toml``."""
+        """Return the report in the project's folder.
+
+        Return the current report if the folder has no ``report.toml``, or a link to the
+        same.
+        """
         file = (self.root / FILE).resolve()
         return report_in(file.parent) if file.is_file() else current()
 
@@ -114,7 +124,7 @@ class Project:
 
     @property
     def results(self) -> Path:
-        """Return the folder of the edition's records; only those of the full profile are tracked."""
+        """Return the folder of the edition's records; git tracks the full profile."""
         parts = [self.aside] if self.aside else []
         if self.aside or self.profile != "full":
             parts.append(self.profile)
@@ -128,12 +138,12 @@ class Project:
     @property
     def named(self) -> Release:
         release = read_label(self.release, self.settings)
-        assert release, f"{self.release} is no label"
+        assert release, f"{self.release} is not a label"
         return release
 
     @property
     def manifest(self) -> Manifest | None:
-        """Return the edition's manifest; None if there is none that can be read."""
+        """Return the edition's manifest, or None if it is missing or damaged."""
         try:
             return read_manifest(self.results)
         except RecordError:
@@ -152,13 +162,16 @@ class Project:
         ]
         labels = {self.settings.edition_in(folder.name) for folder in folders}
         releases = {label for label in labels if read_label(label, self.settings)}
-        return sorted(
-            {self.release, *releases}, key=lambda release: self.of(release).order
-        )
+        sides = [self.of(release) for release in {self.release, *releases}]
+        return [side.release for side in sorted(sides, key=attrgetter("order"))]
 
     @property
     def order(self) -> tuple[Any, ...]:
-        """Return a key that sorts editions by version, commits by date, and what is pinned after the same without."""
+        """Return a key that sorts editions.
+
+        Editions are sorted by version, and commits by date. An edition with pinned
+        packages follows the same edition without them.
+        """
         named = self.named
         date = ""
         if named.source:  # a commit that was not measured yet counts as the newest
@@ -174,7 +187,11 @@ class Project:
         return self.results / f"{section}.json"
 
     def rerun(self, section: str, device: str | None = None) -> str:
-        """Return the command that measures a section, on ``device`` if one is named, or on a CPU if these are of one."""
+        """Return the command that measures a section of this edition.
+
+        The command names ``device`` if it is given, and the CPU if this edition was
+        measured on a CPU.
+        """
         options = {
             "SECTION": section,
             "DEVICE": device or ("cpu" if self.named.machine == "cpu" else ""),
@@ -186,22 +203,25 @@ class Project:
 
     @property
     def asked(self) -> str:
-        """Return how a command names this edition: by its label, or by the address of a commit."""
+        """Return the edition's name in commands: its label or a commit's address."""
         manifest = self.manifest if self.named.source else None
         return manifest.asked if manifest else self.release
 
 
 def own_release(root: Path | None = None, report: Report | None = None) -> str:
-    """Return the project's own release, which is meant if none is named: the one that pyproject.toml asks for."""
+    """Return the project's default release, which pyproject.toml requires."""
     report = report or current()
     requirement = report.settings.requirement_of(report.settings.edition)
     text = ((root or report.root) / "pyproject.toml").read_text(encoding="utf-8")
     match = re.search(rf'"{re.escape(requirement)}==([0-9.]+)"', text)
     if not match:
-        line = (
+        if not requirement:
+            raise ReportError(
+                f"{FILE} and pyproject.toml do not name the package of the editions: "
+                'add edition = "NAME" and the requirement "NAME==1.2.3"'
+            )
+        raise ReportError(
+            f"pyproject.toml does not require {requirement} with a version: add "
             f'"{requirement}==1.2.3"'
-            if requirement
-            else 'of its edition, and report.toml has no edition = "NAME"'
         )
-        raise ReportError(f"pyproject.toml has no line {line}")
     return full_version(match[1])

@@ -1,7 +1,8 @@
-"""Releases: which code of a package is asked for, and the label of what is measured with it.
+"""Find the release or commit of a package that a command names, and its label.
 
-A label names all that was asked for and, if several machines measured it, the machine: ``1.8.0``, ``1.8.0+numpy-2.1.0``,
-``1.9.0.dev0+g1a2b3c4`` (a commit), ``1.8.0@cpu``.
+A label names everything that was requested. If several machines measured it, the label
+also names the machine. Examples are ``1.8.0``, ``1.8.0+numpy-2.1.0``,
+``1.9.0.dev0+g1a2b3c4`` (a commit) and ``1.8.0@cpu``.
 """
 
 import json
@@ -11,6 +12,7 @@ import tempfile
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from functools import cache
+from operator import attrgetter
 from pathlib import Path
 from typing import Any
 
@@ -23,26 +25,33 @@ from measured_report.files.git import git
 from measured_report.records.identity import SHORT_COMMIT, full_version
 
 VERSION = re.compile(
-    r"[0-9]{1,4}(?:\.[0-9]{1,6}){1,4}(?:(?:a|b|rc)[0-9]{1,4})?(?:\.(?:post|dev)[0-9]{1,12})?"
+    r"""
+    [0-9]{1,4} (?:\.[0-9]{1,6}){1,4}  # release
+    (?:(?:a|b|rc)[0-9]{1,4})?  # candidate
+    (?:\.(?:post|dev)[0-9]{1,12})?
+    """,
+    re.VERBOSE,
 )
 REFERENCE = re.compile(r"[A-Za-z0-9][A-Za-z0-9._/-]*")
 ADDRESS = re.compile(r"(https?|ssh|file)://[^\s@-][^\s]*")
 SECRET = re.compile(r"https?://[^/]*@|://[^/@]*:[^/@]*@|://.*[?#]")
-"""An address with a password or a token."""
+"""Matches an address with a password or a token."""
 INDEX = "https://pypi.org/simple"
 
 
 @dataclass(frozen=True)
 class Release:
-    """Names a release or a commit of the package whose releases are editions, and what is installed with it."""
+    """Describe a release or commit of the edition's package, with pinned packages."""
 
     version: str
-    source: str = ""  # of a commit `g` and its first digits; empty for a release
+    source: str = ""  # `g` and the first digits of the commit; empty for a release
     pins: tuple[tuple[str, str], ...] = ()
-    machine: str = ""  # the machine that measured it, if the label without it is of another machine
-    requirement: str = ""  # what is installed; empty if only the results are known
-    asked: str = ""  # how a command names it
-    date: str = ""  # of a commit, as 2026-11-11
+    # The machine that measured it, if results without this label are of another machine
+    machine: str = ""
+    # The requirement to install; empty if only results are available.
+    requirement: str = ""
+    asked: str = ""  # the name in commands
+    date: str = ""  # of a commit, such as 2026-11-11
     settings: Config = field(default_factory=Config, repr=False, compare=False)
 
     def __str__(self) -> str:
@@ -58,7 +67,7 @@ class Release:
 
     @property
     def order(self) -> Any:
-        """Return a key that sorts as packages do: candidates before their release."""
+        """Return a key that sorts versions, with candidates before their releases."""
         return Version(self.version)
 
     def is_installed_with(self, versions: Mapping[str, str]) -> bool:
@@ -67,7 +76,7 @@ class Release:
 
 
 def read_label(text: str, settings: Config | None = None) -> Release | None:
-    """Return the release that a label names, or None; ``1.8`` is 1.8.0."""
+    """Return the release that a label names, or None; ``1.8`` means 1.8.0."""
     settings = settings or current().settings
     names = {
         settings.short_names.get(package, package): package
@@ -76,9 +85,14 @@ def read_label(text: str, settings: Config | None = None) -> Release | None:
     version = VERSION.pattern
     packages = "|".join(map(re.escape, names)) or "(?!)"
     match = re.fullmatch(
-        rf"({version})(?:\+(g[0-9a-f]{{7}}))?"
-        rf"((?:\+(?:{packages})-{version})*)(?:@([a-z0-9][a-z0-9-]{{0,60}}))?",
+        rf"""
+        ({version})
+        (?: \+(g[0-9a-f]{{7}}) )?  # commit
+        ( (?: \+(?:{packages})-{version} )* )  # pinned packages
+        (?: @([a-z0-9][a-z0-9-]{{0,60}}) )?  # machine
+        """,
         text,
+        re.VERBOSE,
     )
     if not match:
         return None
@@ -103,7 +117,7 @@ def read_label(text: str, settings: Config | None = None) -> Release | None:
 def release_of(
     spec: str, pins: str = "", option: str = "", report: Report | None = None
 ) -> Release:
-    """Return the release that a command asks for, with ``pins`` as WITH= has them."""
+    """Return the release that a command names, with ``pins`` in the format of WITH=."""
     report = report or current()
     settings = report.settings
     option = option or settings.option
@@ -114,20 +128,21 @@ def release_of(
         if package not in settings.packages[1:] or not VERSION.fullmatch(version):
             names = ", ".join(settings.packages[1:]) or "none"
             raise UsageError(
-                f"WITH={pins} is no list of PACKAGE==1.2.3; packages of report.toml has: {names}"
+                f"WITH={pins} is not a list of PACKAGE==1.2.3: use packages of "
+                f"report.toml ({names})"
             )
         versions[package] = full_version(version)
     return replace(release, pins=tuple(sorted(versions.items())))
 
 
 def folder_at(text: str, root: Path) -> Path:
-    """Return what a path leads to from the report's folder, where make runs, or from a home."""
-    # Path.expanduser would raise for a user that does not exist.
+    """Return the absolute path of a path that starts at the report's folder or at ~."""
+    # Path.expanduser raises an error for a user that does not exist.
     return (root / os.path.expanduser(text)).resolve()  # noqa: PTH111
 
 
 def _shown(path: Path, root: Path) -> str:
-    """Write a path from the report's folder or from a home, so that it names nobody."""
+    """Return a path relative to the report or to ~, without the user's name."""
     root = root.resolve()
     home = folder_at("~", root)
     if path.is_relative_to(home) and not path.is_relative_to(root.parent):
@@ -136,11 +151,12 @@ def _shown(path: Path, root: Path) -> str:
 
 
 def _commit(spec: str, option: str, report: Report) -> Release:
-    """Find a commit of a repository; only what tells its version and date is fetched."""
+    """Return the release of a commit, fetching as few files as possible."""
     settings = report.settings
     if SECRET.search(spec):
         raise UsageError(
-            f"{option}= has a password or a token, which would be kept: leave it to git's credential helper"
+            f"{option}= contains a password or a token, which would be stored: use "
+            "git's credential helper"
         )
     address, _, reference = spec.removeprefix("git+").rpartition("@")
     repository = folder_at(address.removeprefix("file://"), report.root)
@@ -152,8 +168,8 @@ def _commit(spec: str, option: str, report: Report) -> Release:
         found = git(repository, "rev-parse", f"{reference}^{{commit}}")
         commit = found or reference
     if not (ADDRESS.fullmatch(address) and REFERENCE.fullmatch(reference)):
-        kinds = "release number, git+https://HOST/NAME.git@COMMIT or FOLDER@COMMIT"
-        raise UsageError(f"{option}={spec} is no {kinds}; {option}=1.2.3 is one")
+        kinds = "a release number, git+https://HOST/NAME.git@COMMIT or FOLDER@COMMIT"
+        raise UsageError(f"{option}={spec} does not name a release: use {kinds}")
     with tempfile.TemporaryDirectory() as folder:
         fetched = Path(folder)
         git(fetched, "init", "--quiet", "--bare")
@@ -163,13 +179,15 @@ def _commit(spec: str, option: str, report: Report) -> Release:
     commit, _, date = show.partition(" ")
     if not commit:
         raise UsageError(
-            f"{option}={spec} cannot be fetched; git fetch {address} {reference} says why"
+            f"{option}={spec} cannot be fetched: run git fetch {address} "
+            f"{reference} to see why"
         )
     version = re.search(r'^version = "([^"]+)"', project, re.MULTILINE)
     is_package = f'name = "{settings.edition}"' in project
     if not (version and is_package and VERSION.fullmatch(version[1])):
         raise UsageError(
-            f"{option}={spec} is no commit of {settings.edition_name}: its pyproject.toml names no {settings.edition} with a version"
+            f"{option}={spec} is not a commit of {settings.edition_name}: use one "
+            f"whose pyproject.toml has the name {settings.edition} and a version"
         )
     requirement = settings.requirement_of(settings.edition)
     return Release(
@@ -183,7 +201,7 @@ def _commit(spec: str, option: str, report: Report) -> Release:
 
 
 def release_date(release: Release) -> str:
-    """Return the day on which it came out, as 2026-11-11; empty if the index does not say."""
+    """Return the date of a release, such as 2026-11-11, or an empty string."""
     if release.source:
         return release.date
     return _index_dates(release.settings.edition).get(release.version, "")
@@ -195,17 +213,21 @@ def releases_between(older: Release, newer: Release) -> list[Release]:
 
 
 def releases_of(package: str, settings: Config | None = None) -> list[Release]:
-    """Return the releases of a package in the index, oldest first, without candidates and development versions."""
+    """Return the final releases of a package in the index, oldest first."""
     versions = _index_dates(package)
     finals = [each for each in versions if each.replace(".", "").isdigit()]
     releases = filter(None, (read_label(version, settings) for version in finals))
-    return sorted(releases, key=lambda release: release.order)
+    return sorted(releases, key=attrgetter("order"))
 
 
 @cache
 def _index_dates(package: str) -> Mapping[str, str]:
-    """Return the day of each version in the index, as PEP 700 has it; none if it cannot be reached."""
-    import urllib.request  # which takes long to import, and few commands ask the index
+    """Return the date of each version in the index (PEP 700).
+
+    Return no dates if the index cannot be reached.
+    """
+    # Slow to import, and few commands ask the index.
+    import urllib.request
 
     variables = ("UV_DEFAULT_INDEX", "UV_INDEX_URL", "PIP_INDEX_URL")
     index = next(filter(None, map(os.environ.get, variables)), INDEX)

@@ -1,1 +1,1 @@
-"""Files, the cache and processes: what all other rooms stand on."""
+"""Provide files, the cache and processes to all other packages."""

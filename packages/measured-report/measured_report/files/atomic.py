@@ -1,4 +1,4 @@
-"""Files: each is read only if it is a regular file, and written whole. Folders are held by one process at a time."""
+"""Read only regular files, replace files in one step, and lock folders."""
 
 import fcntl
 import os
@@ -14,28 +14,31 @@ from measured_report.files.errors import UNPRINTABLE, ReportError
 
 
 class RecordError(ReportError):
-    """Names a record or trace that can't be trusted, in one line, with its release and file."""
+    """Signal a damaged record or trace; the message names its release and file."""
 
 
 def short_path(path: Path) -> str:
-    """Write the path of a record or a trace as messages have it: its edition's folder and its name."""
+    """Return the path of a record or trace for messages: its folder and its name."""
     return UNPRINTABLE.sub("?", "/".join(path.parts[-2:]))
 
 
 def read_file(path: Path, byte_limit: int) -> bytes:
-    """Return the content of a regular file; RecordError for a link, a pipe or a device, and if it is too large."""
+    """Return the content of a regular file.
+
+    Raise RecordError for a link, a pipe, a device or a file that is too large.
+    """
     name = short_path(path)
     try:
         info = path.lstat()
         if not stat.S_ISREG(info.st_mode):
-            raise RecordError(f"{name} is no regular file")
+            raise RecordError(f"{name} is not a regular file")
         if info.st_size > byte_limit:
-            raise RecordError(f"{name} has more than {byte_limit >> 20} MiB")
+            raise RecordError(f"{name} is larger than {byte_limit >> 20} MiB")
         return path.read_bytes()
     except FileNotFoundError:
-        raise RecordError(f"there is no {name}") from None
+        raise RecordError(f"{name} does not exist") from None
     except OSError as error:
-        raise RecordError(f"{name} can't be read: {error.strerror}") from None
+        raise RecordError(f"{name} cannot be read: {error.strerror}") from None
 
 
 def folder_fault(folder: Path) -> str:
@@ -51,7 +54,10 @@ def folder_fault(folder: Path) -> str:
 
 @contextmanager
 def locked(folder: Path, *, alone: bool = True) -> Iterator[None]:
-    """Hold ``folder``, if it is there, alone or with others that only read; whoever has to wait for it says so."""
+    """Lock ``folder`` if it exists, either alone or together with other readers.
+
+    Print a message if another process holds the lock.
+    """
     if not folder.is_dir():
         yield
         return
@@ -61,7 +67,7 @@ def locked(folder: Path, *, alone: bool = True) -> Iterator[None]:
         try:
             fcntl.flock(descriptor, mode | fcntl.LOCK_NB)
         except BlockingIOError:
-            text = f"waiting for another process that is at work in {folder.name}/"
+            text = f"waiting for another process that uses {folder.name}/"
             print(text, file=sys.stderr, flush=True)
             fcntl.flock(descriptor, mode)
         yield
@@ -70,13 +76,16 @@ def locked(folder: Path, *, alone: bool = True) -> Iterator[None]:
 
 
 def write_file(path: Path, content: str | bytes) -> None:
-    """Write a file whole: whoever reads it meanwhile finds the former content."""
+    """Write a file in one step: other readers see the old or the new content."""
     with atomic_file(path) as temporary:
         temporary.write_bytes(content.encode() if isinstance(content, str) else content)
 
 
 def write_files(contents: Mapping[Path, bytes]) -> None:
-    """Write several files, each whole. The first is replaced last, and none unless all are on the disk."""
+    """Write several files, each in one step.
+
+    The first file is replaced last, and no file is replaced before all are on the disk.
+    """
     with ExitStack() as stack:
         for path, content in contents.items():
             with stack.enter_context(atomic_file(path)).open("wb") as file:
@@ -87,12 +96,11 @@ def write_files(contents: Mapping[Path, bytes]) -> None:
 
 @contextmanager
 def atomic_file(path: Path) -> Iterator[Path]:
-    """Name a path to write to, which takes the place of ``path`` once the block has ended well."""
+    """Yield a path to write to, which replaces ``path`` if the block succeeds."""
     path.parent.mkdir(parents=True, exist_ok=True)
     temporary = path.with_name(f".{path.name}.part")
-    temporary.unlink(
-        missing_ok=True
-    )  # of a process that was killed, or a link that leads elsewhere
+    # A killed process may have left this file. It may also be a link to another place.
+    temporary.unlink(missing_ok=True)
     try:
         yield temporary
         os.replace(temporary, path)
@@ -102,7 +110,10 @@ def atomic_file(path: Path) -> Iterator[Path]:
 
 @contextmanager
 def staging_folder(folder: Path) -> Iterator[Path]:
-    """Name a staging folder for what is to take the place of ``folder``; what is left there is removed."""
+    """Yield a folder in which a replacement of ``folder`` can be built.
+
+    The folder is removed at the end.
+    """
     with locked(folder.parent):
         fresh = folder.with_name(f".{folder.name}-new")
         shutil.rmtree(fresh, ignore_errors=True)
@@ -113,12 +124,15 @@ def staging_folder(folder: Path) -> Iterator[Path]:
 
 
 def sums(digests: Mapping[str, str]) -> str:
-    """Write the digests of files, by name, as ``sha256sum --check`` reads them."""
+    """Return the digests of files by name, in the format of ``sha256sum --check``."""
     return "".join(f"{digest}  {name}\n" for name, digest in sorted(digests.items()))
 
 
 def digests_below(folder: Path) -> dict[str, str]:
-    """Digest the files below a folder, by their names there; a link, and what else is no file, has none."""
+    """Return the digests of all files below a folder by their relative names.
+
+    Links and other entries that are not files have an empty digest.
+    """
     digests = {}
     for path in (
         path for path in folder.rglob("*") if path.is_symlink() or not path.is_dir()
@@ -131,7 +145,7 @@ def digests_below(folder: Path) -> dict[str, str]:
 
 
 def put_in_place(folder: Path, fresh: Path) -> None:
-    """Let ``fresh`` take the place of ``folder``, or of what that leads to; what was there is removed."""
+    """Replace ``folder``, or the folder that it links to, by ``fresh``."""
     folder = folder.resolve()
     before = fresh.with_name(f"{fresh.name}-before")
     shutil.rmtree(before, ignore_errors=True)

@@ -1,4 +1,4 @@
-"""Cache: what was made before, in the user's own cache folder; what is damaged counts as not there."""
+"""Cache results in the user's cache folder; a damaged entry counts as missing."""
 
 import os
 import pickle
@@ -13,11 +13,15 @@ from typing import Any
 
 @cache
 def _is_ours(folder: Path) -> bool:
-    """Tell whether nobody else may write in a folder, and say where somebody may: what is read there is executed."""
+    """Return whether only this user may write to a folder, and print if not.
+
+    The files in it are pickles, which can execute code when they are read.
+    """
     info = folder.stat()
     if not (is_ours := info.st_uid == os.geteuid() and not info.st_mode & 0o022):
         print(
-            f"nothing is kept in {folder.name}/ of the cache: others may write there",
+            f"{folder.name}/ in the cache is writable for others, so it is not "
+            "used: remove it",
             file=sys.stderr,
         )
     return is_ours
@@ -25,37 +29,32 @@ def _is_ours(folder: Path) -> bool:
 
 @dataclass(frozen=True)
 class Cache:
-    root: Path  # of the project that it is of
+    root: Path  # the folder of the project
 
     @property
     def folder(self) -> Path:
-        """Return where it lies; RuntimeError where there is no home."""
-        base = Path(
-            os.environ.get("XDG_CACHE_HOME", "")
-        )  # which counts only as a whole path: others lie in a checkout
-        name = f"{self.root.resolve().name}-{sha256(str(self.root.resolve()).encode()).hexdigest()[:12]}"
-        return (
-            (base if base.is_absolute() else Path.home() / ".cache")
-            / "measured-report"
-            / name
-        )
+        """Return the cache's folder; raise RuntimeError if there is no home folder."""
+        root = self.root.resolve()
+        digest = sha256(str(root).encode()).hexdigest()[:12]
+        base = Path(os.environ.get("XDG_CACHE_HOME", ""))
+        # A relative path is ignored, because it would lead into a checkout.
+        if not base.is_absolute():
+            base = Path.home() / ".cache"
+        return base / "measured-report" / f"{root.name}-{digest}"
 
     def get(self, name: str, key: Any) -> Any:
-        """Return what is kept as ``name`` and was made from ``key``; None when there is nothing whole."""
-        with (
-            suppress(Exception),
-            (self.folder / name).open("rb") as file,
-        ):  # it may name code that is no more
+        """Return the entry ``name``, or None if it was not made from ``key``."""
+        # Any error can occur, because the pickle may name code that no longer exists.
+        with suppress(Exception), (self.folder / name).open("rb") as file:
             if not _is_ours(self.folder):
                 return None
-            is_current = (
-                pickle.load(file) == key
-            )  # the key stands before the value, which may be large
+            # The key comes first, because the value may be large.
+            is_current = pickle.load(file) == key
             return pickle.load(file) if is_current else None
         return None
 
     def put(self, name: str, key: Any, value: Any) -> None:
-        """Keep ``value``, made from ``key``; where nothing can be written it is not kept."""
+        """Store ``value``, made from ``key``, if the cache can be written."""
         with suppress(OSError, RuntimeError):
             self.folder.mkdir(mode=0o700, parents=True, exist_ok=True)
             if not _is_ours(self.folder):

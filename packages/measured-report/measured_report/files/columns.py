@@ -1,4 +1,7 @@
-"""Columns: what is known of the numbers in a column: the end of its name is their unit, the rest in ``report.toml``."""
+"""Describe the columns of records by their names and by ``report.toml``.
+
+The end of a column's name determines its unit.
+"""
 
 import re
 from collections.abc import Iterable, Mapping, Sequence
@@ -35,10 +38,26 @@ _OTHERS = {
     "count": "1",
 }
 SYMBOL = re.compile(
-    r"(?:[nµmkMGT]?(?:m|s|g|N|J|W|V|A|K|B|bit|Pa|Hz|rad|mol)|cm|min|h|°C?|%|1|dB)[²³]?"
+    r"""
+    (?: [nµmkMGT]? (?:m|s|g|N|J|W|V|A|K|B|bit|Pa|Hz|rad|mol)  # with a prefix
+      | cm | min | h | °C? | % | 1 | dB
+    )
+    [²³]?
+    """,
+    re.VERBOSE,
 )
-"""A unit that nobody declares; several make one with ``/`` and ``·``. Numbers are never converted, so this is all."""
-PLAIN = "1"  # the unit of a number whose column names none
+"""The factors of units that are known without a declaration.
+
+Units can combine them with ``/`` and ``·``. Numbers are never converted between units.
+"""
+PLAIN = "1"  # the unit of a number whose column does not name one
+PREFIX = re.compile(
+    r"""
+    (?<! [^/·] ) [nµmkMGT]  # at the start of a factor
+    (?= (?:m|s|g|N|J|W|V|A|K|B|bit|Pa|Hz|rad|mol) (?![a-zA-Z]) )
+    """,
+    re.VERBOSE,
+)
 LARGEST = {
     "mm": 1e10,
     "m": 1e7,
@@ -50,7 +69,9 @@ LARGEST = {
     "kg": 1e9,
     "Hz": 1e4,
 }
-"""The largest number that is believed, by unit: what an exploding simulation gives lies below it."""
+"""The largest plausible number for each unit; larger ones come from simulations that
+diverged.
+"""
 NEVER_NEGATIVE = {
     "ms",
     "ms/s",
@@ -61,9 +82,10 @@ NEVER_NEGATIVE = {
     "kg/m³",
     "B",
     "mm/cycle",
-}  # units of numbers that have no sign
+}  # units of numbers that are never negative
 REASON = "_reason"
-UNBELIEVED = "the measurement gave "  # begins the reason of a number that no record may hold, as one that is not finite
+# The start of the reason for a number that a record may not hold, such as infinity.
+UNBELIEVED = "the measurement gave "
 TEXT_LIMIT = 4096
 
 
@@ -76,42 +98,44 @@ TRAITS = (
     "trials",
     "unless",
 )
-"""What ``report.toml`` says of a column, the first table that says it."""
+"""Properties of a column; each is taken from the first table that sets it.
+"""
 
 
 @dataclass(frozen=True, kw_only=True)
 class Column(Columns):
-    """Describes a column by its name and by what ``report.toml`` says of it."""
+    """Describe a column by its name and its settings in ``report.toml``."""
 
     name: str
-    unit: str  # `1` where the name says none
-    words: str  # its name in words, without the unit
-    least: float  # of the numbers that are believed, as the next
+    unit: str  # `1` if the name does not include a unit
+    words: str  # the name in words, without the unit
+    least: float  # the smallest plausible number
     largest: float
     kinds: frozenset[str]
 
     @cached_property
     def is_setting(self) -> bool:
-        """Tell whether it was set before a run: a parameter of a case, or how much was run."""
+        """Return whether the column was set before the run, like a case's parameter."""
         return not self.kinds.isdisjoint(("parameter", "setting"))
 
     @cached_property
     def is_exact(self) -> bool:
-        """Tell whether it holds what was set, or made from that alone, and so has no noise."""
+        """Return whether the column is set or computed from settings, without noise."""
         return self.is_setting or "computed" in self.kinds
 
     @property
     def is_cost(self) -> bool:
-        """Tell whether its numbers are of the machine: times, rates, bytes."""
+        """Return whether the numbers depend on the machine: times, rates or memory."""
         return "cost" in self.kinds
 
 
 class Schema:
-    """Describes the columns of a report: ``schema["depth_mm"]`` is a `Column`.
+    """Describe the columns of a report: ``schema["depth_mm"]`` is a `Column`.
 
     Args:
-        settings: the settings of ``report.toml``, which declare what a name does not tell.
-        parameters: the parameters of a case with their defaults, ``MISSING`` for one that has none.
+        settings: the settings of ``report.toml``, which complement the names of
+        columns. parameters: the parameters of a case with their defaults, or
+        ``MISSING``.
     """
 
     def __init__(self, settings: Config, parameters: Mapping[str, Any]):
@@ -120,12 +144,16 @@ class Schema:
         self._columns: dict[str, Column] = {}
         known = _LENGTHS | _TIMES | _OTHERS
         for end, unit in settings.units.items():
-            if not unit or known.get(end, unit) != unit:
+            if not unit:
+                raise ReportError(f"{FILE}: units has {end} without a unit: add one")
+            if known.get(end, unit) != unit:
                 raise ReportError(
-                    f"{FILE}: units has {end}, which is {known.get(end, 'empty')}: take another end"
+                    f"{FILE}: units has {end}, which already means {known[end]}: "
+                    "use another ending"
                 )
         self.units: Mapping[str, str] = known | dict(settings.units)
-        """The unit by the end of a column's name; the longest end that fits counts."""
+        """The units by the end of a column's name; the longest end that matches counts.
+        """
 
     def __getitem__(self, name: str) -> Column:
         if name not in self._columns:
@@ -140,7 +168,8 @@ class Schema:
         ]
         if len({table.better for table in declared if name in table.names} - {""}) > 1:
             raise ReportError(
-                f"{FILE}: column {name} is listed both as lower-is-better and as higher-is-better"
+                f"{FILE}: column {name} is listed both as lower-is-better and "
+                "as higher-is-better"
             )
         unit = self._unit(name)
         largest = LARGEST.get(unit, 1e18)
@@ -164,7 +193,10 @@ class Schema:
         )
 
     def _unit(self, name: str) -> str:
-        """Return the unit that the longest known end of a name stands for, without an end like ``_p95``."""
+        """Return the unit by the longest known end of a name.
+
+        An end like ``_p95`` is ignored.
+        """
         pieces = re.sub("_p[0-9]+$", "", name).split("_")
         ends = ("_".join(pieces[start:]) for start in range(len(pieces)))
         return next((self.units[end] for end in ends if end in self.units), PLAIN)
@@ -180,7 +212,7 @@ class Schema:
         )
 
     def is_unit(self, text: str) -> bool:
-        """Tell whether a text is a unit: a known one, or known ones with ``/`` and ``·`` between them."""
+        """Return whether a text is a unit or combines units with ``/`` and ``·``."""
         unknown = {
             factor for factor in re.split("[/·]", text) if not SYMBOL.fullmatch(factor)
         }
@@ -200,11 +232,11 @@ class Schema:
         }
 
     def number_of(self, column: str, row: Mapping[str, Any]) -> Any:
-        """Return a cell of a row, None for a number that does not exist because the run failed."""
+        """Return a cell of a row, or None if the run failed and it has no meaning."""
         return None if row.get(self[column].unless) else row[column]
 
     def units_of(self, rows: Sequence[Mapping[str, Any]]) -> dict[str, str]:
-        """Return the units of the columns that hold numbers, missing ones included."""
+        """Return the units of all columns with numbers, including missing numbers."""
         columns = columns_of(rows)
         numeric = {
             name for row in rows for name, cell in row.items() if is_number(cell)
@@ -216,29 +248,33 @@ class Schema:
         return {name: self[name].unit for name in names}
 
     def number_problem(self, name: str, value: int | float) -> str:
-        """Say what is wrong with a number in the column ``name``; empty when nothing is."""
+        """Return the problem with a number in column ``name``, or an empty string."""
         column = self[name]
         if column.least <= value <= column.largest:
             return ""
-        return f"is {value!r:.20}, and no number from {column.least:g} to {column.largest:g}"
+        return (
+            f"is {value!r:.20}, outside of the range {column.least:g} to "
+            f"{column.largest:g}"
+        )
 
     def refuse_mixed(
         self, rows: Sequence[Mapping[str, Any]], noted: Mapping[str, str]
     ) -> None:
-        """Raise ValueError unless units are those of the columns' names, and a column holds one kind of thing."""
+        """Raise ValueError if a unit contradicts a column's name or kinds are mixed."""
         units = self.units_of(rows)
         for name in sorted({*units, *noted}):
             if noted.get(name) != units.get(name):
                 raise ValueError(
-                    f"the unit of {name} is given as {noted.get(name)}, and its name says {units.get(name)}"
+                    f"the unit of {name} is {noted.get(name)}, but its name implies "
+                    f"{units.get(name)}"
                 )
         for name in columns_of(rows):
             holding = [row for row in rows if name in row]
             types = {type(row[name]) for row in holding} - {int, float, type(None)}
             if types and (name in units or self[name].unit != PLAIN):
-                raise ValueError(f"{name} is not all numbers")
+                raise ValueError(f"{name} contains values that are not numbers")
             if len(types) > 1:
-                raise ValueError(f"{name} is text in one row and yes or no in another")
+                raise ValueError(f"{name} contains both text and yes or no")
             if name not in units:
                 continue
             if not all(row.get(name + REASON) for row in holding if row[name] is None):
@@ -250,39 +286,36 @@ class Schema:
 
 
 def case_parameters(settings: Config) -> Mapping[str, Any]:
-    """Return the fields of the dataclass that ``case`` names and their defaults, ``MISSING`` for one without."""
+    """Return the fields of the dataclass ``case`` with defaults, or ``MISSING``."""
     if not settings.case:
         return {}
     module, _, name = settings.case.partition(":")
     case = getattr(module_named("case", module), name, None)
     if not is_dataclass(case):
         raise ReportError(
-            f"{FILE}: case = {settings.case!r}: there is no such dataclass"
+            f"{FILE}: case = {settings.case!r} does not exist or is not a "
+            "dataclass: use module:name"
         )
     return {field.name: field.default for field in fields(case)}
 
 
 def unlike(units: Iterable[str]) -> list[str]:
-    """Return two units of one kind that are not the same, as ms and s are; nothing where there are none."""
+    """Return two different units of one kind, such as ms and s, if there are any."""
     kinds: dict[str, str] = {}
     for unit in units:
-        kind = re.sub(
-            r"(?<![^/·])[nµmkMGT](?=(?:m|s|g|N|J|W|V|A|K|B|bit|Pa|Hz|rad|mol)(?![a-zA-Z]))",
-            "",
-            unit,
-        )
+        kind = PREFIX.sub("", unit)
         if kinds.setdefault(kind, unit) != unit:
             return [kinds[kind], unit]
     return []
 
 
 def columns_of(rows: Sequence[Mapping[str, Any]]) -> list[str]:
-    """Name all columns, in the order in which the rows have them."""
+    """Return the names of all columns in the order of the rows."""
     return list(dict.fromkeys(chain.from_iterable(rows)))
 
 
 def unbelieved(row: Mapping[str, Any]) -> dict[str, str]:
-    """Return, by column, the reason for each number that no record may hold."""
+    """Return the reasons for all numbers that a record may not hold, by column."""
     reasons = {
         name.removesuffix(REASON): str(cell)
         for name, cell in row.items()
@@ -300,27 +333,32 @@ def is_number(value: Any) -> TypeGuard[int | float]:
 
 
 def plain(cell: Any, name: str) -> Any:
-    """Return a cell as Python has it where it is NumPy's; ReportError for what no record may hold."""
+    """Return a cell as a plain Python value.
+
+    Raise ReportError for a value that a record may not hold.
+    """
     value = cell.item() if getattr(cell, "ndim", None) == 0 else cell
     if value is None or isinstance(value, bool | int | float | str):
         return value
     raise ReportError(
-        f"the column {name} has {value!r:.80}, which is no number, text, yes or no"
+        f"column {name} contains {value!r:.80}: use numbers, text, True or False"
     )
 
 
 def name_problem(text: str) -> str:
-    """Say what is wrong with a text that is printed as a part of a line; empty when nothing is."""
+    """Return the problem with a text printed within a line, or an empty string."""
     return text_problem(text) or (
-        "has a tab or more than one line" if re.search(r"[\n\t]", text) else ""
+        "contains a tab or a line break" if re.search(r"[\n\t]", text) else ""
     )
 
 
 @cache
 def text_problem(text: str) -> str:
     if len(text) > TEXT_LIMIT:
-        return f"is a text of more than {TEXT_LIMIT} characters"
+        return f"is longer than {TEXT_LIMIT} characters"
     match = UNPRINTABLE.search(text)
     return (
-        f"has the character U+{ord(match[0][0]):04X}, which is no text" if match else ""
+        f"contains the character U+{ord(match[0][0]):04X}, which cannot be printed"
+        if match
+        else ""
     )

@@ -1,4 +1,4 @@
-"""Config: a report, with all that is known of it, and the current one."""
+"""Define the report with its settings, and return the current report."""
 
 import sys
 from dataclasses import dataclass, field
@@ -29,16 +29,18 @@ __all__ = [
     "read_toml",
     "tomllib",
 ]
-ROOMS = (
-    "experiments",
-    "report",
-)  # packages that every report has of its own, by the same names
+ROOMS = ("experiments", "report")
+"""The packages that every report defines."""
 T = TypeVar("T")
 
 
 @dataclass(eq=False)
 class Report:
-    """Names a report; ``with report:`` makes it the current one, whose settings, packages and root all here has."""
+    """Describe a report; ``with report:`` makes it the current one.
+
+    The current report provides the settings, the packages and the root of all code
+    here.
+    """
 
     root: Path
     _modules: dict[str, ModuleType] = field(default_factory=dict)
@@ -56,17 +58,20 @@ class Report:
 
     @cached_property
     def sources(self) -> str:
-        """Return the page of the sources on the web: as ``report.toml`` has it, or git's origin."""
+        """Return the address of the sources on the web.
+
+        It is the one in ``report.toml``, or else git's origin.
+        """
         return self.settings.repository or web_address(self.root)
 
     @cached_property
     def host(self) -> ModuleType:
-        """Import the module that measures on a host."""
+        """Return the module that measures on a host."""
         return module_named("host", self.settings.host)
 
     @cached_property
     def accelerator(self) -> ModuleType:
-        """Import the module of the devices that accelerate the report's host."""
+        """Return the module of the accelerators of a host."""
         return module_named("accelerator", self.settings.accelerator)
 
     def __enter__(self) -> "Report":
@@ -79,15 +84,17 @@ class Report:
         report()._follow(exited)
 
     def _follow(self, former: "Report") -> None:
-        """Put its root and modules in the place of another's, which are kept for when that is entered again."""
+        """Replace the root and modules of the former report by this one's.
+
+        The former report keeps its modules for the next time it is entered.
+        """
         if self is former:
             return
         names = [name for name in sys.modules if name.partition(".")[0] in ROOMS]
-        former._path, former._modules = (
-            sys.path[:],
-            {name: sys.modules.pop(name) for name in names},
-        )
-        # The other's root would be found first, where a package here has no __init__.py.
+        former._path = sys.path[:]
+        former._modules = {name: sys.modules.pop(name) for name in names}
+        # Remove the other root: it would be found first if a package has no
+        # __init__.py.
         paths = (path for path in sys.path if Path(path).resolve() != former.root)
         sys.path[:] = self._path or [
             str(self.root),
@@ -107,5 +114,5 @@ _entered = [report_in(root.ROOT)]
 
 
 def report() -> Report:
-    """Return the current report: at first that of ``files/root.py``."""
+    """Return the current report, at first the one in ``files/root.py``."""
     return _entered[-1]

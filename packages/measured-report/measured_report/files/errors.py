@@ -1,4 +1,4 @@
-"""Errors: what a command says in one line, in place of a traceback."""
+"""Define the errors that a command prints as one line instead of a traceback."""
 
 import os
 import re
@@ -10,48 +10,60 @@ from traceback import extract_tb
 from types import TracebackType
 
 UNPRINTABLE = re.compile(
-    "[\x00-\x08\x0b-\x1f\x7f-\x9f\u061c\u200b-\u200f\u2028-\u202e\u2060-\u206f\ud800-\udfff\ue000-\uf8ff"
-    "\ufdd0-\ufdef\ufeff\ufff9-\ufffb\ufffe\uffff\U000e0000-\U000e007f\U000f0000-\U0010ffff"
-    "\xad\u034f\u115f\u1160\u17b4\u17b5\u180b-\u180f\u2800\u3164\uffa0]"
-    "|[\u0300-\u036f\u0483-\u0489\u1ab0-\u1aff\u1dc0-\u1dff\u20d0-\u20ff\ufe20-\ufe2f]{4,}"
-)  # what no text needs: control, turned round, unseen, halves, of no meaning, not in XML, blanks that are letters, and
-# more marks on a letter than any language has
+    r"""
+    (?: [\x00-\x08\x0b-\x1f\x7f-\x9f]  # control characters
+      | [\xad\u061c\u200b-\u200f\u2028-\u202e\u2060-\u206f]  # invisible
+      | [\ufeff\ufff9-\ufffb]  # invisible
+      | [\u034f\u17b4\u17b5\u180b-\u180f\U000e0000-\U000e007f]  # invisible marks
+      | [\u115f\u1160\u2800\u3164\uffa0]  # letters that look blank
+      | [\ud800-\udfff]  # halves of surrogate pairs
+      | [\ue000-\uf8ff\U000f0000-\U0010ffff]  # private use
+      | [\ufdd0-\ufdef\ufffe\uffff]  # forbidden in XML
+    )
+    # More marks on one letter than any language uses.
+    | (?: [\u0300-\u036f\u0483-\u0489\u1ab0-\u1aff]
+        | [\u1dc0-\u1dff\u20d0-\u20ff\ufe20-\ufe2f]
+      ){4,}
+    """,
+    re.VERBOSE,
+)
+"""Characters that no text needs."""
 
 
 class ReportError(Exception):
-    """Tells the reader of its message, which is one line, what to mend."""
+    """Signal an error that the user can fix; the message is one line that says how."""
 
     def __str__(self) -> str:
         return without_secrets(super().__str__())
 
 
 class UsageError(ReportError):
-    """Tells that what was asked for does not exist or makes no sense; nothing was changed."""
+    """Signal an invalid request; raised before anything was changed."""
 
 
 def without_secrets(text: str) -> str:
-    """Return a text without what opens the addresses in it, and without where its reader's home lies."""
-    home = os.path.expanduser("~").rstrip("/")  # noqa: PTH111 # Path.home would raise where there is none
+    """Return a text without credentials in addresses and without the home folder."""
+    # Path.home raises an error if there is no home folder.
+    home = os.path.expanduser("~").rstrip("/")  # noqa: PTH111
     text = re.sub(r"(?<=//)[^/\s]*@", "", text)
     return re.sub(rf"(?<![\w.~-]){re.escape(home)}(?=/)", "~", text) if home else text
 
 
 def suggestion(name: str, names: Iterable[str]) -> str:
-    """Say ``; similar: `` and the names that are like a mistyped one; nothing where none is."""
+    """Return `` (similar: …)`` with the names like a mistyped one, if there are any."""
     matches = get_close_matches(name, list(names), n=4, cutoff=0.5)
-    return f"; similar: {', '.join(matches)}" if matches else ""
+    return f" (similar: {', '.join(matches)})" if matches else ""
 
 
 def bug_of(error: BaseException) -> str:
-    """Write an error of a report's own code in one line: file and line of what raised it there, kind and text."""
+    """Return an error of a report's own code as a line: file, line, type and text."""
     frames = [
         (Path(frame.filename), frame.lineno)
         for frame in extract_tb(error.__traceback__)
     ]
     installed = (Path(__file__).parents[1], Path(sys.base_prefix), Path(sys.prefix))
-    files = [
-        (file, line) for file, line in frames if file.suffix == ".py"
-    ]  # a dataclass is made in a <string>
+    # The methods of a dataclass have the file name <string>.
+    files = [(file, line) for file, line in frames if file.suffix == ".py"]
     own_frames = [
         (file, line)
         for file, line in files
@@ -78,4 +90,5 @@ def _say(
         sys.__excepthook__(kind, error, trace)
 
 
-sys.excepthook = _say  # report.toml is read as modules are imported, where no command has begun that could say it
+# An import reads report.toml before any command runs that could print an error.
+sys.excepthook = _say

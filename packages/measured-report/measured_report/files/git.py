@@ -1,4 +1,7 @@
-"""Git: asked without the settings of a hook that may have started this program, and without running hooks itself."""
+"""Run git without its hooks, and without the environment of a hook.
+
+This program may itself have been started by a hook.
+"""
 
 import os
 import re
@@ -14,15 +17,26 @@ KEPT = (
     "GIT_CONFIG_GLOBAL",
     "GIT_CONFIG_NOSYSTEM",
 )
-"""Variables that say how a user reaches other hosts. All others that begin with GIT_ name a repository or its index."""
+"""Variables for access to other hosts.
+
+All other variables that begin with GIT_ may name a repository or its index.
+"""
 ALONE = ("core.hooksPath=/dev/null", "core.fsmonitor=false")
 QUIET = {"GIT_OPTIONAL_LOCKS": "0", "GIT_TERMINAL_PROMPT": "0", "LC_ALL": "C"}
 
 
 ORIGIN = re.compile(
-    r"(?:(?:https?|ssh)://(?:[^@/]*@)?|[\w.-]+@)([\w.-]+)(?::\d+(?=/))?[:/]([^?#]+?)(?:\.git)?/?"
+    r"""
+    (?: (?:https?|ssh)://(?:[^@/]*@)? | [\w.-]+@ )  # scheme and user
+    ([\w.-]+)  # host
+    (?: :\d+(?=/) )?  # port
+    [:/]
+    ([^?#]+?)  # path
+    (?:\.git)?/?
+    """,
+    re.VERBOSE,
 )
-"""An address of git's origin that is one on the web too: host and path."""
+"""Matches an address of git's origin that is also a web address: host and path."""
 
 
 def environment(**settings: str) -> dict[str, str]:
@@ -36,7 +50,10 @@ def environment(**settings: str) -> dict[str, str]:
 
 
 def run_git(folder: Path, *command: str, **settings: str) -> str:
-    """Return the output of git in a folder; raise UsageError, with the first line of its message, if it fails."""
+    """Return the output of git in a folder.
+
+    Raise UsageError with the first line of its message if it fails.
+    """
     options = [option for setting in ALONE for option in ("-c", setting)]
     try:
         process = subprocess.run(
@@ -49,7 +66,7 @@ def run_git(folder: Path, *command: str, **settings: str) -> str:
             check=False,
         )
     except FileNotFoundError:
-        raise UsageError("git is not installed; install it") from None
+        raise UsageError("git is not installed: install it") from None
     if process.returncode:
         lines = filter(None, map(str.strip, process.stderr.splitlines()))
         message = next(lines, f"exit status {process.returncode}")
@@ -58,7 +75,10 @@ def run_git(folder: Path, *command: str, **settings: str) -> str:
 
 
 def git(folder: Path, *command: str) -> str:
-    """Return the output of git in a folder; nothing if it fails, for example outside of a repository."""
+    """Return the output of git in a folder, or nothing if it fails.
+
+    It fails, for example, outside of a repository.
+    """
     try:
         return run_git(folder, *command)
     except UsageError:
@@ -66,6 +86,9 @@ def git(folder: Path, *command: str) -> str:
 
 
 def web_address(folder: Path) -> str:
-    """Return the page of a repository's origin on the web, without credentials; empty if it has none."""
+    """Return the web address of a repository's origin, if it has one.
+
+    Credentials are removed.
+    """
     origin = ORIGIN.fullmatch(git(folder, "remote", "get-url", "origin"))
     return f"https://{origin[1]}/{origin[2]}" if origin else ""

@@ -1,4 +1,4 @@
-"""Groups: things by what they share."""
+"""Group values by key."""
 
 from collections.abc import Iterable
 from typing import TypeVar
@@ -8,7 +8,7 @@ T = TypeVar("T")
 
 
 def grouped(pairs: Iterable[tuple[K, T]]) -> dict[K, list[T]]:
-    """Gather things by their keys, in order."""
+    """Return lists of the values with the same key, in order."""
     groups: dict[K, list[T]] = {}
     for key, thing in pairs:
         groups.setdefault(key, []).append(thing)
@@ -16,7 +16,7 @@ def grouped(pairs: Iterable[tuple[K, T]]) -> dict[K, list[T]]:
 
 
 def single(pairs: Iterable[tuple[K, T]]) -> dict[K, T]:
-    """Return things by their keys, those that share one left out."""
+    """Return the values by key, without keys that have several values."""
     return {
         key: things[0] for key, things in grouped(pairs).items() if len(things) == 1
     }

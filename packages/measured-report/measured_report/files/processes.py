@@ -1,4 +1,4 @@
-"""Processes that share a piece of work: one that is killed is noticed, and none outlives the one that started it."""
+"""Share work between processes, which end when their parent process ends."""
 
 import ctypes
 import gc
@@ -15,15 +15,22 @@ from typing import Any, TypeVar
 from measured_report.files.errors import ReportError
 
 T = TypeVar("T")
-KILLED = "a process was killed, perhaps for want of memory; nothing was changed"
-PR_SET_PDEATHSIG = 1  # from linux/prctl.h: which signal a process gets when the one that started it ends
+KILLED = (
+    "a process was killed, perhaps because memory ran out: free some memory and try "
+    "again (nothing was changed)"
+)
+# From linux/prctl.h: sets the signal that a process receives when its parent ends.
+PR_SET_PDEATHSIG = 1
 
 
 @contextmanager
 def workers(
     count: int, method: str, then: Callable[[], None] | None = None
 ) -> Iterator[ProcessPoolExecutor]:
-    """Open a pool of ``count`` processes, started by ``method``, that call ``then``; ReportError if one is killed."""
+    """Open a pool of ``count`` processes that call ``then`` first.
+
+    ``method`` is the way to start them. Raise ReportError if a process is killed.
+    """
     pool = ProcessPoolExecutor(count, get_context(method), begin, (then,))
     try:
         yield pool
@@ -37,24 +44,21 @@ def workers(
         pool.shutdown(cancel_futures=True)
 
 
-_task: list[
-    Callable[[int], Any]
-] = []  # what forks of this process are asked to make: it need not be pickled
+# The function that the forks call. They inherit it, so that it need not be pickled.
+_task: list[Callable[[int], Any]] = []
 
 
 def forked(make: Callable[[int], T], count: int) -> list[T]:
-    """Return what ``make`` makes of each number below ``count``, on every processor that there is."""
-    # A fork is safe on Linux alone, and a single piece is made here.
-    if (
-        process_count := min(len(os.sched_getaffinity(0)), count)
-        if sys.platform == "linux"
-        else 1
-    ) < 2:
+    """Return the results of ``make`` for 0 to ``count`` - 1, computed on all cores."""
+    # Forks are safe on Linux only, and a single call needs no fork.
+    process_count = 1
+    if sys.platform == "linux":
+        process_count = min(len(os.sched_getaffinity(0)), count)
+    if process_count < 2:
         return [*map(make, range(count))]
     _task[:] = [make]
-    with workers(
-        process_count, "fork", gc.disable
-    ) as pool:  # all that a process makes fits into memory together
+    # The processes need no garbage collection, because their results fit into memory.
+    with workers(process_count, "fork", gc.disable) as pool:
         return [*pool.map(_make, range(count))]
 
 
@@ -63,7 +67,7 @@ def _make(number: int) -> Any:
 
 
 def begin(then: Callable[[], None] | None) -> None:
-    """Let this process, which is one of a pool, end with the one that started it and leave Ctrl-C to it."""
+    """Prepare a process of a pool: it ends with its parent and ignores Ctrl-C."""
     end_with_parent()
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     signal.signal(signal.SIGTERM, signal.SIG_DFL)
@@ -72,6 +76,6 @@ def begin(then: Callable[[], None] | None) -> None:
 
 
 def end_with_parent() -> None:
-    """Let this process end as soon as the one that started it has; on Linux alone."""
+    """Let this process end as soon as its parent ends (only on Linux)."""
     if prctl := getattr(ctypes.CDLL(None), "prctl", None):
         prctl(PR_SET_PDEATHSIG, signal.SIGKILL)

@@ -1,4 +1,4 @@
-"""Root: the report's folder."""
+"""Find the folder of the report."""
 
 import sys
 from pathlib import Path
@@ -8,4 +8,7 @@ _folders = (folder for start in _starts for folder in (start, *start.parents))
 ROOT = next(
     (folder for folder in _folders if (folder / "report.toml").is_file()), Path.cwd()
 )
-"""The first with a ``report.toml`` above the program, or else above where it was started; records name paths in it."""
+"""The first folder with a ``report.toml`` above the program or the working directory.
+
+Paths in records are relative to it.
+"""

@@ -1,4 +1,4 @@
-"""Settings: what ``report.toml`` may say of a report."""
+"""Read the settings of a report from ``report.toml``."""
 
 import re
 import sys
@@ -14,7 +14,7 @@ from msgspec import Meta, ValidationError, convert
 from measured_report.files.errors import ReportError, suggestion
 
 if sys.version_info >= (3, 11):
-    import tomllib as tomllib  # which others read here too
+    import tomllib as tomllib  # other modules import it from here
 else:
     import tomli as tomllib
 FILE = "report.toml"
@@ -24,70 +24,99 @@ ClassName = Annotated[str, Meta(pattern="^$|:")]
 
 @dataclass(frozen=True)
 class Columns:
-    """Describes the columns that one table ``columns`` names, or all of whose name its pattern matches."""
+    """Describe the columns that a table ``columns`` lists or matches by pattern."""
 
-    names: Collection[str] = ()  # the columns that it is of
-    pattern: str = ""  # a regular expression that matches all of the name of any other
+    names: Collection[str] = ()  # names of columns
+    pattern: str = ""
+    """A regular expression that matches the whole name of further columns."""
     kind: Literal[
         "", "parameter", "setting", "computed", "cost", "uncompared", "failure"
     ] = ""
-    """``parameter`` (like a field of the case), ``setting`` (set before a run as well), ``computed`` (of
-    settings), ``cost``, ``uncompared`` (between editions) or ``failure`` (of a run, whose numbers are then chance)."""
+    """The kind of the columns.
+
+    ``parameter`` is set before a run, like a field of the case. ``setting`` is also set
+    before a run. ``computed`` is computed from settings. ``cost`` depends on the
+    machine. ``uncompared`` is not compared between editions. ``failure`` is true if a
+    run failed, so that its other numbers are arbitrary.
+    """
     signed: bool | None = None
-    """Whether its numbers have a sign; None: its unit says so."""
-    better: Literal["", "less", "more"] = ""  # which numbers are better; empty: neither
+    """Whether numbers can be negative; if it is missing, the unit determines it."""
+    better: Literal["", "less", "more"] = ""
+    """Whether less or more is better; empty if neither is."""
     resolution: Annotated[float, Meta(ge=0.0)] = 0.0
-    """The least difference that counts, whatever the noise."""
+    """The smallest difference that counts, whatever the noise is."""
     rate_of: str = ""
-    """The column of the time that makes this rate, whose share of noise it has."""
-    known_within: str = ""  # the column with its relative uncertainty, which replaces the measured noise unless it is 0
-    grows_with: str = ""  # the column with the duration over which it accumulates; noise is scaled by it
-    trials: str = ""  # the column that says of how many trials this many, or this share, succeeded: noise is binomial
-    unless: str = ""  # the column that says that a run failed, where this number then does not exist
+    """The column of the time from which this rate is computed; both have the same
+    relative noise.
+    """
+    known_within: str = ""
+    """The column with the relative uncertainty, which replaces the measured noise
+    unless it is 0.
+    """
+    grows_with: str = ""
+    """The column with the duration over which this number accumulates; its noise grows
+    with it.
+    """
+    trials: str = ""
+    """The column with the number of trials of which this number (or share) succeeded;
+    the noise is then binomial.
+    """
+    unless: str = ""
+    """The column that marks a failed run, for which this number does not exist."""
 
 
 @dataclass(frozen=True)
 class Changes:
-    """Holds the table ``changes``: what comparing editions takes to know of this report's sections and rows."""
+    """Hold the table ``changes``: settings for the comparison of editions."""
 
     upgrade_sections: Sequence[str] = ()
-    """Sections that make upgrade measures, the longest first; none: all."""
-    headlines: Mapping[str, str] = field(
-        default_factory=dict
-    )  # values that the history shows, by what they are called
+    """The sections that make upgrade measures, the longest first; empty for all."""
+    headlines: Mapping[str, str] = field(default_factory=dict)
+    """Values that the history shows, by their names."""
     thresholds: Mapping[str, float] = field(default_factory=dict)
-    """Numbers that raise an alarm, as ``section.case.column``, by the change that does, a share of the older one."""
+    """Thresholds of the alarm for numbers named ``section.case.column``.
+
+    A threshold is a change relative to the older number.
+    """
     threshold: Annotated[float, Meta(gt=0.0)] = 0.1
-    """The same for every other number that is compared."""
-    cost_threshold: Annotated[float, Meta(gt=0.0)] = 0.2  # the same for times and costs
-    setting_threshold: Annotated[float, Meta(gt=0.0)] = 0.05  # the same for any setting
+    """The threshold for all other numbers."""
+    # The threshold for times and costs.
+    cost_threshold: Annotated[float, Meta(gt=0.0)] = 0.2
+    # The threshold for settings.
+    setting_threshold: Annotated[float, Meta(gt=0.0)] = 0.05
     settings: Mapping[str, str] = field(default_factory=dict)
-    """Kinds of rows that are defaults and options, with what each is called: their values are compared exactly."""
+    """Kinds of rows that hold defaults and options, with the name of each kind.
+
+    Their values are compared exactly.
+    """
     explanation: str = ""
-    """The claim that, where it holds, explains why editions differ."""
+    """The claim that explains the difference between editions if it holds."""
     equivalent_sections: Sequence[str] = ()
-    """Sections of the same runs: where one lacks a case, another's is taken."""
+    """Sections that measure the same runs; a case that one lacks is taken from another.
+    """
     package_groups: Sequence[Sequence[str]] = ()
-    """Groups of packages that bisect swaps as one."""
+    """Groups of packages that bisect always changes together."""
     keys: Sequence[str] = ("case",)
-    """Columns that tell the rows of one section apart, where they are there."""
-    endings: str = ""  # the column that lists how the repeats of a run ended; where they differ, no row is compared
+    """The columns that distinguish the rows of one section, if they exist."""
+    endings: str = ""
+    """The column that lists how the repeats of a run ended; rows are compared only if
+    it is the same.
+    """
 
     @property
     def named(self) -> frozenset[str]:
-        """Return the numbers that have a threshold of their own or are headlines."""
+        """Return the numbers that have a specific threshold or are headlines."""
         return frozenset((*self.thresholds, *self.headlines.values()))
 
 
 @dataclass(frozen=True)
 class Page:
-    """Describes one page of every release."""
+    """Describe one page, which every release has."""
 
     name: str
-    label: str = ""  # what links to it say; empty: its name
-    texts: tuple[
-        str, ...
-    ] = ()  # its templates of prose, the first with its title; none: `pages/NAME.md.j2`
+    label: str = ""  # the text of links to it; empty: its name
+    texts: tuple[str, ...] = ()
+    """Its templates, the one with its title first; empty for `pages/NAME.md.j2`."""
 
     def __post_init__(self) -> None:
         object.__setattr__(
@@ -102,42 +131,58 @@ class Page:
 
 @dataclass(frozen=True)
 class Config:
-    """Holds the fields of ``report.toml``, as they are without it."""
+    """Hold the fields of ``report.toml`` with their defaults."""
 
-    edition: str = ""  # the package whose releases the report compares
+    edition: str = ""  # the package whose releases are compared
     packages: Sequence[str] = ()
-    """Others whose versions a record depends on; it is read with `edition` before them."""
-    requirement: str = ""  # that package as pyproject.toml asks for it, with its extras and without a version
-    edition_name: str = ""  # what people call it
-    short_names: Mapping[str, str] = field(
-        default_factory=dict
-    )  # what labels call other packages
-    trials: Mapping[str, str] = field(
-        default_factory=dict
-    )  # what people call labels with other packages
-    host: str = "measured_report.measuring.host"  # the module that measures on a host; this one on the CPU
-    accelerator: str = "measured_report.measuring.host"  # the module of what accelerates it; this one of nothing
+    """Other packages whose versions a record depends on; `edition` is added in front.
+    """
+    requirement: str = ""
+    """The package as pyproject.toml requires it: with its extras, without a version."""
+    edition_name: str = ""  # the name of the package in sentences
+    short_names: Mapping[str, str] = field(default_factory=dict)
+    """Short names of other packages in labels."""
+    trials: Mapping[str, str] = field(default_factory=dict)
+    """Names in sentences for labels with other packages."""
+    host: str = "measured_report.measuring.host"
+    """The module that measures on a host; the default measures on the CPU."""
+    accelerator: str = "measured_report.measuring.host"
+    """The module of the host's accelerators; the default has none."""
     case: ClassName = ""
-    """The dataclass, as `module:name`, whose fields are what a run was set to."""
-    noise_section: str = ""  # the section that has repeats: rows that are runs of one and the same case, as `of` says
+    """The dataclass, as `module:name`, whose fields are the parameters of a run."""
+    noise_section: str = ""
+    """The section with repeats: rows that run the same case, which the column `of`
+    names.
+    """
     repeating: Mapping[str, Sequence[str | bool | int]] = field(default_factory=dict)
-    """Rows with one of these values are deterministic: noise 0, except columns of the kind ``cost``."""
-    units: Mapping[str, str] = field(
-        default_factory=dict
-    )  # by the end of a column's name, besides the known ones
+    """Values that mark a row as deterministic.
+
+    Such rows have zero noise, except in columns of the kind ``cost``.
+    """
+    units: Mapping[str, str] = field(default_factory=dict)
+    """Further units by the end of a column's name."""
     cost_terms: Sequence[str] = ()
-    """Columns that two rows must share for their costs to be compared."""
+    """Columns that must be equal in two rows before their costs are compared."""
     columns: Sequence[Columns] = ()  # the tables ``columns``
     baseline: str = "the baseline"
-    """What people call the case that all others are changed from."""
-    changes: Changes = field(default_factory=Changes)  # the table of that name
-    title: str = "A report"  # what its data are of, where nothing else of it is at hand
-    name: str = "report"  # its name in citations
-    repository: Address = ""  # the page of its sources on the web; where nothing is said, pages lead to none
+    """The name of the case from which all others differ."""
+    changes: Changes = field(default_factory=Changes)  # the table ``changes``
+    title: str = "A report"
+    """The title of the data if there is no other title."""
+    name: str = "report"  # the name of the report in citations
+    repository: Address = ""
+    """The address of the sources on the web; if it is empty, pages do not link to them.
+    """
     pages: Sequence[Page] = (Page("index", texts=("front.md.j2",)), Page("results"))
-    """In order, the front page first."""
-    text_modules: str = ""  # the package with a module for each text of a page: `front` derives what `front.md.j2` says
-    plugins: str = "measured_report.pages.plugins"  # the module of what else it shows; this says what it may
+    """The pages in order, the front page first."""
+    text_modules: str = ""
+    """The package with a module for each template of a page: `front` derives the values
+    in `front.md.j2`.
+    """
+    plugins: str = "measured_report.pages.plugins"
+    """The module with further content of pages; the default lists the possible
+    functions.
+    """
 
     @property
     def front(self) -> Page:
@@ -145,27 +190,30 @@ class Config:
 
     @property
     def sources(self) -> Sequence[str]:
-        """Name the files that this is read from, below the root: with the case's, they say what columns hold."""
+        """Return the files that determine the columns.
+
+        These are ``report.toml`` and the module of the case.
+        """
         module = self.case.partition(":")[0]
         return (FILE, f"{module.replace('.', '/')}.py") if module else (FILE,)
 
     @property
     def needs_device(self) -> bool:
-        """Tell whether what a section measures depends on the device, where it does not say."""
+        """Return whether sections depend on the device by default."""
         return self.accelerator != Config.accelerator
 
     @property
     def option(self) -> str:
-        """Name the variable of make that names an edition."""
+        """Return the variable of make that names an edition."""
         return self.edition.upper().replace("-", "_")
 
     @property
     def flag(self) -> str:
-        """Name the same option of ``build.py``."""
+        """Return the name of the same option of ``build.py``."""
         return self.option.lower().replace("_", "-") or "edition"
 
     def name_of(self, release: str) -> str:
-        """Name an edition within a sentence."""
+        """Return the name of an edition for use within a sentence."""
         return (
             f"the {self.trials[release]}"
             if release in self.trials
@@ -182,7 +230,7 @@ class Config:
         return folder.removeprefix(f"{self.edition}-")
 
     def requirement_of(self, package: str) -> str:
-        """Write a package as it is asked for, with its extras."""
+        """Return the requirement of a package with its extras, without a version."""
         return (
             self.requirement
             if package == self.edition and self.requirement
@@ -191,12 +239,12 @@ class Config:
 
 
 def read_toml(path: Path) -> dict[str, Any]:
-    """Read a TOML file; ValueError or OSError where it is none."""
+    """Read a TOML file; raise ValueError or OSError if it cannot be read."""
     return tomllib.loads(path.read_text(encoding="utf-8-sig"))
 
 
 def read_settings(root: Path) -> Config:
-    """Read ``report.toml``; ReportError, one line, where it is not whole."""
+    """Read ``report.toml``; raise ReportError with one line if it is invalid."""
     path = root / FILE
     try:
         settings = read_toml(path) if path.is_file() else {}
@@ -214,31 +262,35 @@ def read_settings(root: Path) -> Config:
             for name in table if isinstance(table, dict) else ():
                 if name not in names:
                     raise ValueError(
-                        f"there is no setting {table_name}{name}{suggestion(name, names)}"
+                        f"unknown setting {table_name}{name}: use a setting of "
+                        f"REFERENCE.md{suggestion(name, names)}"
                     )
         config = convert(settings, Config)
         for pattern in (table.pattern for table in config.columns):
             re.compile(pattern)
         if not all(table.names or table.pattern for table in config.columns):
-            raise ValueError("a table of columns has neither names nor a pattern")
+            raise ValueError(
+                "a table of columns has neither names nor a pattern: add one of them"
+            )
         if wrong := [
             name for name, share in config.changes.thresholds.items() if not share > 0
         ]:
-            raise ValueError(f"changes.thresholds has {wrong[0]}, which is not above 0")
+            raise ValueError(
+                f"changes.thresholds has {wrong[0]} not above 0: use a relative change "
+                "such as 0.1"
+            )
         if not 0 < len(config.pages) == len({page.name for page in config.pages}):
             raise ValueError(
-                f"pages has none, or two of one name: {[page.name for page in config.pages]}"
+                "pages is empty or has a name twice "
+                f"({[page.name for page in config.pages]}): give each page a unique "
+                "name"
             )
     except re.error as error:
         raise ReportError(
-            f"{FILE}: {error.pattern!r} is no regular expression: {error}"
+            f"{FILE}: {error.pattern!r} is not a regular expression: {error}"
         ) from None
-    except (OSError, ValueError, TypeError) as error:  # which msgspec's are
-        hint = (
-            "; REFERENCE.md says what it takes"
-            if isinstance(error, ValidationError)
-            else ""
-        )
+    except (OSError, ValueError, TypeError) as error:  # msgspec raises these
+        hint = "; see REFERENCE.md" if isinstance(error, ValidationError) else ""
         raise ReportError(f"{FILE}: {' '.join(str(error).split())}{hint}") from None
     if not (package := config.edition):
         return config
@@ -250,7 +302,10 @@ def read_settings(root: Path) -> Config:
 
 
 def module_named(setting: str, name: str) -> ModuleType:
-    """Import the module ``name``, which a setting of ``report.toml`` names; ReportError where there is none."""
+    """Import the module ``name``, which a setting of ``report.toml`` names.
+
+    Raise ReportError if it does not exist.
+    """
     try:
         return import_module(name)
     except ImportError as error:

@@ -1,1 +1,1 @@
-"""Measuring: batches, who makes them, and how a section becomes a record."""
+"""Measure sections in batches and write their records."""

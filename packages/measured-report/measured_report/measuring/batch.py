@@ -1,9 +1,15 @@
-"""Batches: the parts of a section that can be measured apart, by any process of any host, in any order.
+"""Define batches: the parts of a section that any process of any host can measure.
 
-A section that has batches yields those that can run now, and is sent what they return, in that order::
+A section yields the batches that can run now, and receives their results in the same
+order::
 
-    points, cells = yield [Batch("points", measure_points, (conditions,)), Batch("map", measure_map, (conditions,))]
-    [times] = yield [Batch("times", time_cell, (conditions, cells[0]), exclusive=True)]
+    points, cells = yield [
+        Batch("points", measure_points, (conditions,)),
+        Batch("map", measure_map, (conditions,)),
+    ]
+    [times] = yield [
+        Batch("times", time_cell, (conditions, cells[0]), exclusive=True)
+    ]
 """
 
 import gc
@@ -30,18 +36,20 @@ OUT_OF_MEMORY = re.compile(
     "out of memory|failed to allocate|cannot allocate|bad_alloc", re.IGNORECASE
 )
 LOCK = Path(tempfile.gettempdir()) / f"measured-report-{os.getuid()}"
-"""A lock by which two runs of ``make`` spoil no times of each other."""
+"""A lock that keeps two runs of ``make`` from disturbing each other's timings."""
 
 
 @dataclass(frozen=True)
 class Batch:
-    """Describes a call that a process of its own can make."""
+    """Describe a function call that a separate process can make."""
 
-    name: str  # unlike all others of its section: lower-case words, numbers and hyphens
-    function: Callable[..., Any]  # a function of a module; what it returns is pickled
+    name: str  # unique in its section: lower-case words, digits and hyphens
+    function: Callable[..., Any]  # a function of a module; its result is pickled
     arguments: tuple[Any, ...] = ()
     exclusive: bool = False
-    """Measures times, so that nothing else is measured on its host meanwhile."""
+    """Whether the batch measures times, so that its host must not measure anything
+    else.
+    """
 
 
 Plan: TypeAlias = Generator[Sequence[Batch], Sequence[Any], Measurement]
@@ -49,7 +57,7 @@ Plan: TypeAlias = Generator[Sequence[Batch], Sequence[Any], Measurement]
 
 @dataclass(frozen=True)
 class Result:
-    value: bytes  # pickled, and read where an error costs this batch alone
+    value: bytes  # pickled; an error while unpickling then fails only this batch
     machine: Mapping[str, Any]
     started: str
     ended: str
@@ -57,40 +65,48 @@ class Result:
 
 
 def device_lock(*, exclusive: bool) -> AbstractContextManager[None]:
-    """Hold the lock of this host, together with others unless it is ``exclusive``."""
+    """Hold the lock of this host, shared with other processes unless ``exclusive``."""
     LOCK.mkdir(mode=0o700, exist_ok=True)
     return locked(LOCK, alone=exclusive)
 
 
 def measure_batch(packed: bytes, device: str) -> Result:
-    """Measure a pickled batch in this process, on a kind of device; raise ReportError if it fails."""
+    """Measure a pickled batch in this process and return its result.
+
+    Raise ReportError if the batch fails.
+    """
     try:
         batch = pickle.loads(packed)
         description = machine(device)
-        gc.collect()  # earlier simulations that are kept make frames take longer
+        gc.collect()  # leftover simulations make frames slower
         with device_lock(exclusive=batch.exclusive):
             started = now()
             start = time.perf_counter()
             value = batch.function(*batch.arguments)
             seconds = time.perf_counter() - start
-        ended = started + timedelta(seconds=seconds)  # whatever the clock does
+        # The end is computed, because the clock may have been set during the
+        # measurement.
+        ended = started + timedelta(seconds=seconds)
         return Result(
-            pickle.dumps(value),
-            description,
-            started.isoformat(timespec="seconds"),
-            ended.isoformat(timespec="seconds"),
-            round(seconds, 1),
+            value=pickle.dumps(value),
+            machine=description,
+            started=started.isoformat(timespec="seconds"),
+            ended=ended.isoformat(timespec="seconds"),
+            seconds=round(seconds, 1),
         )
-    # sys.exit too: a fault of a section must not end the process.
+    # Catch SystemExit too: a section that fails must not end the process.
     except BaseException as error:
         raise ReportError(reason_of(error, current())) from None
 
 
 def reason_of(error: BaseException, report: Report) -> str:
-    """Return why measuring failed, in one line, with what to do."""
+    """Return one line that says why a measurement failed and how to fix it."""
     message = " ".join(str(error).split())
     if is_out_of_memory(error):
-        return f"the memory is too small ({message:.200}); free some of it, or PROFILE=quick measures small grids"
+        return (
+            f"memory ran out ({message:.200}): free some memory, or use PROFILE=quick "
+            "to measure small grids"
+        )
     if explained := report.host.explained(error):
         return str(explained)
     if isinstance(error, OSError):
@@ -104,8 +120,10 @@ def is_out_of_memory(error: BaseException) -> bool:
 
 
 def now() -> datetime:
-    """Return the time; raise ReportError if the clock is not set, since no record may have such a time."""
+    """Return the current time; raise ReportError if the clock is not set."""
     time = datetime.now(timezone.utc)
     if time.year not in range(2000, 2100):
-        raise ReportError(f"the clock of this machine says {time:%Y-%m-%d}: set it")
+        raise ReportError(
+            f"the clock of this machine shows {time:%Y-%m-%d}: set the current time"
+        )
     return time

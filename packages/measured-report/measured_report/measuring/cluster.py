@@ -1,4 +1,4 @@
-"""Clusters: batches that the workers of a Dask scheduler measure."""
+"""Measure batches on the workers of a Dask scheduler."""
 
 import logging
 import sys
@@ -16,17 +16,19 @@ from measured_report.records.identity import package_versions
 
 @contextmanager
 def cluster_pools(cluster: str) -> Iterator[list[SimpleNamespace]]:
-    """Open a pool for batches that share the workers, and one for those that are measured alone."""
+    """Open a pool for batches that share the workers and one for exclusive batches."""
     with connected(cluster) as client:
         here = introduce()
         for worker in client.run(introduce).values():
-            for what in ("commit", "packages"):
-                if worker[what] != here[what] or worker[what].endswith("-dirty"):
+            for key in ("commit", "packages"):
+                if worker[key] != here[key] or worker[key].endswith("-dirty"):
                     raise ReportError(
-                        f"CLUSTER={cluster}: {what} of a worker: {worker[what]}; here: {here[what]}: commit changes, and install the same"
+                        f"CLUSTER={cluster}: a worker has {key} {worker[key]}, "
+                        f"but this machine has {here[key]}: commit your changes "
+                        "and install the same packages on both"
                     )
         submit = client.get_executor(pure=False).submit
-        limits = sys.maxsize, 1
+        limits = (sys.maxsize, 1)
         yield [
             SimpleNamespace(submit=submit, lost=KilledWorker, limit=limit)
             for limit in limits
@@ -35,27 +37,33 @@ def cluster_pools(cluster: str) -> Iterator[list[SimpleNamespace]]:
 
 @contextmanager
 def connected(cluster: str) -> Iterator[Client]:
-    """Connect to a scheduler; raise ReportError if it, or a worker, cannot be reached."""
+    """Connect to a scheduler; raise ReportError if no worker answers in 2 minutes."""
     if cluster.startswith("tcp:"):
-        message = "whoever reaches that port may run code on its workers and here (docs/cluster.md)"
+        message = (
+            "anyone who can reach this port can run code here and on the workers: see "
+            "docs/cluster.md"
+        )
         print(f"CLUSTER={cluster}: {message}", file=sys.stderr, flush=True)
-    for name in ("distributed", "distributed.client"):  # whose level Dask sets as well
-        logging.getLogger(name).setLevel(logging.CRITICAL)  # errors are printed here
+    for name in ("distributed", "distributed.client"):  # Dask sets the levels of both
+        # This program prints the errors itself.
+        logging.getLogger(name).setLevel(logging.CRITICAL)
     try:
         client = Client(cluster)
         client.wait_for_workers(1, timeout=120)
-    # A port of another program may make Dask raise MemoryError, a missing certificate TypeError.
+    # Dask raises MemoryError if the port belongs to another program, and TypeError if a
+    # certificate is missing.
     except (MemoryError, OSError, TypeError, ValueError, RuntimeError) as error:
         message = " ".join(str(error).split()) or type(error).__name__
         raise ReportError(
-            f"CLUSTER={cluster}: no workers could be reached: {message:.200}"
+            f"CLUSTER={cluster}: cannot reach any worker ({message:.200}): check "
+            "the address and that workers run"
         ) from None
     with client:
         yield client
 
 
 def introduce() -> dict[str, str]:
-    """Return the code, the packages and the device of this process."""
+    """Return the commit, the packages and the device of this process."""
     report = current()
     report.host.be_quiet()
     cards = report.accelerator.accelerators()
@@ -67,11 +75,12 @@ def introduce() -> dict[str, str]:
 
 
 def card_of(cluster: str) -> str:
-    """Return the device that all workers of a cluster have, as labels name it."""
+    """Return the device of all workers in a cluster, as labels write it."""
     with connected(cluster) as client:
         names = {worker["device"] for worker in client.run(introduce).values()}
     if len(names) > 1:
         raise ReportError(
-            f"CLUSTER={cluster}: its workers have {' and '.join(sorted(names))}: start all on one kind"
+            f"CLUSTER={cluster}: its workers have {' and '.join(sorted(names))}: "
+            "use workers with one kind of device"
         )
     return names.pop()

@@ -1,7 +1,8 @@
-"""The host: devices and a simulator, as a report that measures on the CPU has them.
+"""Define the devices and the simulator of a report that measures on the CPU.
 
-``report.toml`` names modules with the same names: as ``accelerator`` one with those up to ``driver``, which is asked
-before anything is measured, and as ``host`` one with the others.
+``report.toml`` can name two modules that define the same names. The module
+``accelerator`` defines the names up to ``driver``, which are used before a measurement.
+The module ``host`` defines the others.
 """
 
 from collections.abc import Mapping
@@ -10,17 +11,20 @@ from typing import NamedTuple
 from measured_report.files.errors import ReportError
 from measured_report.measuring.measurement import Conditions as Conditions
 
-KIND = ""  # how DEVICE= calls an accelerator
-NOUN = ""  # how people call it
-NONE: Mapping[str, str] = {}  # environment of a process that may use none
+KIND = ""  # name of the accelerator in DEVICE=
+NOUN = ""  # name of the accelerator in sentences
+NONE: Mapping[str, str] = {}  # environment of a process without an accelerator
 ALONE: Mapping[str, str] = {}
-"""Environment of a process that measures times, past what lets others share an accelerator."""
+"""Environment of a process that measures times.
+
+It turns off the settings with which processes share an accelerator.
+"""
 
 
 class Accelerator(NamedTuple):
     name: str
     memory_mib: int
-    settings: Mapping[str, str]  # environment of a process that may use this one alone
+    settings: Mapping[str, str]  # environment of a process that uses this one only
 
 
 def accelerators() -> list[Accelerator]:
@@ -29,32 +33,33 @@ def accelerators() -> list[Accelerator]:
 
 
 def share_count(shared: Accelerator, count: int = 1) -> int:
-    """Return how many processes share one of ``count`` accelerators."""
+    """Return the number of processes that share one of ``count`` accelerators."""
     return 1
 
 
 def driver() -> str | None:
-    """Return the driver, as records name it."""
+    """Return the version of the driver, as records write it."""
     return None
 
 
 def card(kind: str) -> tuple[str | None, str | None]:
-    """Return name and uuid of the accelerator to measure on, both None for a CPU."""
+    """Return the name and uuid of the accelerator to measure on, or None for a CPU."""
     if kind != "cpu":
         raise ReportError(
-            f"DEVICE={kind}: this report measures on the CPU; DEVICE=cpu does"
+            f"DEVICE={kind} cannot be used, because this report measures on the "
+            "CPU: use DEVICE=cpu"
         )
     return None, None
 
 
 def prepare(kind: str) -> None:
-    """Prepare what all sections need on a kind of device."""
+    """Prepare a kind of device for all sections, for example by compiling kernels."""
 
 
 def be_quiet() -> None:
-    """Print nothing but errors from now on; called before a section is imported."""
+    """Print only errors from now on; this is called before a section is imported."""
 
 
 def explained(error: Exception) -> str:
-    """Return what an error of the simulator means, in one line; empty if its own text says it."""
+    """Return a line that explains an error of the simulator, or an empty string."""
     return ""

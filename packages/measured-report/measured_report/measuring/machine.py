@@ -1,4 +1,4 @@
-"""Machines that measure: which devices there are, and the machine and the commit, as records and labels say them."""
+"""Describe the machine that measures, its devices and the commit, as records do."""
 
 import hashlib
 import os
@@ -17,12 +17,15 @@ from measured_report.records.code import Code
 from measured_report.records.record import Record
 
 KIND = ("device", "gpu", "driver", "cpu", "cores")
-"""What of a machine is the same for all batches of a section."""
+"""Properties of a machine that must be the same for all batches of a section."""
 
 
 @cache
 def machine(kind: str) -> dict[str, str | None]:
-    """Return the machine that measures; host and card tell of two records whether they ran side by side."""
+    """Return a description of the machine that measures.
+
+    Two records with the same host or card were measured on the same machine.
+    """
     report = current()
     card, uuid = report.host.card(kind)
     return {
@@ -39,7 +42,7 @@ def machine(kind: str) -> dict[str, str | None]:
 
 
 def host_digest(edition: str) -> str | None:
-    """Return a digest of the host's random number; its name would be guessed."""
+    """Return a digest of the host's random number, because names can be guessed."""
     for name in ("/etc/machine-id", "/proc/sys/kernel/random/boot_id"):
         if os.access(name, os.R_OK):
             number = Path(name).read_text(encoding="utf-8").strip()
@@ -55,7 +58,10 @@ def cpu_name() -> str:
 
 
 def commit() -> str | None:
-    """Return the commit that is checked out, marked if the tree differs; of a copy the environment's GIT_COMMIT."""
+    """Return the commit that is checked out, marked as dirty if files differ from it.
+
+    A copy without a repository takes it from the environment variable GIT_COMMIT.
+    """
     if name := os.environ.get("GIT_COMMIT"):
         return name
     root = current().root
@@ -67,7 +73,7 @@ def commit() -> str | None:
 
 
 def said(*command: str) -> str:
-    """Return the output of a command; nothing if it fails or does not exist."""
+    """Return the output of a command, or nothing if it fails or does not exist."""
     try:
         process = subprocess.run(command, capture_output=True, text=True, check=False)
     except OSError:
@@ -76,7 +82,10 @@ def said(*command: str) -> str:
 
 
 def needs_device(section: str, project: Project) -> bool:
-    """Return whether numbers depend on the device: a section with ``NEEDS_GPU = False`` stands with any."""
+    """Return whether the numbers of a section depend on the device.
+
+    They do not if the section sets ``NEEDS_GPU = False``.
+    """
     code = Code(project.root)
     module = code.module(f"experiments.{section}")
     top = code.source(module).top if module else {}
@@ -84,25 +93,28 @@ def needs_device(section: str, project: Project) -> bool:
 
 
 def read_device(kind: str) -> str:
-    """Return a kind of device; raise UsageError if there is none of that name."""
+    """Return a valid kind of device; raise UsageError for any other name."""
     kinds = [*filter(None, [current().accelerator.KIND]), "cpu"]
     if kind not in kinds:
         raise UsageError(
-            f"DEVICE={kind:.80} is no device; use one of: {', '.join(kinds)}"
+            f"DEVICE={kind:.80} is not a device: use one of {', '.join(kinds)}"
         )
     return kind
 
 
 def lacks() -> str:
-    """Say that this machine has no accelerator."""
+    """Return a message which says that this machine has no accelerator."""
     kind = current().accelerator.KIND.upper() or "other"
-    return f"this machine has no {kind} device; DEVICE=cpu measures on its CPU"
+    return f"this machine has no {kind} device: use DEVICE=cpu to measure on its CPU"
 
 
 def measuring_device(
     device: str | None, profile: str, cluster: str | None = None
 ) -> str | None:
-    """Return the device to measure on; None if it has to be asked for, since full measurements take hours on a CPU."""
+    """Return the device to measure on, or None if the user must choose one.
+
+    Full measurements take hours on a CPU, so the CPU is used only on request.
+    """
     report = current()
     kind = str(report.accelerator.KIND)
     if device == "cpu" or not (device or report.settings.needs_device):
@@ -115,7 +127,7 @@ def measuring_device(
 
 
 def machine_name(device: str, report: Report) -> str:
-    """Return the name of this machine in labels: its accelerator, or ``cpu``."""
+    """Return the name of this machine in labels: its accelerator or ``cpu``."""
     if device == "cpu":
         return device
     cards = report.accelerator.accelerators()

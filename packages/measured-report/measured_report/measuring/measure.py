@@ -1,4 +1,4 @@
-"""Measuring, which another process does: nothing here knows the simulator."""
+"""Measure sections in another process, which loads the simulator."""
 
 import json
 import os
@@ -28,8 +28,12 @@ from measured_report.records.identity import sections as all_sections
 
 T = TypeVar("T")
 MODULE = "measured_report.measuring.run"
-FAILED, UNFIT = 1, 2
-"""Exit statuses of a measurement that failed, or could not begin, which has said why."""
+FAILED = 1
+UNFIT = 2
+"""Exit statuses of a measurement that failed, or that could not begin.
+
+In both cases the other process has printed the reason.
+"""
 
 
 def measure(
@@ -39,8 +43,13 @@ def measure(
     device: str,
     cluster: str | None = None,
 ) -> Project:
-    """Measure sections; return the project that has them, which is apart from that of another machine."""
-    edition, is_done = measure_what_can(project, release, sections, device, cluster)
+    """Measure sections and return the project that contains them.
+
+    Results of another machine are kept in a separate project.
+    """
+    edition, is_done = measure_what_can(
+        project, release, sections, device, cluster=cluster
+    )
     if not is_done:
         raise ReportError("")
     return edition
@@ -53,7 +62,10 @@ def measure_what_can(
     device: str,
     cluster: str | None = None,
 ) -> tuple[Project, bool]:
-    """Measure sections and print what can't be; return the project that has them, and whether all could."""
+    """Measure sections and print the reasons if some cannot be measured.
+
+    Return the project that contains them, and whether all could be measured.
+    """
     python = python_of(release, expected_packages(project), project.root)
     options = ["--profile", project.profile, "--aside", project.aside]
     machine = machine_name(device, project.report)
@@ -64,7 +76,8 @@ def measure_what_can(
             from measured_report.measuring.cluster import card_of
         except ImportError as error:
             raise UsageError(
-                f"CLUSTER takes {error.name}: uv sync --inexact --extra cluster installs it"
+                f"CLUSTER={cluster} needs the package {error.name}: install it with "
+                "uv sync --inexact --extra cluster"
             ) from None
         machine = card_of(cluster)
     needing = [name for name in sections if needs_device(name, project)]
@@ -72,19 +85,22 @@ def measure_what_can(
     options += ["--edition", edition.release]
     edition.results.mkdir(parents=True, exist_ok=True)
     if not os.access(edition.results, os.W_OK):
-        raise ReportError(f"what is measured could not be kept in {edition.results}")
+        raise ReportError(
+            f"cannot write results to {edition.results}: make the folder writable"
+        )
     try:
         _run(edition, python, MODULE, device, *sections, *options)
     except UsageError:
         raise
     except ReportError as error:
-        if str(error):  # what measured may have said it
+        # The text is empty if the other process has printed the reason.
+        if str(error):
             print(error, file=sys.stderr)
         return edition, False
     finally:
         _note_measured(edition, release)
         with suppress(OSError):
-            edition.results.rmdir()  # which is empty if nothing came of it
+            edition.results.rmdir()  # the folder is empty if no section was measured
     return edition, True
 
 
@@ -95,7 +111,10 @@ def measure_headline(
     program: str,
     beside: Callable[[], T],
 ) -> tuple[T | None, Mapping[str, Any]]:
-    """Measure the headline and keep nothing of it; return what is done ``beside``, and what ``program`` writes."""
+    """Measure the headline without keeping it, while ``beside`` runs in this process.
+
+    Return the result of ``beside`` and the data that ``program`` writes.
+    """
     python = python_of(release, expected_packages(project), project.root)
     with TemporaryDirectory() as folder:
         path = Path(folder) / "headline.json"
@@ -112,7 +131,7 @@ def _run(
     *options: str,
     beside: Callable[[], T] | None = None,
 ) -> T | None:
-    # A log has a line for each section.
+    # The log then has one line for each section instead of a progress bar.
     env = {**os.environ, "TQDM_DISABLE": "1"}
     if device == "cpu":
         env |= project.report.accelerator.NONE
@@ -135,40 +154,50 @@ def _run(
         raise ReportError("")
     if status:
         raise ReportError(
-            f"measuring ended with exit status {status}; what was there is kept"
+            f"measuring ended with exit status {status}: run it again (existing "
+            "records are kept)"
         )
     return done
 
 
 def kept_by(project: Project, machine: str) -> Project:
-    """Return the project for results of ``machine``: one of its own if there are those of others."""
+    """Return the project that keeps the results of ``machine``.
+
+    It is a separate project if other machines have results of this edition.
+    """
     named = project.named
     option = f"{project.settings.option}={project.release}"
     if named.machine not in ("", machine):
         raise UsageError(
-            f"{option} has the results of {named.machine}, and this is {machine}"
+            f"{option} has the results of {named.machine}, and this machine is "
+            f"{machine}: name the edition without the machine"
         )
     machines = dict.fromkeys(machines_besides(project, machine))
     if named.machine or not machines:
         return project
     edition = project.of(str(replace(named, machine=machine)))
     print(
-        f"{option} has results of {', '.join(machines)}; those of this machine are {edition.release}"
+        f"{option} has results of {', '.join(machines)}; the results of this "
+        f"machine are kept as {edition.release}"
     )
     return edition
 
 
 def machines_besides(project: Project, machine: str) -> Iterator[str]:
-    """Yield the other machines that a project has results of, which those of ``machine`` never replace."""
+    """Yield the other machines with results in a project.
+
+    The results of ``machine`` never replace theirs.
+    """
     for record in records_of(project):
         if needs_device(record.section, project) and machine_of(record) != machine:
             yield machine_of(record)
 
 
 def _note_measured(project: Project, release: Release) -> None:
-    """Note which sections have been measured, so that one that goes is missed."""
+    """Add the measured sections to the manifest, so that a lost record is noticed."""
     with locked(project.results.parent):
-        # What a damaged manifest held must not be lost unseen.
+        # This raises an error if the manifest is damaged, so that it is not
+        # overwritten.
         manifest = read_manifest(project.results)
         names = {*manifest.sections} if manifest else set()
         names |= {

@@ -1,4 +1,4 @@
-"""Conditions that a section is given to measure under, and the measurement that it hands over."""
+"""Define the conditions under which a section measures, and its measurement."""
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -7,10 +7,10 @@ from typing import Any
 
 @dataclass(frozen=True)
 class Conditions:
-    """Say under which conditions a section is measured."""
+    """Hold the conditions under which a section measures."""
 
-    device: str  # alias, as the simulator calls it
-    quick: bool  # small grids and short runs
+    device: str  # the simulator's name of the device
+    quick: bool  # whether to use small grids and short runs
 
     @property
     def is_cuda(self) -> bool:
@@ -18,19 +18,23 @@ class Conditions:
 
     @property
     def profile(self) -> str:
-        """Return ``full`` or ``quick``: the key of what is measured in either."""
+        """Return ``full`` or ``quick``, the key of values that differ between them."""
         return "quick" if self.quick else "full"
 
 
 @dataclass(frozen=True)
 class Measurement:
-    """Hold rows, each with its case's name and plain numbers, and traces: a table (column: values) for each case."""
+    """Hold the rows and traces of a section.
+
+    A row holds the name of its case and plain numbers. A trace is a table for one case,
+    with a list of values for each column.
+    """
 
     rows: Sequence[Mapping[str, Any]]
     traces: Mapping[str, Mapping[str, Sequence[float]]] = field(default_factory=dict)
 
 
 def absent(names: Iterable[str], reason: str) -> dict[str, object]:
-    """Return columns without a number: None under each name, and beside it the reason."""
+    """Return columns with None instead of numbers, and columns with the reason."""
     names = tuple(names)
     return dict.fromkeys(names) | {f"{name}_reason": reason for name in names}

@@ -1,4 +1,4 @@
-"""Pools of processes of this host: those that measure batches, and those that a batch has for itself."""
+"""Open pools of processes on this host, for batches and for calls within a batch."""
 
 import os
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
@@ -16,16 +16,19 @@ from measured_report.files.config import Report
 from measured_report.files.config import report as current
 from measured_report.files.processes import begin, workers
 
-Settings = Mapping[str, str]  # environment of a process
+Settings = Mapping[str, str]  # the environment of a process
 
 
 class HostPool:
-    """Submits to forks of this process, which has loaded the simulator but no device, and to new ones after a kill."""
+    """Run calls in forks of this process, and open a new pool if a fork was killed.
+
+    This process has loaded the simulator, but has not opened a device.
+    """
 
     lost: type[Exception] = BrokenProcessPool
 
     def __init__(self, environments: Sequence[Settings]):
-        self.environments = environments  # of a process each
+        self.environments = environments  # one for each process
         self.limit = len(environments)
         self.pool = self._opened()
 
@@ -49,21 +52,24 @@ class HostPool:
 def host_pools(
     shared: Sequence[Settings], alone: Settings
 ) -> Iterator[tuple[HostPool, HostPool]]:
-    """Open a pool for batches that share this host, and one for those that are exclusive."""
+    """Open a pool for batches that share this host and one for exclusive batches."""
     opened = HostPool(shared), HostPool([alone])
     try:
         yield opened
     finally:
         for process in active_children():
             process.kill()
-        # The thread that leads the processes must not meet the end of the program.
+        # The thread that manages the processes must end before the program does.
         for each in opened:
             each.pool.shutdown(cancel_futures=True)
 
 
 def environments(device: str, profile: str, report: Report) -> list[Settings]:
-    """Return the environments of the processes that share this host: as many as its accelerators take, or on a CPU as
-    it has cores, except for full measurements of what needs an accelerator."""
+    """Return the environments of the processes that share this host.
+
+    There are as many as the accelerators can take. On a CPU there is one for each core,
+    but only one for a full measurement of a report that needs an accelerator.
+    """
     accelerator = report.accelerator
     if device == "cpu":
         is_light = profile == "quick" or not report.settings.needs_device
@@ -79,7 +85,10 @@ def environments(device: str, profile: str, report: Report) -> list[Settings]:
 
 
 def processes(count: int) -> AbstractContextManager[Executor]:
-    """Open a pool for ``count`` calls, of functions of modules, as many at once as there are cores; time nothing."""
+    """Open a pool for ``count`` calls of module-level functions.
+
+    It has at most one process for each core. Don't measure times in it.
+    """
     return workers(max(1, min(count, os.cpu_count() or 1)), "spawn", _be_quiet)
 
 
@@ -90,7 +99,7 @@ def start(
 
 
 def gather(waiting: Iterable[Future[Any]], title: str) -> list[Any]:
-    """Wait for what was started, and return the results in that order."""
+    """Wait for the started calls and return their results in the same order."""
     bar = tqdm(list(waiting), desc=title, unit="run", delay=3.0)
     return [future.result() for future in bar]
 

@@ -1,6 +1,8 @@
-"""Measure sections and keep their records: ``python -m measured_report.measuring.run SECTION [SECTION …]``.
+"""Measure sections and write their records.
 
-A section goes from its first batch to its record; one loop measures all sections by pools of processes.
+Usage: ``python -m measured_report.measuring.run SECTION [SECTION …]``. One loop
+measures all sections with two pools of processes. Each section goes from its first
+batch to its record.
 """
 
 import argparse
@@ -16,6 +18,7 @@ from concurrent.futures import FIRST_COMPLETED, CancelledError, Future, wait
 from concurrent.futures.process import BrokenProcessPool
 from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
+from functools import partial
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -53,8 +56,11 @@ from measured_report.records.identity import package_versions, sections
 from measured_report.records.record import NAME, Basis, Record, basis_of
 from measured_report.records.traces import packed
 
-WHOLE = "whole"  # name of the one batch of a section that has declared none
-GONE = "the scheduler is gone; what is finished is kept"
+WHOLE = "whole"  # name of the batch of a section that does not declare batches
+GONE = (
+    "the connection to the scheduler is lost: start it and measure again (finished "
+    "records are kept)"
+)
 
 
 @dataclass
@@ -72,56 +78,69 @@ class Section:
     has_failed: bool = False
 
     def is_exclusive(self, batch: Batch) -> bool:
-        """Return whether it is measured alone, as is one that may have killed its process."""
+        """Return whether a batch is measured alone.
+
+        A batch is also measured alone if it may have caused a process to be killed.
+        """
         return batch.exclusive or batch.name in self.lost
 
     def advance(self) -> None:
-        """Ask for the next batches once all of a stage are done, and write the record at the end."""
+        """Request the next batches after a stage; write the record at the end."""
         try:
             while not self.is_over and all(
                 batch.name in self.results for batch in self.stage
             ):
                 values = [self.results[batch.name].value for batch in self.stage]
                 try:
-                    self.stage = list(self.plan.send(values or None))  # type: ignore[arg-type]
+                    stage = self.plan.send(values or None)  # type: ignore[arg-type]
+                    self.stage = list(stage)
                 except StopIteration as end:
                     self._write(end.value)
                     return
                 assert all(isinstance(batch, Batch) for batch in self.stage), (
-                    "it yields no Batch: rows are returned"
+                    "measure yields something other than a Batch: return rows "
+                    "instead of yielding them"
                 )
                 names = [*self.results, *(batch.name for batch in self.stage)]
                 if not self.stage or len({*names}) < len(names):
-                    raise ValueError(f"batches need names of their own: {names}")
+                    raise ValueError(
+                        f"batch names {names} are empty or not unique: give each batch "
+                        "another name"
+                    )
                 self.waiting = self.stage
-        except Exception as error:  # a fault of the section must not cost the others
+        except Exception as error:
+            # An error in this section must not stop the others.
             self.fail(reason_of(error, self.project.report))
 
     def lose(self, batch: Batch) -> None:
-        """Measure a batch whose process was killed again, alone, but no more than once."""
+        """Measure a batch alone after its process was killed, but only once."""
         if batch.name in self.lost:
             self.fail(
-                f"{batch.name}: its process was killed, and once more when it was alone"
+                f"the process of {batch.name} was killed twice, the second time "
+                "alone: use less memory"
             )
         elif not self.is_over:
             self.lost.add(batch.name)
             self.waiting = [*self.waiting, batch]
             tqdm.write(
-                f"{self.name}/{batch.name}: its process was killed; it is tried again alone",
+                f"the process of {self.name}/{batch.name} was killed; it is tried "
+                "again alone",
                 file=sys.stderr,
             )
 
     def fail(self, reason: str) -> None:
         if not self.is_over:
-            self.is_over = self.has_failed = True
+            self.is_over = True
+            self.has_failed = True
             self.waiting = []
             tqdm.write(
-                f"{self.name}: measuring failed; what was there is kept: {reason}",
+                f"{self.name} could not be measured (an existing record is kept): "
+                f"{reason}",
                 file=sys.stderr,
             )
 
     def _write(self, measurement: Measurement) -> None:
-        """Write the record and the traces of what the section returned."""
+        """Write the record and the traces of a measurement."""
         report = self.project.report
         path = self.project.record_path(self.name)
         results = list(self.results.values())
@@ -133,16 +152,21 @@ class Section:
             }
         except (AttributeError, TypeError) as error:
             raise ReportError(
-                f"it returned no Measurement of rows and traces: {error}"
+                "measure does not return a Measurement of rows and traces "
+                f"({error}): return one"
             ) from None
         if not rows or not all("case" in row for row in rows):
-            raise ReportError("it returned no rows, or one without a case")
+            raise ReportError(
+                "measure returns no rows or a row without a case: return rows with the "
+                "key case"
+            )
         measured_on = {}
         for name in results[0].machine:
             texts = {result.machine[name] for result in results}
             if name in KIND and len(texts) > 1:
                 raise ReportError(
-                    "its batches were measured on different kinds of machines"
+                    "batches were measured on different kinds of machines: use "
+                    "machines of one kind"
                 )
             measured_on[name] = ", ".join(sorted(filter(None, texts))) or None
         ended = max(result.ended for result in results)
@@ -157,7 +181,14 @@ class Section:
         }
         units = report.columns.units_of(rows)
         identity = self.basis.identity
-        record = Record(self.name, identity, measured_on, measured, units, rows)
+        record = Record(
+            section=self.name,
+            identity=identity,
+            machine=measured_on,
+            measured=measured,
+            units=units,
+            rows=rows,
+        )
         self.basis.write(record, traces)
         self.is_over = True
         shown = path.relative_to(self.project.root)
@@ -165,7 +196,7 @@ class Section:
 
 
 class Loop:
-    """Measures sections by a pool for batches that share their host and one for those that are exclusive there."""
+    """Measure sections with a pool for shared batches and one for exclusive batches."""
 
     def __init__(self, sections: Sequence[Section], shared: Any, exclusive: Any):
         self.sections = sections
@@ -173,7 +204,7 @@ class Loop:
         self.running: dict[Future[Any], tuple[Section, Batch]] = {}
 
     def run(self) -> bool:
-        """Measure all sections; return whether any failed."""
+        """Measure all sections and return whether any of them failed."""
         for section in self.sections:
             section.advance()
         with tqdm(unit="batch", leave=False, disable=not sys.stderr.isatty()) as bar:
@@ -184,7 +215,7 @@ class Loop:
         return any(section.has_failed for section in self.sections)
 
     def _submit(self) -> bool:
-        """Submit what can be; return whether anything runs."""
+        """Submit all batches that can start; return whether any batch is running."""
         for is_exclusive, pool in self.pools.items():
             for section in self.sections:
                 for batch in list(section.waiting):
@@ -234,7 +265,7 @@ def section_of(
     """Return the section that a module measures, as one batch if it declares none."""
     name = basis.section
     device = device if needs_device(name, project) else "cpu"
-    # A process measures on the only device of its kind that it has.
+    # A process sees only one device of its kind, so that its number is 0.
     alias = "cpu" if device == "cpu" else f"{device}:0"
     is_quick = project.profile == "quick"
     conditions = project.report.host.Conditions(device=alias, quick=is_quick)
@@ -242,7 +273,7 @@ def section_of(
         plan = module.measure(conditions)
     else:
         plan = _as_one(Batch(WHOLE, module.measure, (conditions,)))
-    return Section(project, name, device, plan, basis)
+    return Section(project=project, name=name, device=device, plan=plan, basis=basis)
 
 
 def _as_one(batch: Batch) -> Plan:
@@ -251,13 +282,17 @@ def _as_one(batch: Batch) -> Plan:
 
 
 def believable(row: Mapping[str, object], columns: Schema) -> dict[str, object]:
-    """Return the row in plain numbers, with None, and the reason, for each that no record may hold."""
+    """Return a row in plain Python numbers.
+
+    A number that a record may not hold becomes None, with a reason beside it.
+    """
     cells = {str(name): plain(value, str(name)) for name, value in row.items()}
     lost = {}
     for name, cell in cells.items():
         if not re.fullmatch(NAME, name):
             raise ReportError(
-                f"the column {name!r} is not called in small letters, digits and _, as rebound_mm"
+                f"column {name!r} has an invalid name: use lower-case letters, "
+                "digits and _, as in rebound_mm"
             )
         is_wrong = is_number(cell) and columns.number_problem(name, cell)
         is_absent = cell is None and columns[name].unit != "1"
@@ -268,9 +303,9 @@ def believable(row: Mapping[str, object], columns: Schema) -> dict[str, object]:
 
 
 def main() -> int:
-    # Records are put in place whole, so that there is nothing to tidy up after Ctrl-C.
+    # Records replace older ones in one step, so Ctrl-C leaves nothing to clean up.
     signal.signal(signal.SIGINT, signal.SIG_DFL)
-    tqdm.monitor_interval = 0  # no process may be forked beside a thread
+    tqdm.monitor_interval = 0  # a process with threads must not be forked
     parser = argparse.ArgumentParser(prog="python -m measured_report.measuring.run")
     parser.add_argument("section", nargs="+")
     parser.add_argument("--device", default="")
@@ -284,7 +319,13 @@ def main() -> int:
     try:
         release = edition_of(arguments.edition, report)
         own = own_release(report=report)
-        project = Project(release, arguments.profile, report.root, own, arguments.aside)
+        project = Project(
+            release,
+            profile=arguments.profile,
+            root=report.root,
+            own_release=own,
+            aside=arguments.aside,
+        )
         asked = arguments.device or measuring_device(None, "quick") or "cpu"
         requested = sections_asked(project, arguments.section, asked)
         with pools(report, arguments.cluster, requested) as (shared, exclusive):
@@ -298,22 +339,25 @@ def main() -> int:
 def sections_asked(
     project: Project, names: Sequence[str], device: str
 ) -> Sequence[Section]:
-    """Return the sections of these names; raise ReportError if they cannot be measured here."""
+    """Return the sections with these names.
+
+    Raise ReportError if they cannot be measured here.
+    """
     code = Code(project.root)
     for name in names:
         if not name.isidentifier() or not code.module(f"experiments.{name}"):
             raise ReportError(
-                f"SECTION={name} is no section; use one of: {', '.join(sections())}"
+                f"SECTION={name} is not a section: use one of {', '.join(sections())}"
             )
-    # Batches of the processor alone begin first: they are few and long.
-    ordered = sorted(names, key=lambda name: needs_device(name, project))
-    # Before anything of the report is imported, such as the modules of devices.
+    # Start with the batches that need only the CPU, because they are few and long.
+    ordered = sorted(names, key=partial(needs_device, project=project))
+    # Compute the identities before the import of any module of the report.
     bases = [
         basis_of(name, project.record_path(name), project.profile, project.root)
         for name in ordered
     ]
     device = read_device(device)
-    gc.disable()  # looking for garbage takes half the time of loading a simulator
+    gc.disable()  # garbage collection doubles the time to load a simulator
     project.report.host.be_quiet()
     found = [
         section_of(project, basis, section_module(basis.section), device)
@@ -328,7 +372,7 @@ def sections_asked(
 def pools(
     report: Report, cluster: str | None, requested: Sequence[Section]
 ) -> Iterator[Any]:
-    """Open the pools that measure: of this host, or of a cluster's workers."""
+    """Open the pools that measure, on this host or on the workers of a cluster."""
     devices = sorted({section.device for section in requested})
     if cluster:
         from measured_report.measuring.cluster import cluster_pools
@@ -339,7 +383,7 @@ def pools(
     alone = {}
     shared = environments(devices[-1], requested[0].project.profile, report)
     if devices[-1] == "cpu":
-        machine("cpu")  # once for all forks, which inherit it
+        machine("cpu")  # once here, so that all forks inherit it
     else:
         alone = {**shared[0], **report.accelerator.ALONE}
     with host_pools(shared, alone) as opened:
@@ -352,7 +396,10 @@ def pools(
 
 
 def section_module(section: str) -> ModuleType:
-    """Import the module that measures a section; raise ReportError if it cannot be imported."""
+    """Return the module that measures a section.
+
+    Raise ReportError if it cannot be imported.
+    """
     try:
         module = importlib.import_module(f"experiments.{section}")
     except (Exception, SystemExit) as error:
@@ -360,12 +407,16 @@ def section_module(section: str) -> ModuleType:
     if hasattr(module, "measure"):
         return module
     raise ReportError(
-        f"{short_path(Path(str(module.__file__)))} has no function measure(conditions)"
+        f"{short_path(Path(str(module.__file__)))} has no function "
+        "measure(conditions): define one"
     )
 
 
 def edition_of(requested: str | None, report: Report | None = None) -> str:
-    """Return the label of what is installed here; raise ReportError if another one was asked for."""
+    """Return the label of the installed edition.
+
+    Raise ReportError if another edition was requested.
+    """
     settings = (report or current()).settings
     installed = package_versions(settings)
     asked = requested or installed[settings.edition]
@@ -373,7 +424,8 @@ def edition_of(requested: str | None, report: Report | None = None) -> str:
     if label is None or not label.is_installed_with(installed):
         have = ", ".join(f"{name} {version}" for name, version in installed.items())
         raise ReportError(
-            f"{settings.option}={asked} is not what is installed here ({have})"
+            f"{settings.option}={asked} is not installed here ({have}): measure it "
+            "with make report or make upgrade"
         )
     return str(label)
 

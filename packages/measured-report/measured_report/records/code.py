@@ -1,4 +1,4 @@
-"""Code: the files that a module imports, and their syntax. They are read, never run."""
+"""Find the files that a module imports and parse them without running them."""
 
 import ast
 import hashlib
@@ -16,37 +16,31 @@ from typing import Any
 from measured_report.files.cache import Cache
 from measured_report.files.errors import ReportError
 
-GENERATOR = "measured_report"  # the package that passes calls on, and changes none of the rows that they return
+# This package passes calls on; it does not change the rows that they return.
+GENERATOR = "measured_report"
 HERE = str(Path(__file__).resolve().parents[2])
-ASSETS = (
-    "assets/",
-    "experiments/",
-    "packages/",
-)  # folders of files that a program reads or starts by their path
-WORKED_OUT = ...  # stands for a value that a module computes at its top level
-LAYOUT = (
-    "ctx",
-    "kind",
-    "type_comment",
-)  # fields of a syntax tree that follow from the others, or say nothing
+ASSETS = ("assets/", "experiments/", "packages/")
+"""Folders of files that a program opens or starts by path."""
+WORKED_OUT = ...  # stands for a value that is computed at import
+LAYOUT = ("ctx", "kind", "type_comment")
+"""Fields of a syntax tree that follow from others or have no meaning."""
 
 
 @dataclass(frozen=True)
 class Source:
-    """Describes one file."""
+    """Hold the facts about one file."""
 
-    digest: str  # of its syntax tree, without comments, docstrings and formatting
-    modules: tuple[
-        str, ...
-    ]  # names in its import statements, some of which are modules
-    assets: tuple[str, ...]  # texts that may be paths of assets
-    top: Mapping[
-        str, Any
-    ]  # names at its top level: constants, and the argument count of a function
+    digest: str  # of its syntax tree, without comments, docstrings and layout
+    modules: tuple[str, ...]  # names in its import statements; some of them are modules
+    assets: tuple[str, ...]  # strings that may be paths of assets
+    top: Mapping[str, Any]  # constants by name, and argument counts of functions
 
 
 class Code:
-    """Holds the files of a project. Each is read once, so a later state of the code needs a new object."""
+    """Give access to the files of a project.
+
+    Each file is read once, so a later state of the code needs a new object.
+    """
 
     def __init__(self, *roots: Path):
         folders = [
@@ -63,7 +57,7 @@ class Code:
         self._roots_with = cache(self._roots_that_have)
 
     def name_of(self, path: str) -> str:
-        """Name a file below the innermost of the folders that it lies in."""
+        """Return the path of a file relative to the innermost root that contains it."""
         return path[
             max(len(root) for root in self.roots if path.startswith(f"{root}/")) + 1 :
         ]
@@ -72,18 +66,17 @@ class Code:
         return read_source(Path(path), self.name_of(path))
 
     def _module(self, name: str) -> str:
-        """Return the file of a module; empty if it is not one of this project."""
+        """Return the file of a module of this project, or an empty string."""
         stem = name.replace(".", "/")
         stems = [f"{root}/{stem}" for root in self._roots_with(name.partition(".")[0])]
         files = (
             file for stem in stems for file in (f"{stem}/__init__.py", f"{stem}.py")
         )
-        return next(
-            filter(os.path.isfile, files), ""
-        )  # with Path this would take ten times as long
+        # Path.is_file would take ten times as long.
+        return next(filter(os.path.isfile, files), "")
 
     def _roots_that_have(self, package: str) -> list[str]:
-        # Other packages that are installed beside the generator do not belong to the project.
+        # Packages that are installed beside the generator do not belong to the project.
         roots = [root for root in self.roots if root != HERE or package == GENERATOR]
         paths = {root: Path(root, package) for root in roots}
         return [
@@ -93,7 +86,7 @@ class Code:
         ]
 
     def _imported(self, path: str) -> list[str]:
-        """List the files of the modules, and of their packages, that a file may import."""
+        """Return the files of all modules and packages that a file may import."""
         dotted = (
             accumulate(name.split("."), "{}.{}".format)
             for name in self.source(path).modules
@@ -102,7 +95,10 @@ class Code:
         return list(filter(None, map(self.module, names)))
 
     def _closure(self, start: str, without: str = "") -> list[str]:
-        """List a file and all files that it imports, directly or not, except those of the package ``without``."""
+        """Return a file and all files that it imports, directly or indirectly.
+
+        Files of the package ``without`` are left out.
+        """
         closure = dict.fromkeys([start])
         waiting = [start]
         while waiting:
@@ -121,11 +117,14 @@ class Code:
         return hashlib.sha256(path.read_bytes()).hexdigest()
 
 
-_known: dict[str, Source] = {}  # by a digest of the text and of the package of a file
+_known: dict[str, Source] = {}  # by a digest of the file's text and package
 
 
 def read_source(path: Path, name: str) -> Source:
-    """Return the facts of a file, which messages call ``name``; ReportError if it cannot be read."""
+    """Return the facts about a file; raise ReportError if it cannot be read.
+
+    ``name`` is the name of the file in messages.
+    """
     package = PurePosixPath(name).parts[:-1]
     try:
         text = path.read_bytes()
@@ -135,24 +134,23 @@ def read_source(path: Path, name: str) -> Source:
         return _known[key]
     except (OSError, SyntaxError, ValueError) as error:
         raise ReportError(
-            f"cannot read {name}: {' '.join(str(error).split())}"
+            f"{name} cannot be read or parsed: {' '.join(str(error).split())}"
         ) from None
 
 
 @contextmanager
 def cached_sources() -> Iterator[None]:
-    """Keep what was read of files from one process to the next, because parsing all of them takes seconds."""
+    """Keep the parsed files for later processes, because parsing all takes seconds."""
     store = Cache(Path(HERE))
-    made_by = sys.version, hashlib.sha256(Path(__file__).read_bytes()).hexdigest()
+    made_by = (sys.version, hashlib.sha256(Path(__file__).read_bytes()).hexdigest())
     _known.update(store.get("sources", made_by) or {})
     count_before = len(_known)
     try:
         yield
     finally:
         if len(_known) > count_before:
-            store.put(
-                "sources", made_by, dict(list(_known.items())[-2000:])
-            )  # the newest
+            newest = list(_known.items())[-2000:]
+            store.put("sources", made_by, dict(newest))
 
 
 def _source_of(tree: ast.Module, package: tuple[str, ...]) -> Source:
@@ -176,7 +174,7 @@ def _source_of(tree: ast.Module, package: tuple[str, ...]) -> Source:
 def imported_names(
     node: ast.AST, package: tuple[str, ...]
 ) -> Iterator[tuple[str, str]]:
-    """Yield the names that an import statement binds, and the dotted path of each."""
+    """Yield each name that an import statement binds, with its dotted path."""
     if isinstance(node, ast.Import):
         for alias in node.names:
             yield alias.asname or alias.name.partition(".")[0], alias.name
@@ -184,9 +182,8 @@ def imported_names(
         start = package[: len(package) - node.level + 1] if node.level else ()
         module = ".".join([*start, *filter(None, [node.module])])
         for alias in node.names:
-            path = f"{module}.{alias.name}".lstrip(
-                "."
-            )  # a module in no package may import one beside it
+            # A module outside of a package may import a module beside it.
+            path = f"{module}.{alias.name}".lstrip(".")
             yield alias.asname or alias.name, path
 
 
@@ -206,7 +203,10 @@ def _top(tree: ast.Module) -> Iterator[tuple[str, Any]]:
 
 
 def plain(node: Any) -> Any:
-    """Return a syntax tree as lists and texts that are the same in every Python, without docstrings and layout."""
+    """Return a syntax tree as nested lists, which are the same in every Python version.
+
+    Docstrings and layout are left out.
+    """
     if isinstance(node, list):
         return [plain(child) for child in node if not is_docstring(child)]
     if not isinstance(node, ast.AST):
@@ -214,9 +214,8 @@ def plain(node: Any) -> Any:
     fields = {
         name: value for name, value in ast.iter_fields(node) if name not in LAYOUT
     }
-    if isinstance(
-        node, ast.JoinedStr
-    ):  # Python 3.12 and later end a nested format specification with an empty text
+    # From Python 3.12 on, a nested format specification ends with an empty string.
+    if isinstance(node, ast.JoinedStr):
         fields["values"] = [
             value for value in node.values if getattr(value, "value", None) != ""
         ]
@@ -231,7 +230,7 @@ def plain(node: Any) -> Any:
 
 
 def is_docstring(node: Any) -> bool:
-    """Return whether a statement is a text alone."""
+    """Return whether a statement is only a string."""
     value = node.value if isinstance(node, ast.Expr) else None
     return isinstance(value, ast.Constant) and isinstance(value.value, str)
 

@@ -1,4 +1,7 @@
-"""Identity: what a section's numbers depend on, found by reading the sources and never by running them."""
+"""Compute the identity of a section: digests of everything that its numbers depend on.
+
+The sources are read, but never run.
+"""
 
 import hashlib
 import json
@@ -34,15 +37,14 @@ Version = Annotated[
 
 @dataclass(frozen=True)
 class Identity:
-    """Holds digests of all that a measurement depends on, except the machine."""
+    """Hold digests of everything that a measurement depends on, except the machine."""
 
     code: Digest  # of the syntax of all files that the section's module imports
     config: Digest  # of the profile and of the assets that these files name
     packages: Mapping[str, Version]
     profile: Annotated[str, Meta(pattern=r"\A(full|quick)\Z")] = "full"
-    files: Mapping[FileName, Digest] = field(
-        default_factory=dict
-    )  # each of these files, so that a change has a name
+    files: Mapping[FileName, Digest] = field(default_factory=dict)
+    """The digest of each file, so that a change can be named."""
 
 
 def identity_of(
@@ -52,8 +54,13 @@ def identity_of(
     packages: Mapping[str, str] | None = None,
     code: Code | None = None,
 ) -> Identity:
-    """Return the identity that a record of a section has if it is measured now, with the packages installed here."""
-    return identity_at(f"experiments.{section}", profile, root, packages, code)
+    """Return the identity that a record of a section would have if measured now.
+
+    The default of ``packages`` is the installed packages.
+    """
+    return identity_at(
+        f"experiments.{section}", profile, root, packages=packages, code=code
+    )
 
 
 def identity_at(
@@ -63,10 +70,15 @@ def identity_at(
     packages: Mapping[str, str] | None = None,
     code: Code | None = None,
 ) -> Identity:
-    """Return the identity of what a module measures; ``code`` saves reading the files of ``root`` once more."""
+    """Return the identity of the measurement that a module makes.
+
+    ``code`` avoids reading the files of ``root`` again.
+    """
     code = code or Code(root)
     if not (file := code.module(module)):
-        raise ReportError(f"There is no module {module}")
+        raise ReportError(
+            f"module {module} does not exist: create it or correct the section's name"
+        )
     sources = {
         code.name_of(path): code.source(path) for path in code.closure(file, GENERATOR)
     }
@@ -77,16 +89,16 @@ def identity_at(
     }
     versions = package_versions() if packages is None else packages
     return Identity(
-        digest_of(digests),
-        digest_of([profile, assets]),
-        versions,
-        profile,
-        {**digests, **assets},
+        code=digest_of(digests),
+        config=digest_of([profile, assets]),
+        packages=versions,
+        profile=profile,
+        files={**digests, **assets},
     )
 
 
 def changes(recorded: Identity, current: Identity) -> list[str]:
-    """List what differs between two identities; nothing when the record is fresh."""
+    """Return the differences between two identities; a fresh record has none."""
     names = sorted({*recorded.files, *current.files})
     changed = [
         name for name in names if recorded.files.get(name) != current.files.get(name)
@@ -108,7 +120,10 @@ def changes(recorded: Identity, current: Identity) -> list[str]:
 
 
 def sections(root: Path | None = None) -> list[str]:
-    """Name the sections: modules or folders of the report's side. One whose name begins with _ is a draft."""
+    """Return the names of the sections: modules or folders in ``report/sections``.
+
+    A name that begins with _ marks a draft, which is left out.
+    """
     folder = (root or current().root) / "report" / "sections"
     names = {path.stem for path in folder.glob("*.py")} | {
         path.parent.name for path in folder.glob("*/__init__.py")
@@ -116,19 +131,24 @@ def sections(root: Path | None = None) -> list[str]:
     shown = sorted(name for name in names if not name.startswith(("_", ".")))
     if wrong := [name for name in shown if not name.isidentifier()]:
         raise UsageError(
-            f"report/sections/{wrong[0]}.py: a section has a name of Python, as my_ball"
+            f"report/sections/{wrong[0]}.py has an invalid name: use a Python name "
+            "such as my_ball"
         )
     return shown
 
 
 SHORT_COMMIT = 7
 MISSING = "missing"  # version of a package that is not installed
-UNNAMED = "unnamed"  # stands in a version for code that no commit names
-BYTE_LIMIT = 1 << 30  # of a file that is digested: wheels have hundreds of MiB
+UNNAMED = "unnamed"  # stands in a version for code without a commit
+BYTE_LIMIT = 1 << 30  # largest file that is digested; wheels have hundreds of MiB
 
 
 def package_versions(settings: Config | None = None) -> dict[str, str]:
-    """Return the version of each package here; of the first with its code, where that is not an index's."""
+    """Return the installed version of each package.
+
+    The version of the edition's package includes its commit if it was not installed
+    from an index.
+    """
     settings = settings or current().settings
     versions = dict.fromkeys(settings.packages, MISSING)
     for package in versions:
@@ -140,12 +160,12 @@ def package_versions(settings: Config | None = None) -> dict[str, str]:
 
 
 def full_version(version: str) -> str:
-    """Write a version with three numbers at least: 2.0 and 2.0.0 are the same."""
-    return re.sub(
-        r"^[0-9]+(\.[0-9]+)*(?![0-9!])",
-        lambda match: match[0] + ".0" * (2 - match[0].count(".")),
-        version,
-    )
+    """Return a version with at least three numbers, because 2.0 means 2.0.0."""
+    match = re.match(r"[0-9]+(\.[0-9]+)*(?![0-9!])", version)
+    if not match:
+        return version
+    missing = 2 - match[0].count(".")
+    return match[0] + ".0" * missing + version[match.end() :]
 
 
 def package_changes(before: Mapping[str, str], after: Mapping[str, str]) -> list[str]:
@@ -158,7 +178,10 @@ def package_changes(before: Mapping[str, str], after: Mapping[str, str]) -> list
 
 
 def _source(package: str) -> str:
-    """Return the part of a version that names the code installed here; empty for a package from an index."""
+    """Return the part of a version that identifies installed code.
+
+    It is empty for a package from an index.
+    """
     text = metadata.distribution(package).read_text("direct_url.json")
     if not text:
         return ""
@@ -167,21 +190,20 @@ def _source(package: str) -> str:
 
 
 def files_digest(paths: Iterable[Path], root: Path) -> str:
-    """Digest files, by their names below ``root`` and what they hold; folders are passed over."""
+    """Return a digest of files by their names below ``root`` and their contents.
+
+    Folders are ignored.
+    """
     digest = hashlib.sha256()
     for path in sorted(paths):
-        with suppress(OSError):  # of what can't be read its reader says so
+        # If a file cannot be read, the code that uses it reports the error.
+        with suppress(OSError):
             info = path.stat()
-            if stat.S_ISREG(
-                info.st_mode
-            ):  # what has no size may have no end, and what is larger nobody reads
+            if stat.S_ISREG(info.st_mode):
+                # Files of size 0 may be endless, and no command reads larger files.
                 content = path.read_bytes() if 0 < info.st_size <= BYTE_LIMIT else b""
-                digest.update(
-                    os.fsencode(
-                        f"{path.relative_to(root).as_posix()}\0{info.st_size}\0"
-                    )
-                    + content
-                )
+                name = f"{path.relative_to(root).as_posix()}\0{info.st_size}\0"
+                digest.update(os.fsencode(name) + content)
     return digest.hexdigest()
 
 

@@ -1,4 +1,7 @@
-"""Traces: long per-frame series that lie beside a record, as ``<section>.<case>.csv.gz``, and are sealed by it."""
+"""Read and write traces: per-frame tables beside a record.
+
+Their files are named ``<section>.<case>.csv.gz``. The record contains their digests.
+"""
 
 import csv
 import gzip
@@ -16,19 +19,24 @@ from measured_report.files.columns import PLAIN, Schema, is_number, plain, text_
 from measured_report.files.config import report as current
 from measured_report.records.record import BYTE_LIMIT, DIGITS, Seal, trace_path
 
-if TYPE_CHECKING:  # it takes long to import, and only who reads traces needs it
+# Pandas takes long to import, and only readers of traces need it.
+if TYPE_CHECKING:
     import pandas as pd
 
 HEAD = re.compile(r"[a-z][a-z0-9_-]{0,79}")
 UNPACKED_LIMIT = 64 << 20
 COLUMN_LIMIT = 1_000
-CELL_LIMIT = 8_000_000  # more would take gigabytes to look at; traces that were kept have some tens of thousands
+# Checking more would need gigabytes of memory; existing traces have some 10,000 cells.
+CELL_LIMIT = 8_000_000
 
 
 def packed(
     record: Path, case: str, table: Mapping[str, Any], schema: Schema | None = None
 ) -> tuple[Seal, bytes]:
-    """Return a trace as it is kept beside ``record``, with its seal; pandas is not needed."""
+    """Return the content of a trace file beside ``record``, with its seal.
+
+    This does not need pandas.
+    """
     schema = schema or current().columns
     columns = {}
     for name, cells in table.items():
@@ -39,21 +47,24 @@ def packed(
     text = io.StringIO()
     try:
         if len({*map(len, columns.values())}) > 1:
-            raise ValueError("its columns are not of one length")
+            raise ValueError("its columns have different lengths")
         lines = list(zip(*columns.values(), strict=True))
         csv.writer(text, lineterminator="\n").writerows([[*columns], *lines])
         _check(text.getvalue(), schema)
     except ValueError as error:
         raise RecordError(
-            f"{short_path(trace_path(record, case))} is no whole trace: {error}"
+            f"{short_path(trace_path(record, case))} is not a valid trace: {error}"
         ) from None
-    # With no time in its header, the same trace gives the same bytes.
+    # Without a time in its header, the same trace gives the same bytes.
     content = gzip.compress(text.getvalue().encode(), mtime=0)
     return Seal(sha256(content).hexdigest(), len(lines)), content
 
 
 def _written(cell: Any, column: str, schema: Schema) -> Any:
-    """Return a cell as its file has it, None for a number that no record may hold."""
+    """Return a cell as its file contains it.
+
+    A number that a record may not hold becomes None.
+    """
     is_checked = is_number(cell) and HEAD.fullmatch(column)
     if is_checked and schema.number_problem(column, cell):
         return None
@@ -70,10 +81,12 @@ def load_trace(path: Path, schema: Schema | None = None) -> "pd.DataFrame":
         text = unpacking.decompress(content, UNPACKED_LIMIT)
         if not unpacking.eof or unpacking.unused_data:
             raise ValueError(
-                f"it ends early, holds more than {UNPACKED_LIMIT >> 20} MiB, or has a rest"
+                f"it is truncated, is larger than {UNPACKED_LIMIT >> 20} MiB, or "
+                "has extra data at the end"
             )
         _check(text.decode("utf-8"), schema or current().columns)
-        # Before pandas 3, which Python 3.10 has, the last digits of numbers are others unless one asks for them.
+        # Versions of pandas before 3, which Python 3.10 uses, round the last digits
+        # unless they are asked for exact numbers.
         is_new = int(pd.__version__.partition(".")[0]) > 2
         exact: dict[str, Any] = {} if is_new else {"float_precision": "round_trip"}
         return pd.read_csv(
@@ -86,22 +99,27 @@ def load_trace(path: Path, schema: Schema | None = None) -> "pd.DataFrame":
     except (ValueError, csv.Error, zlib.error) as error:
         message = " ".join(str(error).split())
         raise RecordError(
-            f"{short_path(path)} is no whole trace: {message:.300}"
+            f"{short_path(path)} is not a valid trace: {message:.300}"
         ) from None
 
 
 def _check(text: str, schema: Schema) -> None:
-    """Raise ValueError unless a text is a trace: columns of one length, each of numbers or of texts."""
+    """Raise ValueError unless a text is a valid trace.
+
+    Its columns must have equal lengths and contain either numbers or text.
+    """
     lines = csv.reader(io.StringIO(text), strict=True)
     head = next(lines, [])
     if len(head) > COLUMN_LIMIT:
         raise ValueError(f"it has more than {COLUMN_LIMIT} columns")
     if len(set(head)) < len(head):
-        raise ValueError("its first line names a column twice")
+        raise ValueError("its header contains a column twice")
     rows: list[Sequence[str]] = []
     for number, line in enumerate(lines, start=2):
         if len(line) != len(head):
-            raise ValueError(f"line {number} has {len(line)} cells, not {len(head)}")
+            raise ValueError(
+                f"line {number} has {len(line)} cells instead of {len(head)}"
+            )
         if number * len(head) > CELL_LIMIT:
             raise ValueError(f"it has more than {CELL_LIMIT} cells")
         rows.append(line)
@@ -113,18 +131,18 @@ def _check(text: str, schema: Schema) -> None:
 
 
 def _column_problem(column: str, cells: Iterable[str], schema: Schema) -> str:
-    """Say what is wrong with a column; empty if nothing is."""
+    """Return the problem with a column, or an empty string."""
     if not HEAD.fullmatch(column):
-        return "is no column name"
+        return "is not a valid column name"
     filled = [cell for cell in cells if cell]
     try:
         numbers = list(map(float, filled))
     except ValueError:
         return _text_problem(filled, schema[column].unit)
     if not all(map(math.isfinite, numbers)):
-        return "has what is no number"
+        return "contains values that are not finite"
     if column == "time_s" and numbers != sorted(numbers):
-        return "runs backwards"
+        return "is not in ascending order"
     ends = (min(numbers), max(numbers)) if numbers else ()
     problems = (schema.number_problem(column, end) for end in ends)
     return next(filter(None, problems), "")
@@ -132,7 +150,7 @@ def _column_problem(column: str, cells: Iterable[str], schema: Schema) -> str:
 
 def _text_problem(texts: Sequence[str], unit: str) -> str:
     if unit != PLAIN:
-        return "is not all numbers"
+        return "contains values that are not numbers"
     for text in dict.fromkeys(texts):
         if problem := text_problem(text):
             return problem
@@ -140,5 +158,5 @@ def _text_problem(texts: Sequence[str], unit: str) -> str:
             float(text)
         except ValueError:
             continue
-        return "has both numbers and text"
+        return "contains both numbers and text"
     return ""

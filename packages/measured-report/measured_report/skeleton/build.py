@@ -1,11 +1,10 @@
-"""The command line that make calls; ``make help`` says what there is."""
+"""Run a command of make; ``make help`` lists all commands."""
 
 import signal
 import sys
 
-signal.signal(
-    signal.SIGINT, signal.SIG_DFL
-)  # while this is being imported there is nothing to say about a Ctrl-C
+# Until all modules are imported, Ctrl-C ends the program without a message.
+signal.signal(signal.SIGINT, signal.SIG_DFL)
 
 from measured_report.commands.command_line import main
 

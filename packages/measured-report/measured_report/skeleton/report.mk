@@ -1,14 +1,14 @@
-# make NAME hands NAME to build.py, which says what there is: make help. A Makefile says how .venv/.ready is made, which
-# targets are its OWN, and includes this. PYTHON=… takes another Python as it is.
+# make NAME passes NAME to build.py; make help lists all names. A Makefile that includes this file defines how .venv/.ready
+# is made, and which targets are its OWN. PYTHON=… uses another Python without changing it.
 
-# What is typed behind make reaches build.py as make itself quotes it (MAKEOVERRIDES): nothing in it is read by make, as
-# it would be to export it, nor by a shell. A variable called as the loop's would hide there.
+# Variables on the command line reach build.py as make quotes them (MAKEOVERRIDES), so neither make nor a shell expands
+# them. Exporting them would expand them. The loop variable is cleared, because it would hide a variable of this name.
 override name :=
 unexport $(foreach name,$(.VARIABLES),$(if $(filter command,$(origin $(name))),$(name)))
 override export TYPED := $(-*-command-variables-*-)
 override READY := $(if $(filter command,$(origin PYTHON)),,.venv/.ready)
 override export PYTHON := $(if $(READY),.venv/bin/python,$(value PYTHON))
-# Bytecode is kept: without it each of the many processes compiles all that it imports, for 2 to 4 s.
+# Bytecode is kept. Otherwise, each of the many processes would compile its imports for 2 to 4 s.
 unexport PYTHONSAFEPATH PYTHONDONTWRITEBYTECODE MAKEFLAGS
 
 .DEFAULT_GOAL := report

@@ -67,7 +67,7 @@ def test_the_release_and_then_newton_itself(toy, search, capsys):
     keep(toy, "1.5.9+mujoco-3.11.0+mujoco-warp-3.11.0+warp-1.16.0", ROWS, NEW)
     assert searched(search) == [
         "toy.helps changes between 1.5.9 and 1.6.9: holds → fails",
-        "newton did it: 1.5.9+mujoco-3.11.0+mujoco-warp-3.11.0+warp-1.16.0 is as before, 1.6.9 is not",
+        "the cause is newton: 1.5.9+mujoco-3.11.0+mujoco-warp-3.11.0+warp-1.16.0 has the old answer, and 1.6.9 the new one",
     ]
     assert "1.7.9" not in capsys.readouterr().out, (
         "what lies behind the change is not asked"
@@ -88,18 +88,21 @@ def test_what_cannot_be_measured_is_passed_over_and_an_end_ends_the_search_as_en
     shutil.rmtree(search.project.of("1.6.9").results)
     assert searched(search)[:2] == [
         "toy.helps changes between 1.5.9 and 1.7.9: holds → fails",
-        "no answer from 1.6.9: the first that answers otherwise is one of these and 1.7.9",
+        "no answer from 1.6.9: the first edition with the new answer is one of these or 1.7.9",
     ]
     assert (
         searched(search)[2]
-        == "it is one of warp-lang or mujoco-warp and mujoco or newton"
+        == "the cause is one of warp-lang or mujoco-warp and mujoco or newton"
     )
     with pytest.raises(ReportError, match="measuring ended") as error:
         searched(search, "1.9.0")
     assert not isinstance(error.value, UsageError)
-    with pytest.raises(UsageError, match=r"there is no claim .*; similar: toy"):
+    with pytest.raises(
+        UsageError,
+        match=r"claim .* does not exist: use the name of a claim \(similar: toy",
+    ):
         searched(replace(search, query=Query("toy.halps", True)))
-    with pytest.raises(UsageError, match="holds at A and holds at B"):
+    with pytest.raises(UsageError, match=r"from A \(holds\) to B \(holds\)"):
         searched(search, "1.5.9")
 
 
@@ -192,5 +195,5 @@ def test_a_search_writes_nothing_beside_the_tracked_results_and_names_full_runs(
     assert capsys.readouterr().out == "1.4.9: toy.helps holds\n"
     ends = {"a": release_of("1.4.0"), "b": release_of("1.5.9")}
     asked = Namespace(claim="toy.helps", value="", device="cpu", **ends)
-    with pytest.raises(UsageError, match="PROFILE=full looks closer"):
+    with pytest.raises(UsageError, match="PROFILE=full measures more precisely"):
         command.run(replace(toy.project, profile="quick"), asked)

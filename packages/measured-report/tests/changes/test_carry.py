@@ -81,12 +81,12 @@ REFUSED = {  # the code before, the code after, and the reason
     "number": (
         BODY.format("x = x * 1.5"),
         BODY.format("x = x * 1.25"),
-        "value_mm of a was 3.0 and is 2.5",
+        "value_mm of a changes from 3.0 to 2.5",
     ),
     "last_bit": (
         BODY.format("x = 0.1 + 0.2 + 0.3"),
         BODY.format("x = 0.1 + (0.2 + 0.3 + 1e-9)"),
-        "value_mm of a was",
+        "value_mm of a changes from",
     ),
     "full_constant": (
         BODY.format("n = min(n, 7)"),
@@ -97,7 +97,7 @@ REFUSED = {  # the code before, the code after, and the reason
     "kernel": (
         KERNEL.format("return 3 * x"),
         KERNEL.format("return 3 * x if x < 9 else x"),
-        "no run calls",
+        "the quick run does not call",
     ),
     "default": (
         "def f(x, n=40):\n    return n * x\n\n\n"
@@ -109,7 +109,7 @@ REFUSED = {  # the code before, the code after, and the reason
     "seed": (
         BODY.format("x = np.random.default_rng(7).random()"),
         BODY.format("x = np.random.default_rng(8).random()"),
-        "value_mm of a was",
+        "value_mm of a changes from",
     ),
     "full_seed": (
         BODY.format("x = x if conditions.quick else np.random.default_rng(7).random()"),
@@ -121,7 +121,7 @@ REFUSED = {  # the code before, the code after, and the reason
         + BODY.format("x = COUNTS[conditions.profile]"),
         'COUNTS = {"full": 41, "quick": 4}\n\n\n'
         + BODY.format("x = COUNTS[conditions.profile]"),
-        "a statement that runs when experiments/table.py is imported changed",
+        "a statement that runs at the import of experiments/table.py has changed",
     ),
     "field": (
         "class Case:\n    frames = 400\n\n\n"
@@ -133,7 +133,7 @@ REFUSED = {  # the code before, the code after, and the reason
     "advance": (
         CAR.format("0.1 + 0.2"),
         CAR.format("0.3"),
-        "no run calls experiments/advance.py:Car.advance",
+        "does not call all of experiments/advance.py:Car.advance",
     ),
     "int16": (
         BODY.format("x = float(np.int32(n))"),
@@ -157,7 +157,7 @@ REFUSED = {  # the code before, the code after, and the reason
         CAR.format("2.0").replace(
             "class Car:\n", "class Car:\n    def stop(self):\n        return 1.0\n\n"
         ),
-        "no run calls",
+        "the quick run does not call",
     ),
     "in_a_pool": (
         POOL.format("    return x if x < 5 else x + x"),
@@ -171,7 +171,7 @@ REFUSED = {  # the code before, the code after, and the reason
         BODY.format(
             "x = (lambda: x)() if conditions.quick else (lambda y: y - y + x)(x)"
         ),
-        "no run calls",
+        "the quick run does not call",
     ),
     "import_time": (
         BODY.format(""),
@@ -183,12 +183,12 @@ REFUSED = {  # the code before, the code after, and the reason
         BODY.format("").replace(
             "rows(x)", "Measurement([*rows(x).rows, *rows(x).rows])"
         ),
-        "there were 1 rows, and are 2",
+        "the number of rows changes from 1 to 2",
     ),
     "broken": (
         BODY.format(""),
         BODY.format("raise ValueError('as a test')"),
-        "both codes could not be measured",
+        "the old or the new code could not be measured",
     ),
     "times": (
         BODY.format("").replace(
@@ -197,7 +197,7 @@ REFUSED = {  # the code before, the code after, and the reason
         BODY.format("y = x").replace(
             "rows(x)", 'Measurement([{"case": "a", "frame_ms": y}])'
         ),
-        "it has times, which are not carried: make rerun SECTION=times",
+        "it measures times, which cannot be carried: use make rerun SECTION=times",
     ),
 }
 CARRIED = {
@@ -351,11 +351,11 @@ def test_comments_and_formatting_need_no_carrying_and_changes_without_a_commit_a
     )
     assert [state.kind for state in states_of(simple)] == ["fresh", "fresh"]
     change(simple, COVERED, is_committed=False)
-    assert "changes without a commit" in carry_all(simple, "one")["one"]
+    assert "uncommitted changes" in carry_all(simple, "one")["one"]
     change(simple, {})
     assert carry_all(simple, "one", "two") == {
         "one": "",
-        "two": "its code did not change",
+        "two": "its code has not changed: it does not need to be carried",
     }
 
 

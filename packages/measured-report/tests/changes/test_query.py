@@ -48,31 +48,31 @@ def settle(toy, monkeypatch):
         ({}, ""),
         (
             {"noise_section": "tay"},
-            "noise_section names tay, which is no section here; similar: toy",
+            "noise_section names tay, which is not a section of this report: correct the name \\(similar: toy",
         ),
         (
             {"columns": [Columns(names=["slap_mm"])]},
-            "columns names slap_mm, which is no column here; similar: slip_mm",
+            "columns names slap_mm, which is not a column of this report: correct the name \\(similar: slip_mm",
         ),
         (
             {"upgrade_sections": ["noise"]},
-            "changes.upgrade_sections names noise, which is no section",
+            "changes.upgrade_sections names noise, which is not a section",
         ),
         (
             {"thresholds": {"toy.saft.slip_mm": 1.0}},
-            "toy.saft.slip_mm, which is no value here; similar: toy.soft.slip_mm",
+            "toy.saft.slip_mm, which is not a value of this report: correct the name \\(similar: toy.soft.slip_mm",
         ),
         (
             {"thresholds": {"toy.soft.case": 1.0}},
-            "changes.thresholds names toy.soft.case, which is no value here",
+            "changes.thresholds names toy.soft.case, which is not a value of this report",
         ),
         (
             {"package_groups": [["warp"]]},
-            "changes.package_groups names warp, which is no package here",
+            "changes.package_groups names warp, which is not a package of this report",
         ),
         (
             {"explanation": "toy.help"},
-            "changes.explanation names toy.help, which is no value here; similar: toy.helps",
+            "changes.explanation names toy.help, which is not a value of this report: correct the name \\(similar: toy.helps",
         ),
     ],
 )
@@ -122,7 +122,7 @@ def test_what_is_no_number_and_rows_that_nothing_tells_apart_are_said_when_the_s
     )
     toy.measure((ROWS[0], nan, ROWS[1], {**ROWS[1], "slip_mm": 0.4}))
     assert gaps_of(toy) == [
-        "toy: several rows of case stiff, which nothing tells apart",
+        "toy: case stiff has several rows that cannot be distinguished",
         "toy: firm has no slip_mm: the measurement gave nan",
         "toy.helps cannot tell: there are 2 rows of case stiff",
         "toy: its words print what is not there: there are 2 rows of case stiff",
@@ -136,14 +136,14 @@ def test_a_number_that_a_claim_prints_and_its_test_has_not_read_is_said_when_the
         "report/sections/toy.py",
         MODULE.replace("at_least(gain, bound)", "at_least(bound, bound)"),
     )
-    assert gaps_of(toy) == ["toy.helps prints gain, which its test has not read"]
+    assert gaps_of(toy) == ["toy.helps prints gain, which its test does not read"]
 
 
 def test_what_a_figure_and_a_setting_are_of_is_missed_when_the_site_is_built(toy):
     module = MODULE.replace("draw(trace), [trace]", "draw(trace), []")
     toy.write("report/sections/toy.py", module)
     _, notes = build(toy.project)
-    assert gaps_of(toy) == ["toy: the figure way has no sources"]
+    assert gaps_of(toy) == ["toy: figure way has no sources"]
     idle = [
         f"report.toml: no row has {name}"
         for name in ("growth_per_s", "classes", "worlds", "case = c")

@@ -83,7 +83,7 @@ def test_an_edition_is_never_compared_with_itself(toy):
     for command in (upgrade, diff):
         with pytest.raises(
             UsageError,
-            match=r"Newton 1\.4\.0 would be compared with itself; NEWTON= names another",
+            match=r"Newton 1\.4\.0 would be compared with itself: name another",
         ):
             command.run(toy.project, given)
 
@@ -129,7 +129,7 @@ def test_an_upgrade_says_first_what_it_measures_of_both(toy, monkeypatch, capsys
     upgrade.run(toy.project.of("1.9.0"), asked)
     lines = capsys.readouterr().out.splitlines()
     assert lines[:2] == [
-        f"newton {name}: to be measured are toy" for name in ("1.9.0", "1.8.0")
+        f"newton {name}: sections to measure: toy" for name in ("1.9.0", "1.8.0")
     ]
     assert not [line for line in lines if "not measured" in line or "rerun" in line]
 
@@ -154,10 +154,10 @@ def test_why_names_what_was_set_otherwise_and_an_edition_without_a_name_is_not_n
         sides = [derived(side.project) for side in (toy, newer)]
         lines = upgrade.verdict(compare(*sides), lambda *claim: "", *sides, SECTIONS)
         assert (
-            "why: what it is set to changed: toy.soft.damping 0 → 0.62; toy.stiff.damping 0 → 0.62"
+            "why: settings changed: toy.soft.damping 0 → 0.62; toy.stiff.damping 0 → 0.62"
             in lines
         )
         assert (
             Query("toy.firm.slip_mm").quantity(sides[0].chapters).reason
-            == "toy has not been measured so"
+            == "toy has not been measured this way"
         )

@@ -10,7 +10,7 @@ from toys import program
 
 from measured_report.commands.command_line import main
 
-STOPPED = "stopped; what was measured before is kept"
+STOPPED = "stopped: measurements that were completed are kept"
 NO_GPU = {"PATH": "/nowhere"}
 """Without nvidia-smi on it every machine has no GPU."""
 
@@ -69,10 +69,10 @@ def test_an_output_that_is_full_is_one_line(outside):
     ("arguments", "message"),
     [
         (["rerun", "--section", ""], "toy"),
-        (["rerun", "--section", "tay"], "SECTION=tay is no section; similar: toy"),
+        (["rerun", "--section", "tay"], "SECTION=tay is not a section (similar: toy)"),
         (
             ["bisect", "--claim", "tay.x", "--a", "1.4.0", "--b", "1.8.0"],
-            "tay.x is in no section; similar: toy",
+            "no section has tay.x: use SECTION.NAME with an existing section (similar: toy)",
         ),
         (["rerun", "--section", "toy"], "DEVICE=cpu"),
         (["check", "--section", "nothing"], "--section nothing"),
@@ -145,14 +145,18 @@ def test_a_report_s_own_commands_are_found_and_every_one_says_what_it_does(
         (
             {"SECTON": "toy"},
             ["rerun"],
-            "SECTON= is no variable of make here; similar: SECTION",
+            "SECTON= is not a variable of make here (similar: SECTION",
         ),
         (
             {"A": "1.4.0"},
             ["diff"],
-            "make diff: the following arguments are required: B=; make help says what it takes",
+            "make diff: the following arguments are required: B= (see make help)",
         ),
-        ({"STRICT": "yes"}, ["check"], "STRICT=1 or left out, not STRICT=yes"),
+        (
+            {"STRICT": "yes"},
+            ["check"],
+            "STRICT=yes is not a valid switch: use STRICT=1 or leave it out",
+        ),
     ],
 )
 def test_what_was_typed_behind_make_is_an_option(

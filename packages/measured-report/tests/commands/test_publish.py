@@ -59,7 +59,7 @@ def test_what_changed_since_is_built_before_it_is_published(toy, tmp_path, capsy
     quick = replace(toy.project, profile="quick")
     replace(toy, project=quick).measure()
     build(quick)
-    with pytest.raises(UsageError, match="quick look"):
+    with pytest.raises(UsageError, match="quick measurements only"):
         publishing.run(toy.project, asked)
 
 
@@ -236,7 +236,7 @@ def test_finding_8_a_report_inside_another_repository_is_not_pushed_to_its_origi
 ):
     inner = toy.project.root / "inner"
     shutil.copytree(toy.project.site, inner / "site")
-    with pytest.raises(UsageError, match="no git repository of its own"):
+    with pytest.raises(UsageError, match="is not the root of a git repository"):
         publish(inner / "site", "")
     assert git(remote, "for-each-ref") == ""
 
@@ -276,7 +276,7 @@ def test_a_branch_that_holds_something_else_is_left_alone(toy, remote):
     )
     before = git(remote, "for-each-ref")
     for target in ("", "git:origin", "git:origin#main"):
-        with pytest.raises(UsageError, match="it was left alone"):
+        with pytest.raises(UsageError, match="that make publish did not write"):
             publish(toy.project.site, target)
     assert git(remote, "for-each-ref") == before
 
@@ -301,7 +301,8 @@ def test_without_a_repository_publishing_says_what_needs_none(toy, monkeypatch):
         publish(toy.project.site, "")
     monkeypatch.setenv("PATH", "/nowhere")
     with pytest.raises(
-        UsageError, match="needs git, which is not there; TARGET=dir:PATH needs nothing"
+        UsageError,
+        match="git is not installed, and publishing to a branch needs it: use TARGET=dir:PATH",
     ):
         publish(toy.project.site, "")
 
@@ -352,5 +353,7 @@ def test_publishing_is_done_beside_hooks_and_settings_and_is_seen(
     monkeypatch.setattr(
         publishing, "SUBJECT", "Another commit, though all is done in a second"
     )
-    with pytest.raises(ReportError, match="not published: origin does not have it"):
+    with pytest.raises(
+        ReportError, match="not published, because origin does not have the new commit"
+    ):
         publish(toy.project.site, "")

@@ -30,17 +30,15 @@ def test_a_value_leads_to_page_rows_settings_and_command(toy):
     toy.measure(ROWS)
     toy.build()
     lines = [line.strip() for line in text(toy, "toy.gain").splitlines()]
-    assert lines[0] == "toy.gain: 20 (20.0), noise not known", (
-        "stiff has no percentiles"
-    )
+    assert lines[0] == "toy.gain: 20 (20.0), noise unknown", "stiff has no percentiles"
     for line in (
-        "is          soft over stiff",
-        "printed at  cause.html#toy",
+        "formula     soft over stiff",
+        "printed on  cause.html#toy",
         "decides     toy.helps: holds",
         "from newton-1.4.0/toy.json",
-        "row 1, case stiff (the scene as shipped, but for pad_ke 250000.0): slip_mm = 0.30 mm (0.3), noise not known",
+        "row 1, case stiff (the scene as shipped, except pad_ke 250000.0): slip_mm = 0.30 mm (0.3), noise unknown",
         "measured on A processor, 2026-01-02 03:04 UTC, newton 1.4.0, commit abc",
-        "again by    make rerun SECTION=toy DEVICE=cpu",
+        "repeat with make rerun SECTION=toy DEVICE=cpu",
     ):
         assert line in lines
     assert any(
@@ -56,7 +54,7 @@ def test_a_number_is_found_by_its_pointer_and_by_section_case_and_column(toy):
         text(toy, "newton-1.4.0/toy.json#/rows/1/slip_mm"),
         text(toy, "toy.stiff.slip_mm"),
     )
-    assert "printed at  cause.html#toy-way" in pointed, "in the caption of a figure"
+    assert "printed on  cause.html#toy-way" in pointed, "in the caption of a figure"
     assert "row 1, case stiff" in pointed
     assert (
         text(toy, "values.json#/toy/gain").partition(": ")[2]

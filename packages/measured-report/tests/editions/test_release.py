@@ -183,7 +183,7 @@ def test_a_measurement_refuses_what_is_not_installed():
         == installed
     )
     for other in ("1.0.0", f"{installed}+warp-0.1.0", "nonsense"):
-        with pytest.raises(ReportError, match="is not what is installed here"):
+        with pytest.raises(ReportError, match="is not installed here"):
             edition_of(other)
 
 

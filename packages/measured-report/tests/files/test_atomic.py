@@ -84,7 +84,7 @@ def test_damage_elsewhere_leaves_the_page_and_is_named(toy):
     newer = toy.of("1.8.0")
     newer.measure()
     damage(newer.record_path, "field: unit 'm'")
-    line = "the unit of slip_mm is given as m, and its name says mm"
+    line = "the unit of slip_mm is m, but its name implies mm"
     toy.build()
     assert 'id="toy"' in toy.page
     assert check_site(toy.project.site) == [

@@ -29,12 +29,20 @@ TEXT = (SKELETON / "report.toml").read_text(encoding="utf-8")
 @pytest.mark.parametrize(
     ("old", "new", "said"),
     [
-        ("title =", "titel =", "there is no setting titel; similar: title"),
-        ("better =", "beter =", "there is no setting columns.beter; similar: better"),
+        (
+            "title =",
+            "titel =",
+            "unknown setting titel: use a setting of REFERENCE.md \\(similar: title",
+        ),
+        (
+            "better =",
+            "beter =",
+            "unknown setting columns.beter: use a setting of REFERENCE.md \\(similar: better",
+        ),
         (
             "[changes.thresholds]",
             "[changes.tresholds]",
-            "there is no setting changes.tresholds; similar: thresholds",
+            "unknown setting changes.tresholds: use a setting of REFERENCE.md \\(similar: thresholds",
         ),
         (
             'better = "less"',
@@ -57,12 +65,12 @@ TEXT = (SKELETON / "report.toml").read_text(encoding="utf-8")
             "",
             "a table of columns has neither names nor a pattern",
         ),
-        ('name = "results"', 'name = "index"', "pages has none, or two of one name"),
+        ('name = "results"', 'name = "index"', "pages is empty or has a name twice"),
         ('better = "less"', "resolution = -1.0", "Expected `float` >= 0.0"),
         (
             'mj" = 0.05',
             'mj" = -0.05',
-            "changes.thresholds has pendulum.euler.energy_error_mj, which is not above 0",
+            "changes.thresholds has pendulum.euler.energy_error_mj not above 0",
         ),
         ("title =", 'repository = "nowhere"\ntitle =', "Expected `str` matching regex"),
     ],
@@ -87,14 +95,14 @@ def test_a_slip_is_one_line_with_what_is_near(tmp_path, old, new, said):
         (
             'case = "shutil:Nope"',
             parameters,
-            "case = 'shutil:Nope': there is no such dataclass",
+            "case = 'shutil:Nope' does not exist or is not a dataclass",
         ),
         (
             'units = { mj = "" }',
             units,
-            "units has mj, which is empty: take another end",
+            "units has mj without a unit",
         ),
-        ('units = { mm = "m" }', units, "units has mm, which is mm: take another end"),
+        ('units = { mm = "m" }', units, "units has mm, which already means mm"),
     ],
 )
 def test_what_a_setting_names_and_is_not_there_is_one_line_when_it_is_asked_for(
@@ -116,7 +124,7 @@ def test_a_command_says_it_in_that_line_and_no_traceback(tmp_path):
     )
     assert (done.stdout, done.stderr) == (
         "",
-        "report.toml: there is no setting ttle; similar: title, text_modules\n",
+        "report.toml: unknown setting ttle: use a setting of REFERENCE.md (similar: title, text_modules)\n",
     )
     assert done.returncode == 1
 

@@ -58,7 +58,7 @@ def test_finding_2_a_damaged_manifest_is_named_and_silences_no_alarm(toy, text):
 
 
 @pytest.mark.parametrize(
-    ("count", "said"), [(12_000_000, "cells"), (33 << 20, "holds more than 64 MiB")]
+    ("count", "said"), [(12_000_000, "cells"), (33 << 20, "is larger than 64 MiB")]
 )
 def test_finding_7_a_small_trace_that_unpacks_to_a_large_one_is_refused_before_it_fills_the_memory(
     toy, count, said, monkeypatch
@@ -99,7 +99,7 @@ def test_finding_8_names_reasons_and_commands_are_printed_without_what_moves_a_t
     )
     assert (
         "newton-1.4.0/toy.json is no whole record" in said
-        and "newton-1.4.0/edition.toml is no whole manifest" in said
+        and "newton-1.4.0/edition.toml is not a valid manifest" in said
     )
 
 

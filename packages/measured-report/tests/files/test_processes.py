@@ -1,6 +1,7 @@
 """Processes: forks share a piece of work."""
 
 import os
+import re
 import signal
 
 import pytest
@@ -24,7 +25,7 @@ def test_figures_are_drawn_in_their_order_by_other_processes():
 
 
 def test_a_process_that_is_killed_is_noticed():
-    with pytest.raises(ReportError, match=KILLED):
+    with pytest.raises(ReportError, match=re.escape(KILLED)):
         forked(lambda _: os.kill(os.getpid(), signal.SIGKILL), 8)
 
 

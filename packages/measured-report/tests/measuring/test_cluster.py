@@ -121,9 +121,11 @@ def test_a_killed_worker_costs_nothing_but_what_it_measured(
     with cluster_pools(scheduler) as pools:
         assert not Loop([whole, mortal], *pools).run()
         assert Loop([doomed], *pools).run()
-    reason = "die: its process was killed, and once more when it was alone"
+    reason = (
+        "the process of die was killed twice, the second time alone: use less memory"
+    )
     assert (
-        f"doomed: measuring failed; what was there is kept: {reason}"
+        f"doomed could not be measured (an existing record is kept): {reason}"
         in capsys.readouterr().err
     )
     assert [row["case"] for row in rows_of(toy)] == [*"abcdef", "sum"]
@@ -152,14 +154,18 @@ def test_a_worker_that_returns_garbage_costs_its_section_alone(
     lines = capsys.readouterr().err.splitlines()
     names = [f"s{name}" for name in names]
     assert sorted(line.partition(":")[0] for line in lines) == names, lines
-    assert all("measuring failed; what was there is kept: " in line for line in lines)
+    assert all(
+        "could not be measured (an existing record is kept): " in line for line in lines
+    )
     kept = [path.name for path in toy.record_path.parent.glob("*.json")]
     assert kept == ["toy.json"]
 
 
 def test_workers_with_other_code_are_refused_in_one_line(scheduler, monkeypatch):
     monkeypatch.setenv("GIT_COMMIT", "abc")
-    refused = pytest.raises(ReportError, match=r"commit of a worker: [^\n]+ here: abc")
+    refused = pytest.raises(
+        ReportError, match=r"a worker has commit [^\n]+ this machine has abc"
+    )
     with refused, cluster_pools(scheduler):
         pass
 
@@ -182,14 +188,14 @@ def test_a_scheduler_that_ends_is_noticed(outside, toy, capfd):
     with settings, started(outside, 1) as process:
         address = process.stdout.readline().strip()
         gone = pytest.raises(
-            ReportError, match="the scheduler is gone; what is finished is kept"
+            ReportError, match="the connection to the scheduler is lost"
         )
         with cluster_pools(address) as pools:
             batch = Batch("end", os.kill, (process.pid, signal.SIGKILL))
             with gone:
                 Loop([section_of(toy, batches.single(batch))], *pools).run()
         unreachable = pytest.raises(
-            ReportError, match=f"CLUSTER={address}: no workers could be reached"
+            ReportError, match=f"CLUSTER={address}: cannot reach any worker"
         )
         with unreachable, connected(address):
             pass

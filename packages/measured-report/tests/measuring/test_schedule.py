@@ -149,9 +149,7 @@ def test_a_number_that_no_record_may_hold_is_none_and_says_what_it_was():
         **dict.fromkeys(lost),
         **reasons,
     }
-    with pytest.raises(
-        ReportError, match=r"the column 'Way \[mm\]' is not called in small letters"
-    ):
+    with pytest.raises(ReportError, match=r"column 'Way \[mm\]' has an invalid name"):
         believable({"Way [mm]": 1.0}, report().columns)
 
 
@@ -164,7 +162,7 @@ def test_a_cpu_measures_where_there_is_nothing_else(toy, monkeypatch):
     assert measuring_device(None, "quick") == measuring_device("cpu", "full") == "cpu"
     with pytest.raises(
         UsageError,
-        match="DEVICE=cuda: this machine has no CUDA device; DEVICE=cpu measures on its CPU",
+        match="DEVICE=cuda: this machine has no CUDA device: use DEVICE=cpu to measure on its CPU",
     ):
         measuring_device("cuda", "full")
 

@@ -71,12 +71,12 @@ def test_a_batch_that_fails_names_itself_and_costs_no_other_section(toy, log, ca
     )
     assert fails(failing, ending, odd, section_of(toy, batches.plan(str(log), "a")))
     lines = capsys.readouterr().err
-    start = "measuring failed; what was there is kept:"
+    start = r"could not be measured \(an existing record is kept\):"
     assert re.search(
-        rf"bad-one: {start} bad: batches.py:\d+: ValueError: as a test\n", lines
+        rf"bad-one {start} bad: batches.py:\d+: ValueError: as a test\n", lines
     )
-    assert re.search(rf"odd-one: {start} odd: .", lines)
-    assert re.search(rf"ending-one: {start} end: .*SystemExit: ended\n", lines)
+    assert re.search(rf"odd-one {start} odd: .", lines)
+    assert re.search(rf"ending-one {start} end: .*SystemExit: ended\n", lines)
     assert len(rows_of(toy)) == 2
 
 
@@ -103,7 +103,7 @@ def test_a_clock_that_is_put_back_turns_no_times_around_and_one_that_does_not_go
     result = measure_batch(pickle.dumps(Batch("a", int)), "cpu")
     assert result.started <= result.ended
     TOLD[:] = TOLD[-1:]
-    with pytest.raises(ReportError, match="the clock of this machine says 1970-01-01"):
+    with pytest.raises(ReportError, match="the clock of this machine shows 1970-01-01"):
         measure_batch(pickle.dumps(Batch("a", int)), "cpu")
 
 
@@ -119,10 +119,12 @@ def test_a_killed_process_costs_nothing_but_what_it_measured(toy, log, capsys):
     )
     lines, reason = (
         capsys.readouterr().err,
-        "die: its process was killed, and once more when it was alone",
+        "the process of die was killed twice, the second time alone: use less memory",
     )
-    assert "mortal/die: its process was killed; it is tried again alone" in lines
-    assert f"doomed: measuring failed; what was there is kept: {reason}" in lines
+    assert "the process of mortal/die was killed; it is tried again alone" in lines
+    assert (
+        f"doomed could not be measured (an existing record is kept): {reason}" in lines
+    )
     assert [row["case"] for row in rows_of(toy)] == [*"efgh", "sum"]
     assert (
         begun(log).count("die") == 2
@@ -153,17 +155,20 @@ def test_numbers_of_numpy_are_kept_as_numbers(toy):
         (batches.Rows([1]), "'int' object has no attribute 'items'"),
         (
             batches.Rows([{"case": "a", "slip_mm": [1.0]}]),
-            r"slip_mm has \[1.0\], which is no number, text, yes or no",
+            r"slip_mm contains \[1.0\]: use numbers, text, True or False",
         ),
         (
             batches.Rows([{"case": "a"}], {"a": {"time_s": [[1.0]]}}),
-            r"time_s has \[1.0\], which is no number.*",
+            r"time_s contains \[1.0\]: use numbers.*",
         ),
         (
             batches.Rows([{"case": "a"}], {"a": {"time_s": [1.0], "slip_mm": []}}),
-            "its columns are not of one length",
+            "its columns have different lengths",
         ),
-        (batches.Rows([{"case": "a"}], {1: {1: [1.0]}}), "'1' is no column name"),
+        (
+            batches.Rows([{"case": "a"}], {1: {1: [1.0]}}),
+            "'1' is not a valid column name",
+        ),
     ],
 )
 def test_what_is_no_measurement_is_refused_in_one_line(toy, capsys, returned, reason):
@@ -171,7 +176,8 @@ def test_what_is_no_measurement_is_refused_in_one_line(toy, capsys, returned, re
     assert fails(section_of(toy, handed(returned)))
     lines = capsys.readouterr().err
     assert re.fullmatch(
-        f"toy: measuring failed; what was there is kept: .*{reason}\n", lines
+        rf"toy could not be measured \(an existing record is kept\): .*{reason}.*\n",
+        lines,
     )
     assert rows_of(toy) == before
 
@@ -179,7 +185,7 @@ def test_what_is_no_measurement_is_refused_in_one_line(toy, capsys, returned, re
 def test_rows_that_are_yielded_are_no_batches(toy, capsys):
     assert (
         fails(section_of(toy, (rows for rows in [[{"case": "a"}]])))
-        and "it yields no Batch" in capsys.readouterr().err
+        and "measure yields something other than a Batch" in capsys.readouterr().err
     )
 
 

@@ -96,7 +96,7 @@ def test_units_that_differ_by_a_prefix_are_of_one_kind():
 def test_texts_and_cells_have_their_limits_and_a_parameter_counts_where_it_is_not_its_default(
     monkeypatch,
 ):
-    assert text_problem("a" * 4096) == "" and "more than 4096" in text_problem(
+    assert text_problem("a" * 4096) == "" and "longer than 4096" in text_problem(
         "a" * 4097
     )
     assert (
@@ -107,7 +107,7 @@ def test_texts_and_cells_have_their_limits_and_a_parameter_counts_where_it_is_no
     assert plain(None, "a") is None and plain(2, "a") == 2
     with pytest.raises(
         ReportError,
-        match=r"the column a has \[1.0\], which is no number, text, yes or no",
+        match=r"column a contains \[1.0\]: use numbers, text, True or False",
     ):
         plain([1.0], "a")
     rows = [
@@ -127,11 +127,11 @@ def test_texts_and_cells_have_their_limits_and_a_parameter_counts_where_it_is_no
 
 
 WRONG = {
-    "way_mm is 100000000000.0, and no number from -1e": [1.0, 1e11],
+    "way_mm is 100000000000.0, outside of the range -1e": [1.0, 1e11],
     "way_mm is -1000": [1.0, -1e11],
 }
 WRONG |= {
-    "is not all numbers": [1.0, "far"],
+    "contains values that are not numbers": [1.0, "far"],
     "is null without a way_mm_reason": [1.0, None],
     "": [-1e10, 1e10, None],
 }

@@ -126,7 +126,7 @@ def test_numbers_have_units_signs_and_reasons():
         == number_problem("left_out_z_m_s", -0.1)
         == ""
     )
-    assert "from 0 to" in number_problem("cycles_per_s", -1.0)
+    assert "range 0 to" in number_problem("cycles_per_s", -1.0)
     row = {"case": "freed", "growth_mm": float("nan"), "slip_mm": 6.36, "passes": True}
     assert believable(row, report().columns) == row | {
         "growth_mm": None,

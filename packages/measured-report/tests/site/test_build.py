@@ -183,7 +183,7 @@ END = "{% endtable %}\n"
             "order = 1\nlabels = dict(soft='x')",
             "toy.py: labels is not a dict, .* written out",
         ),
-        ("order = 1", "order = (", "cannot read report/sections/toy.py: "),
+        ("order = 1", "order = (", "report/sections/toy.py cannot be read or parsed: "),
         (
             "order = 1",
             "order = 1\nimport nothing",

@@ -1,4 +1,4 @@
-"""A pendulum's energy: how far each integrator lets it stray, though nothing brakes or drives it."""
+"""Measure the energy error of integrators for a pendulum without friction or drive."""
 
 import numpy as np
 
@@ -7,16 +7,16 @@ from measured_report.measuring.measurement import Conditions, Measurement
 STEP_S = 0.001
 START_RAD = 1.57
 REPEAT_COUNT = 8
-JITTER_RAD = 1e-4  # each repeat is let go so much farther than the one before
+JITTER_RAD = 1e-4  # each repeat starts at an angle larger by this
 
 
 def euler(rate, state: np.ndarray) -> np.ndarray:
-    """Make one step with the rate of change at its start."""
+    """Return the state after one step with the rate of change at its start."""
     return state + STEP_S * rate(state)
 
 
 def rk4(rate, state: np.ndarray) -> np.ndarray:
-    """Make one step with four rates, by Runge and Kutta."""
+    """Return the state after one Runge-Kutta step, which uses four rates of change."""
     first = rate(state)
     second = rate(state + STEP_S / 2 * first)
     third = rate(state + STEP_S / 2 * second)
@@ -28,14 +28,17 @@ INTEGRATORS = {"Euler": euler, "RK4": rk4}
 
 
 def rate(state: np.ndarray) -> np.ndarray:
-    """Return how fast angle [rad] and speed change of a rod of 0.5 m that swings about one end."""
+    """Return the rates of angle [rad] and speed of a rod of 0.5 m on a hinge."""
     return np.array([state[1], -1.5 * 9.81 / 0.5 * np.sin(state[0])])
 
 
 def swing(
     integrator: str, start_rad: float, seconds: float
 ) -> tuple[list[float], list[float]]:
-    """Let the rod, of 1 kg, go at an angle from straight down; return times [s] and energies [J] of all steps."""
+    """Return times [s] and energies [J] of all steps of a swinging rod of 1 kg.
+
+    The rod starts at rest, at an angle from straight down.
+    """
     times = [STEP_S * count for count in range(round(seconds / STEP_S))]
     energies = []
     state = np.array([start_rad, 0.0])
@@ -48,7 +51,10 @@ def swing(
 
 
 def measure(conditions: Conditions) -> Measurement:
-    """Return a row for each integrator, and repeats of the first one, whose spread is the noise."""
+    """Return a row for each integrator, and repeats of the first one.
+
+    The scatter of the repeats is the noise.
+    """
     seconds = 0.5 if conditions.quick else 2.0
     runs = [("euler", "Euler", 0.0), ("rk4", "RK4", 0.0)]
     runs += [(f"repeat-{n}", "Euler", n * JITTER_RAD) for n in range(REPEAT_COUNT)]

@@ -1,4 +1,4 @@
-"""The pendulum of the first section is one."""
+"""Test the pendulum of the first section."""
 
 import math
 
@@ -8,7 +8,11 @@ from experiments.pendulum import START_RAD, swing
 
 
 def test_a_rod_that_is_lifted_has_the_energy_of_its_middle_and_falls_with_it():
-    """Energy at the start is m g l/2 (1 - cos θ) above the lowest point, for 1 kg and 0.5 m."""
+    """The initial energy is m g l/2 (1 - cos θ) above the lowest point.
+
+    The mass is 1 kg and the length 0.5 m.
+
+    """
     times, energies = swing("RK4", START_RAD, 0.1)
     assert energies[0] == pytest.approx(
         9.81 * 0.25 * (1 - math.cos(START_RAD)), rel=1e-6

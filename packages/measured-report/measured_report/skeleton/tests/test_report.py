@@ -1,4 +1,4 @@
-"""The report: its records are fresh, no section is left out, and its pages say what was measured."""
+"""Test that all records are fresh and that the pages show the measured numbers."""
 
 from measured_report.editions.project import Project, own_release
 from measured_report.editions.status import states_of

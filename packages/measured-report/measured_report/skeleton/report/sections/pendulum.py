@@ -1,4 +1,4 @@
-"""Which integrator keeps a pendulum's energy?"""
+"""Derive which integrator keeps the energy of a pendulum."""
 
 import pandas as pd
 
@@ -7,8 +7,8 @@ from measured_report.parts.figures import new_figure
 from measured_report.parts.section import Figure, Section, Table
 from measured_report.values.results import Results
 
-order = 10  # place on the page
-label = "pendulum"  # what figures and tables call the section
+order = 10  # position on the page
+label = "pendulum"  # the name of the section in figures and tables
 INTEGRATORS = {"euler": "Euler", "rk4": "RK4"}
 
 
