@@ -11,6 +11,7 @@ from experiments.facts.classes import cycle_increments
 from report.shared import (
     DEVICES,
     MM_PER_M,
+    SLIP_BOUND,
     Claim,
     Results,
     Section,
@@ -65,7 +66,7 @@ def derive(results: Results) -> Section:
     results.value("amplitude", "in whole mm", combined(round, MM_PER_M * amplitude))
     results.value("frequency", "as a whole number", combined(round, frequency))
 
-    seen = results.chosen("slip_bound", "a slip that can be seen", 1.0, "mm")
+    seen = results.chosen("slip_bound", *SLIP_BOUND)
     slips = at_least(shipped.slip_mm, seen)
     gain = results.value(
         "stiff_gain",

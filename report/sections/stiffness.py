@@ -11,6 +11,7 @@ from report.shared import (
     HOLDS,
     PERCENT,
     SETTLES,
+    SLIP_BOUND,
     Claim,
     Figure,
     Outcome,
@@ -93,7 +94,7 @@ def derive(results: Results) -> Section:
     stiffest = results.row[STIFFEST]
     hardest = results.row[HARDEST]
     other = Sections(results.others).value
-    bound = other("reproduction", "slip_bound")
+    bound = results.chosen("slip_bound", *SLIP_BOUND)
     slips = at_least(shipped.slip_mm, bound)
 
     tests = {

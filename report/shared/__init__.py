@@ -35,6 +35,7 @@ from report.shared.arithmetic import (
     MM_PER_M,
     MS_PER_S,
     SETTLES,
+    SLIP_BOUND,
     Sections,
     cell_count,
     cell_or_absent,

@@ -33,6 +33,10 @@ MM_PER_M = constant(1e3, "mm/m")
 RELEVANT = ("a smaller change makes no difference to a grasp", 1.0)
 # No smaller change of a slip matters, and why [mm].
 VISIBLE = ("less than any gripper is positioned to", 0.01)
+# Bounds that several sections choose: why, how much, and the unit.
+SLIP_BOUND = ("a slip that can be seen", 1.0, "mm")
+CAUSE_BOUND = ("a cause would change the slip by more", 10.0, "%")
+SHARED_BOUNDS = ("slip_bound", "cause_bound")
 # A bound that sections choose: why, and how many times less.
 SETTLES = ("a change that settles the matter", 10.0)
 
@@ -85,6 +89,10 @@ class Sections:
 
     def value(self, section: str, name: str) -> Quantity:
         derived = self.results[section].derived if section in self.results else {}
+        if name not in derived and name in SHARED_BOUNDS:
+            # Every section that compares with it has chosen the same bound.
+            others = (other.derived for other in self.results.values())
+            derived = next((each for each in others if name in each), {})
         return derived.get(name) or absent(PLAIN, self._reason(section))
 
     def cell(self, section: str, case: str, column: str) -> Quantity:

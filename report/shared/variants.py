@@ -7,7 +7,7 @@ from measured_report.parts.claim import Claim, Outcome, at_least, negligible
 from measured_report.parts.section import Section
 from measured_report.values.quantities import PERCENT, Quantity, absent
 from measured_report.values.results import Results, Row
-from report.shared.arithmetic import largest_size, other_value
+from report.shared.arithmetic import CAUSE_BOUND, SLIP_BOUND, largest_size
 from report.shared.tables import case_html
 
 
@@ -27,8 +27,7 @@ def change_of(results: Results, case: str) -> Quantity:
 
 def variant_section(results: Results, variants: Variants, *claims: Claim) -> Section:
     """Make the section of variants: whether one of them is the cause, and more claims."""
-    why = "a cause would change the slip by more"
-    bound = results.chosen("cause_bound", why, 10.0, "%")
+    bound = results.chosen("cause_bound", *CAUSE_BOUND)
     cause = negligible(results.derived["largest_share"], bound)
     return Section(claims=[Claim("not_the_cause", cause, variants.numbers), *claims])
 
@@ -58,7 +57,7 @@ def variants_of(
         PERCENT * largest / abs(base.slip_mm),
     )
     farthest = max(rows, key=lambda row: abs(changes[row].value or 0.0), default=base)
-    bound = other_value(results, "reproduction", "slip_bound")
+    bound = results.chosen("slip_bound", *SLIP_BOUND)
     numbers: dict[str, Quantity | str] = {
         "largest": largest,
         "share": share,

@@ -435,11 +435,12 @@ def _unmeasured(
 
 
 def _fastest(ways: list[Way], times: dict[Way, Quantity]) -> Way:
-    """Return the first of the ways that is not surely slower than the fastest of them."""
-    fastest = min((times[way] for way in ways), key=lambda time: time.number)
+    """Return the first of the timed ways that is not surely slower than the fastest."""
+    timed = [way for way in ways if way in times]
+    fastest = min((times[way] for way in timed), key=lambda time: time.number)
     return next(
         way
-        for way in ways
+        for way in timed
         if times[way] is fastest or not (times[way] - fastest).is_distinct
     )
 
@@ -469,6 +470,7 @@ def _advised(
         for way, test in tests.items()
         if test.is_inconclusive and ARGUMENT <= way.effort < effort
     ]
+    least = [way for way in least if way in times]
     if near or not least:
         outcome = near[0] if near else Outcome("unknown", bound.reason or NOTHING_HOLDS)
         return Claim(name, outcome, _without(numbers, outcome.reason, bound))
@@ -513,7 +515,7 @@ def _advised(
     read = [cell for cell in read if cell.value is not None]
     read += [
         *ratios[way].values(),
-        *(times[each] for each in (*least, *patches)),
+        *(times[each] for each in (*least, *patches) if each in times),
         bound,
     ]
     outcome = all_of(*(decided(way.effort != PATCH, cell) for cell in read))

@@ -1,6 +1,7 @@
 """The cure at the limits of the grasp, where it could break what holds without it."""
 
 from collections import defaultdict
+from functools import partial
 
 from report.shared import (
     Claim,
@@ -11,7 +12,6 @@ from report.shared import (
     at_least,
     at_most,
     case_html,
-    cell_count,
     rows_with,
     some_html,
     table_of,
@@ -23,6 +23,10 @@ STIFF_VARIANTS = {
     "firm": "the root cure on stiff pads",
     "firm-euler": "the same, Euler",
 }
+
+
+def _count_of(count: int, *_: float) -> int:
+    return count
 
 
 def derive(results: Results) -> Section:
@@ -61,8 +65,12 @@ def derive(results: Results) -> Section:
                 ),
                 ("kept only so", "won", "runs that keep it only this way", won),
             ):
-                count = cell_count([row.substeps for row in counted])
-                columns[above].append(results.value(f"{value}_{name}", formula, count))
+                # Each run that was tried might have counted.
+                read = [rows[each].substeps for rows in tried for each in rows]
+                count = partial(_count_of, len(counted))
+                columns[above].append(
+                    results.value(f"{value}_{name}", formula, count, *read)
+                )
             columns["which are lost"].append(
                 some_html([case_html(row) for row in lost]) or "none"
             )

@@ -84,9 +84,10 @@ def derive(results: Results, releases: Releases) -> Section:
         "other claims that one release can tell and another can't",
         constant(len(flipped) - turned),
     )
-    stand = Claim(
-        "claims_stand", ends.one or decided(not turned), {"count": turned_count}
-    )
+    answers = [claim.outcome.reads for flip in flipped for _, claim in flip.answers]
+    outcome = decided(not turned)
+    outcome = replace(outcome, reads=outcome.reads.union(*answers))
+    stand = Claim("claims_stand", ends.one or outcome, {"count": turned_count})
     return Section(
         tables={
             "turns": FlipList(list(seen), shown, list(results.others)),
@@ -147,7 +148,8 @@ def _in_one_step(
             outcome = test
             break
     if len(cells) < 3:
-        outcome = Outcome("unknown", "no release between was measured")
+        reason = "no release between was measured"
+        outcome = Outcome("unknown", reason).having_read(*cells.values())
     named = [
         [results.columns.settings.name_of(name) for name in step] for step in steps
     ]
