@@ -15,10 +15,11 @@ Number = tuple[Mapping[str, str], str, bool]
 """Attributes and text of an element, and whether it is a part of code."""
 
 
-DECADES = 15  # of noises by which a number may be written, below 1 and above
-NOISES = [2 * 10.0**exponent for exponent in range(-DECADES, DECADES)]
-"""One of these gives nearly every way to write a number, and the next ones the others."""
-FINE_NOISES = [10 ** (step / 20) for step in range(-20 * DECADES, 20 * DECADES)]
+NOISES = [2 * 10.0**exponent for exponent in range(-10, 4)]
+"""Noises by which a number may be written, as shares of it: one of these gives nearly every
+way to write it, and the next ones the others."""
+FINE_NOISES = [10 ** (step / 20) for step in range(-200, 80)]
+INTERVAL = " ± "  # between a number and its noise
 
 
 class Data:
@@ -48,7 +49,8 @@ class Data:
         row_pointer, _, column = pointer.rpartition("/")
         row = _resolve(self.file(name), row_pointer)
         cell = self.report.columns.number_of(column, row)
-        return cell, [None, 0.0, *NOISES, *FINE_NOISES]
+        size = abs(cell or 0.0)
+        return cell, [None, 0.0, *(size * share for share in (*NOISES, *FINE_NOISES))]
 
 
 def check_number(number: Number, data: Data) -> Iterator[str]:
@@ -61,6 +63,9 @@ def check_number(number: Number, data: Data) -> Iterator[str]:
         if len(noises) > 1 and printed.startswith(BELOW):
             # What is printed of a number below its noise is the noise.
             noises = [float(read_number(printed.removeprefix(BELOW)) or 0)]
+        if len(noises) > 1 and INTERVAL in printed:
+            # The noise of a cell is printed to two digits.
+            noises = [float(read_number(printed.partition(INTERVAL)[2]) or 0)]
         if is_code:
             is_right = printed == format_code(value)
         else:
