@@ -31,7 +31,7 @@ def told(
     scenario: Scenario, releases: Sequence[str] = (OWN,), without: Place | None = None
 ) -> Pages:
     """Return by release the outcomes of claims, and the text of all pages."""
-    picture = ["<svg></svg>"]
+    picture = ['<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 1 1"></svg>'] * 2
     undraw = mock.patch(
         "measured_report.parts.figures.draw_svgs", lambda *_, **__: picture
     )
