@@ -291,7 +291,7 @@ def test_a_release_that_changes_nothing_is_said_to_be_the_same_and_within_what()
         if ("claim", claim.name) in words
     }
     assert said["slip_is_the_same"].startswith(
-        "With shipped pads the cube slips the same in Newton 1.8.0 as in Newton 1.4.0, within 0."
+        "With shipped pads the cube slips as far in Newton 1.8.0 as in Newton 1.4.0, within 0."
     )
     assert "the bound of 5 % lies within the interval 0" in said["same_speed"]
     assert not [text for text in said.values() if "it would compare" in text]
