@@ -81,12 +81,6 @@ def counts(site: Path) -> dict[str, int]:
     return {page.stem: len(Words(page).text.split()) for page in pages}
 
 
-def test_an_edition_is_read_in_less_than_an_hour(site):
-    found = counts(site)
-    assert sum(found.values()) <= 11_000, found
-    assert max(found["cause"], found["scenes"]) <= 1_500, found
-
-
 def test_the_front_is_words(site):
     front = Words(site / "index.html", but=("td", "th", "pre")).text.split()
     assert 25 * sum(any(map(str.isdigit, word)) for word in front) <= len(front)
