@@ -14,6 +14,7 @@ from report.shared import (
     constant,
     decided,
     departure,
+    other_value,
 )
 
 order = 140
