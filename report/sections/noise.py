@@ -43,7 +43,7 @@ def derive(results: Results) -> Section:
         found = [_scatter(results, metric, *item) for item in cells.items()]
         columns[f"{metric}: runs"] = [count for count, _, _ in found]
         columns[f"mean {metric}"] = [mean for _, mean, _ in found]
-        columns[f"standard deviation of the {metric}"] = [each for *_, each in found]
+        columns[f"{metric}: deviation"] = [each for *_, each in found]
         _, mean, deviation = found[0]
         deviations[metric] = deviation
         shares[metric] = results.value(

@@ -112,7 +112,11 @@ class Row:
                 filter(None, (self.label, self.plain.get(f"{column}_reason") or "lost"))
             )
             return Quantity(None, unit, pointer, reason, origins)
-        if not (estimate := self.estimate(column)):
+        try:
+            estimate = self.estimate(column)
+        except ReportError as error:  # more successes than trials
+            return Quantity(None, unit, pointer, str(error), origins)
+        if not estimate:
             return Quantity(value, unit, pointer, "", origins)
         details = (
             estimate.written_noise,
