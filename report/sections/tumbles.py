@@ -48,9 +48,9 @@ def derive(results: Results) -> Section:
             f"tumble_{kind}_excess",
             "of the body with most: pairs with more of it with the term less those"
             " without, by the root of their sum",
-            extreme(
+            combined(
                 max,
-                [
+                *(
                     combined(
                         _excess,
                         *(
@@ -61,7 +61,7 @@ def derive(results: Results) -> Section:
                         ),
                     )
                     for body in bodies
-                ],
+                ),
             ),
             is_noise=True,
         )

@@ -168,7 +168,7 @@ def test_answers_come_first(site, tab, screens):
         ).all():  # the next screen has what decides
             assert (
                 figure.bounding_box()["y"]
-                < (screens + 0.5) * tab.viewport_size["height"]
+                < (screens + 0.7) * tab.viewport_size["height"]
             ), path
 
 
