@@ -4,6 +4,7 @@ The tracked results of 1.4.0 are compared with copies of which all numbers of a 
 are larger, and its measurements with each other.
 """
 
+import os
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import combinations
@@ -23,6 +24,8 @@ from measured_report.records.record import Record
 from measured_report.values.body import body_of
 from measured_report.values.evidence import Evidence, repeats_of, scatters
 
+STEP = 1 if os.environ.get("WORLDS") else 5
+"""The weekly workflow compares all measurements, the suite some of them."""
 pytestmark = pytest.mark.slow
 LABEL = "1.4.0"
 Measured = Mapping[tuple[str, str], Sequence[Record | None]]
@@ -150,7 +153,7 @@ def test_nothing_is_listed_between_two_measurements_of_one_release(
 ):
     alarms = []
     found = []
-    for a, b in combinations(replicas_of(measured), 2):
+    for a, b in [*combinations(replicas_of(measured), 2)][::STEP]:
         moves = []
         for chapter in compared:
             name = chapter.name
@@ -159,14 +162,14 @@ def test_nothing_is_listed_between_two_measurements_of_one_release(
                 moves += listed(moves_between(*sides))
         alarms += [move.name for move in moves if move.exceeds_threshold]
         found.append(len(moves))
-    assert len(found) >= 50
+    assert len(found) >= 50 // STEP
     assert alarms == []
     assert max(found) <= 1
 
 
 def test_a_measurement_that_is_left_out_is_the_same_as_the_others(compared, measured):
     tracked, *replicas = replicas_of(measured)
-    for index, replica in enumerate(replicas, 1):
+    for index, replica in [*enumerate(replicas, 1)][::STEP]:
         others = {
             (release, name): [*each[:index], None, *each[index + 1 :]]
             for (release, name), each in measured.items()
