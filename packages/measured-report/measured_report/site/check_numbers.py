@@ -1,25 +1,18 @@
 """Check of the numbers on a page: each is the number that its source has."""
 
 import json
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from functools import cache
 from pathlib import Path
 from typing import Any
 
 from measured_report.files.config import Report
-from measured_report.values.format import BELOW, WRITES, format_code, read_number
-from measured_report.values.quantities import VALUES_FILE
+from measured_report.values.format import WRITES, format_code
+from measured_report.values.quantities import NOISE_FILE, VALUES_FILE
 
 UNRESOLVED = (OSError, ValueError, LookupError, TypeError)
 Number = tuple[Mapping[str, str], str, bool]
 """Attributes and text of an element, and whether it is a part of code."""
-
-
-NOISES = [2 * 10.0**exponent for exponent in range(-10, 4)]
-"""Noises by which a number may be written, as shares of it: one of these gives nearly every
-way to write it, and the next ones the others."""
-FINE_NOISES = [10 ** (step / 20) for step in range(-200, 80)]
-INTERVAL = " ± "  # between a number and its noise
 
 
 class Data:
@@ -33,24 +26,22 @@ class Data:
     def _read(self, name: str) -> Any:
         return json.loads((self.folder / name).read_text(encoding="utf-8"))
 
-    def number(self, source: str) -> tuple[float | int | None, Sequence[float | None]]:
-        """Return a number and the noises that it may be written by.
+    def number(self, source: str) -> tuple[float | int | None, float | None]:
+        """Return a number and its noise; raise an error if the pointer leads nowhere.
 
-        The noise of a derived value stands beside it; that of a cell comes from all
-        measurements, so that it may have any number of digits. An error is raised if the
-        pointer leads nowhere.
+        The noise of a derived value stands beside it. That of a cell comes from all
+        measurements and stands in a file of its own.
         """
         name, _, pointer = source.partition("#")
         cell = _resolve(self.file(name), pointer)
         if name.endswith(VALUES_FILE):
-            return cell["value"], [cell["noise"]]
+            return cell["value"], cell["noise"]
         if not pointer.startswith("/rows/"):
-            return cell, [None]
+            return cell, None
         row_pointer, _, column = pointer.rpartition("/")
         row = _resolve(self.file(name), row_pointer)
-        cell = self.report.columns.number_of(column, row)
-        size = abs(cell or 0.0)
-        return cell, [None, 0.0, *(size * share for share in (*NOISES, *FINE_NOISES))]
+        noises = self.file(str(Path(name).parent / NOISE_FILE))
+        return self.report.columns.number_of(column, row), noises.get(source)
 
 
 def check_number(number: Number, data: Data) -> Iterator[str]:
@@ -58,23 +49,14 @@ def check_number(number: Number, data: Data) -> Iterator[str]:
     attributes, printed, is_code = number
     source = attributes.get("data-src", "")
     try:
-        value, noises = data.number(source)
+        value, noise = data.number(source)
         write = WRITES[attributes.get("data-as", "")]
-        if len(noises) > 1 and printed.startswith(BELOW):
-            # What is printed of a number below its noise is the noise.
-            noises = [float(read_number(printed.removeprefix(BELOW)) or 0)]
-        if len(noises) > 1 and INTERVAL in printed:
-            # The noise of a cell is printed to two digits.
-            noises = [float(read_number(printed.partition(INTERVAL)[2]) or 0)]
-        if is_code:
-            is_right = printed == format_code(value)
-        else:
-            is_right = any(write(value, noise=noise) == printed for noise in noises)
+        text = format_code(value) if is_code else write(value, noise=noise)
     except UNRESOLVED:
         yield f"{source} resolves to nothing"
         return
     stated = json.loads(attributes.get("value") or "null")
-    if stated != value or not is_right:
+    if stated != value or printed != text:
         yield f"{source} is {value}, but {printed} ({stated}) is shown"
 
 

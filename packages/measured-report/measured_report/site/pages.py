@@ -27,8 +27,8 @@ from measured_report.records.record import traces_of
 from measured_report.records.replicas import FOLDER
 from measured_report.site.series import PAGE as SERIES
 from measured_report.site.series import series_page
-from measured_report.values.quantities import VALUES_FILE, local
-from measured_report.values.results import MEANS
+from measured_report.values.quantities import NOISE_FILE, VALUES_FILE, local
+from measured_report.values.results import MEANS, Row
 
 FORMULA = (
     *"=+-@\t\r\n",
@@ -156,7 +156,9 @@ def site_files(
     for edition in editions.values():
         files |= _files(edition)
         values = local(f"{_values(edition, printed)}\n", own)
-        files[local(f"data/{edition.project.results.name}/{VALUES_FILE}", own)] = values
+        folder = f"data/{edition.project.results.name}"
+        files[local(f"{folder}/{VALUES_FILE}", own)] = values
+        files[f"{folder}/{NOISE_FILE}"] = _noises(edition, printed)
     if (license_file := shown.report.root / "LICENSE").is_file():
         files["license.txt"] = license_file
     return files
@@ -286,6 +288,18 @@ def _values(edition: Edition, printed: set[str]) -> str:
     return json.dumps(
         entries, ensure_ascii=False, allow_nan=False, separators=(",", ":")
     )
+
+
+def _noises(edition: Edition, printed: set[str]) -> str:
+    """Write the noise of each cell of the edition's records that a page prints."""
+    noises = {}
+    for chapter in edition.chapters.values():
+        for index in range(len(chapter.results.record.rows)):
+            row = Row(chapter.results, index)
+            for column in row.plain:
+                if (pointer := f"{row.source}/{column}") in printed:
+                    noises[pointer] = getattr(row[column], "noise", None)
+    return json.dumps(noises, ensure_ascii=False, indent=0)
 
 
 def rows_csv(rows: Sequence[Mapping[str, Any]]) -> str:

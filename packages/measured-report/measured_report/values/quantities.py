@@ -30,6 +30,7 @@ from measured_report.values.format import (
 from measured_report.values.noise import NORMAL, SURE, WRITTEN_SHARE, Z, t_quantile
 
 VALUES_FILE = "values.json"
+NOISE_FILE = "noise.json"  # of the cells of records that pages print
 LEAST_TOGETHER = 3  # chosen: how many measurements show what times have in common
 POWERS = "⁰¹²³⁴⁵⁶⁷⁸⁹"
 FACTOR = re.compile(f"(/?)([^/·{POWERS}]+)([{POWERS}]?)")  # of a unit, as mm/s² or N·m
