@@ -250,13 +250,23 @@ def largest(comparison: Comparison) -> list[str]:
     return lines
 
 
-def _rank(move: Move, rules: Changes) -> tuple[bool, bool, bool, bool, float]:
-    """Order alarms first, of these what the engine was given, then sections that decide,
-    columns with a threshold, and the largest changes."""
+def _rank(move: Move, rules: Changes) -> tuple[bool | float, ...]:
+    """Return the rank of a change: alarms come first.
+
+    Among them parameters that the engine was given, then numbers that ``report.toml``
+    names, sections that decide, columns with a threshold, and the largest changes.
+    """
     is_cause = move.exceeds_threshold and "computed" in move.column.kinds
-    is_named = any(name.endswith(f".{move.column.name}") for name in rules.thresholds)
-    is_first = move.section in rules.upgrade_sections
-    return move.exceeds_threshold, is_cause, is_first, is_named, move.sure_share
+    is_column = any(name.endswith(f".{move.column.name}") for name in rules.thresholds)
+    is_deciding = move.section in rules.upgrade_sections
+    return (
+        move.exceeds_threshold,
+        is_cause,
+        move.is_named,
+        is_deciding,
+        is_column,
+        move.sure_share,
+    )
 
 
 def settings_text(settings: Sequence[Move]) -> str:
