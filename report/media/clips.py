@@ -40,8 +40,8 @@ class Clips:
         row = self.results.row[case]
         poster = self.picture if case == FIRST else self._address(row.poster)
         label = (
-            "Two further runs side by side, with a plot of both displacements."
-            f" At the end: {self._said(row)}."
+            "Two runs side by side, with a plot of both displacements."
+            f" At the end of the film: {self._said(row)}."
         )
         return macros(MACROS).video(
             row,

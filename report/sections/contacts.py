@@ -1,7 +1,10 @@
 """The solver's contact rows: their residuals, and what makes them slide."""
 
+from dataclasses import replace
+
 from report.shared import (
     CASES,
+    FAILS,
     PERCENT,
     Claim,
     Results,
@@ -117,6 +120,9 @@ def derive(results: Results) -> Section:
     )
     ends = all_of(at_most(rest, little), *falls)
 
+    has_own = decided(bool(timeconst.value), timeconst)
+    # The engine states the time constant, so its absence is known.
+    has_own = replace(has_own, is_opposite=has_own == FAILS)
     predicted = left_out[0].predicted_slide_mm
     without = left_out[0].slide_mm
     rows = [row for row in results.rows if row.kind == "row"]
@@ -131,7 +137,7 @@ def derive(results: Results) -> Section:
         claims=[
             Claim("far_inside_cone", inside.having_read(used), {"used": used}),
             Claim("no_friction_residual", no_residual, {"normal": normal}),
-            Claim("own_friction_timeconst", decided(bool(timeconst.value), timeconst)),
+            Claim("own_friction_timeconst", has_own),
             Claim(
                 "slide_accounts",
                 at_most(off, same),

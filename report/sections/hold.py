@@ -150,8 +150,6 @@ def _draw_motion(traces: dict[str, Series]) -> Drawing:
                 marker="",
                 label=name,
             )
-    axes.set(
-        xlabel="time since the shake begins, or would [s]", ylabel="displacement [mm]"
-    )
+    axes.set(xlabel="time since the start of the shake [s]", ylabel="displacement [mm]")
     drawing.legend(loc="outside upper left", ncols=2)
     return drawing

@@ -240,7 +240,9 @@ def _draw_costs(steps: list[tuple[Value, Row]], whole: dict[str, Value]) -> Draw
             marker="",
         )
         end = max(saved.number, 0.0) + interval
-        say_value(axes, end, place, f"{write(saved)} %" if is_seen else "not seen")
+        say_value(
+            axes, end, place, f"{write(saved)} %" if is_seen else "not measurable"
+        )
     lines = [f"{name}: −{write(saved)} %" for name, saved in whole.items()]
     axes.text(
         0.98,

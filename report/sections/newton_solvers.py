@@ -125,7 +125,7 @@ def _box_table(results: Results, walk: Value) -> Table:
             )
         least = walk if is_turning else creep
         is_seen = cell.value is None or abs(cell.value) >= least.number
-        return cell if is_seen else "not seen"
+        return cell if is_seen else "not measurable"
 
     names = list(
         dict.fromkeys(row["solver"] for row in results.rows if "solver" in row)

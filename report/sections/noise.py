@@ -5,6 +5,7 @@ from statistics import fmean, stdev
 from measured_report.values.noise import SURE
 from report.shared import (
     PERCENT,
+    VISIBLE,
     Claim,
     Quantity,
     Results,
@@ -61,6 +62,7 @@ def derive(results: Results) -> Section:
         "drift_share": shares["drift"],
         "runs": columns["slip: runs"][0],
         "bound": bound,
+        "least": results.chosen("relevance_least", *VISIBLE, "mm"),
     }
     names = [labels.get(case, case) for case in repeats]
     return Section(

@@ -43,7 +43,7 @@ FRAME_RATE = 60
 MASS_KG = AS_SHIPPED.cube_density_kg_m3 * AS_SHIPPED.cube_edge_m**3
 SCENE = {  # what the scene sets, with units
     "cube_edge": (round(1e3 * AS_SHIPPED.cube_edge_m), "mm"),
-    "cube_weight": (round(9.81 * MASS_KG, 2), "N"),
+    "cube_weight": (round(9.81 * MASS_KG, 4), "N"),
     "cube_mass": (round(1e3 * MASS_KG), "g"),
     "cube_friction": (AS_SHIPPED.cube_mu, "1"),
     "pad_friction": (AS_SHIPPED.pad_mu, "1"),

@@ -264,11 +264,11 @@ def _reading(row: Row, shipped: Quantity, bound: Quantity) -> str:
         return "lost" if row.dropped else ""
     if at_most(row.slip_mm, bound) == HOLDS:
         return "holds"
-    if at_least(row.slip_mm, replace(shipped, value=1.1 * shipped.number)) == HOLDS:
-        return "slips farther"
-    if at_most(row.slip_mm, replace(shipped, value=0.9 * shipped.number)) == HOLDS:
-        return "slips less"
-    return "slips as far"
+    more = at_least(row.slip_mm, replace(shipped, value=1.1 * shipped.number))
+    less = at_most(row.slip_mm, replace(shipped, value=0.9 * shipped.number))
+    if HOLDS in (more, less):
+        return "slips farther" if more == HOLDS else "slips less"
+    return "slips as far" if more == less == FAILS else "cannot be told"
 
 
 def _draw_sweep(every: list[Row], ke_alone: list[Row], clamp_kd: float) -> Drawing:

@@ -36,6 +36,7 @@ from report.shared.arithmetic import (
     MS_PER_S,
     SETTLES,
     SLIP_BOUND,
+    VISIBLE,
     Sections,
     cell_count,
     cell_or_absent,

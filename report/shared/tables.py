@@ -67,5 +67,5 @@ def creep_or_unseen(row: Row) -> Any:
     """Return the creep of a row for a table, in words where its slip is not seen."""
     slip = row.slip_mm
     if slip.value is not None and not slip.is_distinct:
-        return "not seen"
+        return "not measurable"
     return cell_or_lost(row, "creep_mm_per_cycle")

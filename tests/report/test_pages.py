@@ -81,6 +81,12 @@ def counts(site: Path) -> dict[str, int]:
     return {page.stem: len(Words(page).text.split()) for page in pages}
 
 
+def test_no_paragraph_begins_with_a_mark_that_ends_a_sentence(site):
+    """A passage that is broken over lines would become a paragraph of its own."""
+    for path in site.rglob("*.html"):
+        assert re.findall(r"<p>\s*[,.;:]", path.read_text(encoding="utf-8")) == [], path
+
+
 def test_the_front_is_words(site):
     front = Words(site / "index.html", but=("td", "th", "pre")).text.split()
     assert 25 * sum(any(map(str.isdigit, word)) for word in front) <= len(front)

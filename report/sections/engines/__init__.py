@@ -188,7 +188,7 @@ def _lines(results: Results) -> Iterator[Line]:
 
 def _shown(cells: list[Value], bound: Value) -> list[Quantity | str]:
     return [
-        "not seen"
+        "not measurable"
         if cell.value is not None and abs(cell.value) <= bound.value
         else cell
         for cell in cells

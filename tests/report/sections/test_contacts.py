@@ -60,7 +60,7 @@ GIVEN = {
             {
                 "far_inside_cone": "fails",
                 "no_friction_residual": "fails",
-                "own_friction_timeconst": "fails",
+                "own_friction_timeconst": "the opposite",
             },
         ),
         (

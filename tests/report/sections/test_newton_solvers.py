@@ -90,7 +90,7 @@ GIVEN = {
                 "contacts_strain": "holds",
                 "rows_overflow": "holds",
                 "costs_more": "holds",
-                "boxes/step of 2 ms/1": "not seen",
+                "boxes/step of 2 ms/1": "not measurable",
                 "boxes/step of 2 ms/2": 3.5,
                 "boxes/step of 2 ms/0": "sinks in or lost",
             },

@@ -159,6 +159,10 @@ def points(releases: Releases, query: Query) -> list[Point]:
         text = claim.outcome.answer if claim else f"{answer:.4g}"
         text += f" ± {noise:.2g}" if noise else ""
         answered.append(Point(release, answer, noise, text))
+    # A trial is not a release: it neither changes a series nor ends it.
+    trials = columns.settings.trials if columns else {}
+    every = answered
+    answered = [point for point in every if point.release not in trials]
     marks = {}
     if query.is_claim:
         for index, (before, after) in enumerate(pairwise(answered), 1):
@@ -173,7 +177,8 @@ def points(releases: Releases, query: Query) -> list[Point]:
         means = [fmean(numbers[start:end]) for start, end in pairwise(ends)]
         for start, (old, new) in zip(starts, pairwise(means), strict=True):
             marks[start] = direction(column, old, new) or "moved"
-    return [replace(point, mark=marks.get(at, "")) for at, point in enumerate(answered)]
+    by_release = {answered[at].release: mark for at, mark in marks.items()}
+    return [replace(point, mark=by_release.get(point.release, "")) for point in every]
 
 
 def changes_in(

@@ -11,7 +11,7 @@ from measured_report.editions.project import Project
 from measured_report.editions.status import Kind, State
 from measured_report.files.errors import ReportError
 from measured_report.files.settings import Page
-from measured_report.findings.chapters import Chapter, Releases, before
+from measured_report.findings.chapters import Chapter, Releases
 from measured_report.findings.editions import Edition, editions_of
 from measured_report.findings.sections import outline_of
 from measured_report.pages.passages import passages
@@ -82,22 +82,20 @@ def sentences_of(project: Project) -> Callable[[str, Claim], str]:
 def _say(
     edition: Edition, releases: Releases, templates: Templates, chapter: Chapter
 ) -> Chapter:
-    """Say a section, which may rest on claims of those before it, or of all releases."""
+    """Say a section, which may rest on claims of all sections, or of all releases."""
     name, results = chapter.name, chapter.results
-    is_whole = chapter.compares
-    chapters = edition.chapters if is_whole else before(name, edition.chapters)
     tables = {
         key: table.of(releases) if hasattr(table, "of") else table
         for key, table in chapter.section.tables.items()
     }
     section = replace(chapter.section, tables=tables)
-    others = {key: other.section for key, other in chapters.items()}
+    others = {key: other.section for key, other in edition.chapters.items()}
     names = {
         "release": results.record.origin.release,
         "row": results.row,
         "rows": results.rows,
         "value": results.derived,
-        **_names_of(edition, name, section, {name: section, **others}),
+        **_names_of(edition, name, section, {**others, name: section}),
     }
     prose = templates.prose(template_of(name), name, names)
     return replace(chapter, section=section, names=names, prose=prose)
