@@ -16,7 +16,7 @@ from toys import derived, link
 
 from measured_report.changes.alarm import (
     largest,
-    rate_of,
+    false_alarm_counts,
     sensitivity,
     settings_text,
     summary,
@@ -104,7 +104,7 @@ def measured_as(edition) -> Callable[..., Comparison]:
 
 
 def test_each_measurement_left_out_is_told_as_the_same(editions):
-    found = rate_of(editions[LABEL])
+    found = false_alarm_counts(editions[LABEL])
     assert found["comparisons"] >= 100 and found["told"] <= 0.03 * found["comparisons"]
     assert found["moves"] <= 0.001 * found["numbers"]
     claims = [

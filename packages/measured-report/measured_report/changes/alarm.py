@@ -1,4 +1,7 @@
-"""Alarm: what a comparison and a check found, for people and, as docs/alarm.md says, for programs; worst first."""
+"""Alarm: the results of a comparison and of a check, worst first.
+
+They are written for people and for programs; docs/alarm.md describes both forms.
+"""
 
 import json
 import math
@@ -20,7 +23,7 @@ from measured_report.values.noise import FALSE_SHARE, SURE
 from measured_report.values.quantities import VALUES_FILE, Quantity, Value
 
 SCHEMA = 1
-LINES = 5  # chosen: so many of the largest moves are told
+LINES = 5  # chosen: the count of the largest moves that a text lists
 MARKDOWN_LIMIT = 60_000  # characters; a comment on GitHub holds 65,536
 
 
@@ -29,11 +32,12 @@ def _json(kind: str, is_alarm: bool, parts: dict[str, Any]) -> str:
         {"schema": SCHEMA, "kind": kind, "status": int(is_alarm), **parts},
         indent=1,
         ensure_ascii=False,
+        allow_nan=False,
     )
 
 
 def _lines(lines: Iterable[str], form: str) -> str:
-    """Write lines as text, or as a block of Markdown, in which none of it means anything."""
+    """Return lines as text, or as a block of Markdown that shows them unchanged."""
     text = "\n".join(lines).rstrip()
     return (
         text
@@ -42,11 +46,11 @@ def _lines(lines: Iterable[str], form: str) -> str:
     )
 
 
-Say = Callable[[str, Claim], str]  # words a claim of a section
+Say = Callable[[str, Claim], str]  # returns the sentence of a claim of a section
 
 
 def check_text(edition: Edition, form: str, say: Say) -> str:
-    """Return what an edition says, each claim once, as text, markdown or json."""
+    """Return the faults and all claims of an edition as text, markdown or json."""
     faults = faults_of(edition)
     settings = edition.project.report.settings
     claims = [
@@ -83,7 +87,7 @@ def check_text(edition: Edition, form: str, say: Say) -> str:
 
 
 def diff_text(comparison: Comparison, rate: str, form: str, say: Say) -> str:
-    """Return the comparison as text, markdown or json; beside what it counts stands the ``rate`` of false alarms."""
+    """Return the comparison and the ``rate`` of false alarms as text, markdown or json."""
     if form == "json":
         return _json(
             "diff",
@@ -111,7 +115,10 @@ def diff_text(comparison: Comparison, rate: str, form: str, say: Say) -> str:
 def upgrade_text(
     comparison: Comparison, verdict: Sequence[str], form: str, say: Say
 ) -> str:
-    """Return the verdict on an upgrade as text, markdown or json; the last two with all of the comparison."""
+    """Return the verdict on an upgrade as text, markdown or json.
+
+    Markdown and json include the whole comparison.
+    """
     if form == "json":
         return _json(
             "upgrade",
@@ -124,7 +131,7 @@ def upgrade_text(
 
 
 def _details(comparison: Comparison, say: Say) -> list[str]:
-    """Say of a comparison what its verdict does not."""
+    """Return the lines of a comparison that its verdict does not include."""
     lines = [
         fault.text(comparison.report.settings) for fault in comparison.faults[NAMED:]
     ]
@@ -141,7 +148,8 @@ def _details(comparison: Comparison, say: Say) -> list[str]:
     lines += ["", *(f"not compared: {note}" for note in comparison.notes)]
     if comparison.missing:
         lines.append(
-            f"missing in one of them, so that no alarm says: {', '.join(comparison.missing)}"
+            "missing in one edition, so they cannot raise an alarm: "
+            f"{', '.join(comparison.missing)}"
         )
     return lines
 
@@ -209,7 +217,7 @@ def _move_data(move: Move) -> dict[str, Any]:
 
 
 def summary(comparison: Comparison) -> str:
-    """Say how many numbers changed, and whether that matters."""
+    """Return how many numbers changed, and how many by more than their threshold."""
     count = comparison.number_count
     if not (changed := sum(move.chance is not None for move in comparison.moves)):
         return f"none of {count} numbers changed by more than the noise"
@@ -217,16 +225,18 @@ def summary(comparison: Comparison) -> str:
 
 
 def largest(comparison: Comparison) -> list[str]:
-    """Tell the largest changes in a line each, one of each column and in how many rows it changed; alarms first."""
+    """Return a line for each of the largest changes, alarms first.
+
+    A line has the largest change of a column, and the count of its other rows that changed.
+    """
     columns: dict[str, list[Move]] = {}
     for move in sorted(
         comparison.moves,
         key=partial(_rank, rules=comparison.report.settings.changes),
         reverse=True,
     ):
-        is_setting = (
-            move.is_setting or move.column.is_setting
-        )  # which are told by themselves
+        # Settings have a line of their own.
+        is_setting = move.is_setting or move.column.is_setting
         if not is_setting and (
             move.share
             or (move.is_gone and move.after is None)
@@ -235,8 +245,8 @@ def largest(comparison: Comparison) -> list[str]:
             columns.setdefault(move.column.name, []).append(move)
     lines = []
     for lead, *more in list(columns.values())[:LINES]:
-        # The percentage of a number close to zero would say nothing.
-        is_near_zero = abs(lead.before or 0.0) < lead.scale
+        # A percentage of a number close to zero has no meaning.
+        is_near_zero = lead.share is None or abs(lead.before) < lead.scale
         share = ""
         if lead.share is not None and not (is_near_zero or math.isinf(lead.share)):
             share = f", {format_share(lead.share, '+')}"
@@ -270,7 +280,7 @@ def _rank(move: Move, rules: Changes) -> tuple[bool | float, ...]:
 
 
 def settings_text(settings: Sequence[Move]) -> str:
-    """Name the settings that changed, alarms first, and those that only one edition has."""
+    """Return the settings that changed, alarms first, and those of only one edition."""
     changed = [move for move in settings if None not in (move.before, move.after)]
     changed.sort(key=lambda move: not move.exceeds_threshold)
     texts = (
@@ -287,9 +297,7 @@ def settings_text(settings: Sequence[Move]) -> str:
 
 
 def sensitivity(comparison: Comparison) -> dict[str, float]:
-    """Return the change that each section would have shown in most of its numbers.
-
-    It is a share of them: of the median number, the least change that would be listed if
+    """Return by section the relative change that would be listed for its median number, if
     all numbers of the section changed alike.
     """
     shares: dict[str, list[float]] = {}
@@ -304,45 +312,50 @@ def sensitivity(comparison: Comparison) -> dict[str, float]:
 
 
 def blind_sections(comparison: Comparison) -> list[str]:
-    """Return the sections that would have hidden a change beyond its threshold."""
+    """Return the sections in which a change beyond its threshold might not be listed."""
     threshold = comparison.report.settings.changes.threshold
-    found = sensitivity(comparison)
-    return [section for section, share in found.items() if share > threshold]
+    shares = sensitivity(comparison)
+    return [section for section, share in shares.items() if share > threshold]
 
 
 def sensitivity_text(comparison: Comparison) -> str:
-    """Say which change each section would have shown, the least sensitive first."""
-    found = sorted(sensitivity(comparison).items(), key=lambda item: -item[1])
-    texts = [f"{section} {format_share(share)}" for section, share in found]
+    """Return the least change that each section would list, the largest first."""
+    shares = sensitivity(comparison)
+    sections = sorted(shares, key=shares.__getitem__, reverse=True)
+    texts = [f"{section} {format_share(shares[section])}" for section in sections]
     missing = comparison.missing
     text = few(texts, 2 * NAMED) or "no section has numbers to compare"
     return text + (f"; not measured in both: {', '.join(missing)}" if missing else "")
 
 
-def rate_of(edition: Edition) -> Counter[str]:
-    """Count comparisons of a section's measurements in which nothing had changed, those
-    in which a change is told, and what they compare; nothing if no section has three."""
-    rate: Counter[str] = Counter()
+def false_alarm_counts(edition: Edition) -> Counter[str]:
+    """Return counts of comparisons between measurements of an edition, of those that list
+    a change, and of the numbers in them.
+
+    Nothing changed between the measurements, so each change is a false alarm. There are no
+    counts if no section was measured three times.
+    """
+    counts: Counter[str] = Counter()
     for evidence in edition.evidence.values():
         for numbers, moves in evidence.changed:
             if numbers:
                 told = int(moves > 0)
-                rate.update(comparisons=1, told=told, numbers=numbers, moves=moves)
-    return rate
+                counts.update(comparisons=1, told=told, numbers=numbers, moves=moves)
+    return counts
 
 
 def rate_values(edition: Edition) -> dict[str, Value]:
-    """Return the counts for a page, by name; none if there was nothing to compare."""
+    """Return the counts of false alarms as values for a page, by name."""
     formula = "each measurement left out in turn and compared with the others: "
-    counts = rate_of(edition).items()
+    counts = false_alarm_counts(edition).items()
     return {name: _count(edition, name, count, formula) for name, count in counts}
 
 
 def calibration_values(edition: Edition) -> dict[str, Value]:
-    """Return how often measurements lie within the noise that the others predict.
+    """Return the share of measurements that lie within the noise which the others predict.
 
-    By kind of number there are the share [%] and the count of measurements. They are of
-    all editions together.
+    For each kind of number there are the share [%] and the count of measurements. They
+    include all editions.
     """
     values = {}
     for kind, (inside, total) in edition.calibration.items():
@@ -353,6 +366,7 @@ def calibration_values(edition: Edition) -> dict[str, Value]:
         )
         values[f"{kind}_total"] = _count(edition, f"{kind}_total", total, formula)
         share = _count(edition, f"{kind}_share", 100 * inside / total, formula)
+        # Shares are printed to a tenth; their own sampling error is about as large.
         values[f"{kind}_share"] = replace(share, unit="%", noise=0.2)
     if values:
         aim = _count(edition, "aim", 100 * SURE, "chosen: as is usual for an interval")
@@ -366,7 +380,7 @@ def _count(edition: Edition, name: str, number: float, formula: str) -> Value:
 
 
 def rate_text(rate: Mapping[str, int]) -> str:
-    """Say how often nothing had changed and a change was told."""
+    """Return how often a change was listed although nothing had changed."""
     text = "in {told} of {comparisons} comparisons in which nothing changed, and of {moves} of {numbers} numbers"
     return (
         text.format_map(rate)

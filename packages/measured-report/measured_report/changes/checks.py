@@ -14,6 +14,7 @@ from measured_report.files.errors import ReportError, suggestion
 from measured_report.findings.editions import Edition
 from measured_report.parts.claim import WITHIN
 from measured_report.records.identity import sections
+from measured_report.values.evidence import is_repeat
 from measured_report.values.format import format_share
 from measured_report.values.quantities import Quantity
 
@@ -103,7 +104,12 @@ def gaps(edition: Edition) -> list[str]:
     """
     lines = []
     for name, chapter in edition.chapters.items():
-        rows = [row for row in chapter.results.record.rows if "of" not in row]
+        columns = edition.report.columns
+        rows = [
+            row
+            for row in chapter.results.record.rows
+            if not is_repeat(row, name, columns)
+        ]
         exact = [
             tuple(item for item in row.items() if not isinstance(item[1], float))
             for row in rows
@@ -122,7 +128,7 @@ def gaps(edition: Edition) -> list[str]:
             if not figure.sources:
                 lines.append(f"{name}: figure {key} has no sources")
         for claim in chapter.section.claims:
-            for number in claim.unread(edition.report.columns):
+            for number in claim.unread(columns):
                 lines.append(
                     f"{name}.{claim.name} prints {number}, which its test does not read"
                 )

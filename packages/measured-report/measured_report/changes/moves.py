@@ -1,4 +1,4 @@
-"""Moves: numbers and texts that two editions have, and which differ beyond the noise."""
+"""Moves: the numbers and texts of two editions, and the test whether they changed."""
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
@@ -14,10 +14,12 @@ from measured_report.findings.chapters import Chapter
 from measured_report.records.record import Record
 from measured_report.values.evidence import (
     EDGES,
+    MEDIAN,
     Cells,
-    Key,
+    RowKey,
     is_absolute,
     is_lost,
+    is_repeat,
     key_of,
 )
 from measured_report.values.noise import (
@@ -34,42 +36,46 @@ from measured_report.values.noise import (
 from measured_report.values.quantities import Quantity
 from measured_report.values.results import Results, Row
 
-NAMED = 4  # chosen: so many claims, and twice as many settings, are named in a line
-CHOSEN_SHARE = 0.1  # chosen: the noise of a value, as a share, if none was measured
-NEAR_ZERO = 0.01  # chosen: a number is close to zero below this share of its column's
+NAMED = 4  # chosen: a line names at most so many claims, and twice as many settings
+CHOSEN_SHARE = 0.1  # chosen: the relative noise of a number if none was measured
+NEAR_ZERO = 0.01
+"""Chosen: a number below this share of the median of its column is close to zero."""
 ODD_SHARE = 0.4
-"""Chosen: the share of rows that may differ by chance if nothing was measured twice, so
-that nobody knows how its numbers scatter."""
-LEAST_SWEEP = 6  # chosen: with fewer rows each of them is looked at by itself
-COST_SHARE = 1e-3  # chosen: a smaller relative difference of costs does not count
-LEAST_SHIFTED = 3  # chosen: how many times it takes to say that they moved together
+"""Chosen: if no row was measured twice, at most this share of the rows of a section may
+differ by chance, because single runs may end in two ways."""
+LEAST_SWEEP = 6
+"""Chosen: a section with fewer rows is not a sweep, and each of its rows counts by itself."""
+COST_SHARE = 1e-3
+"""Chosen: a smaller relative difference of costs does not count, because clocks and the
+rounding of times are not better."""
+LEAST_SHIFTED = 3  # chosen: fewer times do not show a change that they have in common
 
 
 @dataclass(frozen=True)
 class Move:
-    """Holds a value of two editions, and how often chance makes it differ as much."""
+    """Holds a value of two editions, and the probability that it differs by chance."""
 
     column: Column
-    before: Any
-    after: Any  # a number, a text, yes or no; None if an edition lacks it
-    chance: float | None = None  # None for what is not a number
-    error: float = 0.0  # standard error of the difference, and its degrees of freedom
-    freedom: float = math.inf
-    least: float = 0.0  # what a difference has to exceed in any case
-    is_chosen: bool = False  # whether a share of the value stands for an unknown noise
+    before: Any  # a number, a text, yes or no; None if the edition lacks it
+    after: Any
+    chance: float | None = None  # the probability; None for a text, yes or no
+    error: float = 0.0  # standard error of the difference
+    freedom: float = math.inf  # degrees of freedom of that error
+    least: float = 0.0  # a difference below this does not count
+    is_chosen: bool = False  # whether the noise is not known, and CHOSEN_SHARE is used
     section: str = ""
     place: Mapping[str, Any] = field(default_factory=dict)  # the key of its row
-    rows: Sequence[Row] = ()  # its row in both; none if it is the mean of many
+    rows: Sequence[Row] = ()  # its row in both editions; empty for a mean or a median
     rules: Changes = field(default_factory=Changes, repr=False)
     limit: float = FALSE_SHARE  # the largest chance that counts as a change
-    scale: float = 0.0  # below this size a number is close to zero
+    scale: float = 0.0  # a number below this size is close to zero
     is_single: bool = False  # whether one edition has measured it only once
-    is_odd: bool = False  # whether single runs that end otherwise by chance explain it
+    is_odd: bool = False  # whether it may be one run that ended otherwise by chance
     row_count: int = 1  # of rows whose common change this is
 
     @property
     def sides(self) -> list[Any]:
-        """Return before and after with their units, as their rows have them."""
+        """Return before and after as quantities, if they are numbers."""
         if self.rows:
             return [row[self.column.name] for row in self.rows]
         ends = [self.before, self.after]
@@ -79,7 +85,7 @@ class Move:
 
     @property
     def name(self) -> str:
-        """Return the name that VALUE= takes."""
+        """Return the name of the value, as ``make history VALUE=`` takes it."""
         names = self.section, self.place.get("case"), self.column.name
         return ".".join(filter(None, names))
 
@@ -90,7 +96,7 @@ class Move:
 
     @property
     def is_real(self) -> bool:
-        """Return whether the values differ, numbers beyond the noise."""
+        """Return whether the value changed, for a number: beyond its noise."""
         if self.is_odd:
             return False
         if self.is_setting or self.chance is None:
@@ -99,19 +105,20 @@ class Move:
 
     @property
     def may_be_odd(self) -> bool:
-        """Return whether a single run that ends otherwise by chance might explain it."""
-        return self.is_single and bool(self.rows) and not self.is_setting
+        """Return whether a single run that ended otherwise by chance might explain it."""
+        is_known = self.is_setting or self.column.is_exact
+        return self.is_single and bool(self.rows) and not is_known
 
     @property
     def noise(self) -> float | None:
-        """Return the least difference that would count; None for what is not a number."""
+        """Return the least difference that would count, or None if it is not a number."""
         if self.chance is None:
             return None
         return self.least + t_quantile(1 - self.limit, self.freedom) * self.error
 
     @property
     def share(self) -> float | None:
-        """Return the change as a share of the older value; None without two numbers."""
+        """Return the change as a share of the older value, or None without two numbers."""
         if None in (self.chance, self.before, self.after):
             return None
         difference: float = self.after - self.before
@@ -121,15 +128,15 @@ class Move:
 
     @property
     def sure_share(self) -> float:
-        """Return the share of the change that is beyond chance."""
+        """Return the relative change without the part that may be noise."""
         if not self.share or self.noise is None:
             return 0.0
-        certainty = max(0.0, 1 - self.noise / abs(self.after - self.before))
-        return certainty * abs(self.share)
+        certainty = 1 - self.noise / abs(self.after - self.before)
+        return certainty * abs(self.share) if certainty > 0 else 0.0
 
     @property
     def is_named(self) -> bool:
-        """Return whether report.toml names it among the thresholds or the headlines."""
+        """Return whether report.toml has a threshold or a headline for it."""
         named = self.rules.named
         if "failure" in self.column.kinds:
             run = self.name.rpartition(".")[0]
@@ -138,7 +145,7 @@ class Move:
 
     @property
     def threshold(self) -> float:
-        """Return the share by which it may change before that is an alarm."""
+        """Return the relative change that is not an alarm yet."""
         if self.is_setting:
             return self.rules.setting_threshold
         usual = self.rules.threshold
@@ -148,28 +155,28 @@ class Move:
 
     @property
     def exceeds_threshold(self) -> bool:
-        """Return whether it changed by more than its threshold, or is lost."""
+        """Return whether it changed by more than its threshold, or one edition lost it."""
         if "failure" in self.column.kinds:
             return self.is_real
         if self.share is None:
             return self.is_gone and (self.is_setting or self.is_named)
-        # A change of exactly the threshold counts, in spite of rounding.
+        # A change of exactly the threshold counts, even if it is rounded down.
         return self.is_real and abs(self.share) > self.threshold * (1 - 1e-6)
 
     @property
     def is_gone(self) -> bool:
-        """Return whether only one edition has the number, which both measured."""
+        """Return whether both editions measured the number, and only one has a result."""
         is_one_sided = (self.before is None) != (self.after is None)
         return is_one_sided and all(isinstance(side, Quantity) for side in self.sides)
 
     @property
     def direction(self) -> str:
-        """Return ``better`` or ``worse``, or nothing if neither can be said."""
+        """Return ``better`` or ``worse``, or an empty string if neither applies."""
         return direction(self.column, self.before, self.after)
 
     @property
     def ends(self) -> str:
-        """Return before and after in words, with enough digits to tell them apart."""
+        """Return before and after in words, with enough digits to show the change."""
         ends = self.before, self.after
         if self.is_setting:
             return " → ".join("none" if end is None else f"{end:.7g}" for end in ends)
@@ -183,7 +190,7 @@ class Move:
 
 
 def direction(column: Column, before: Any, after: Any) -> str:
-    """Return ``better`` or ``worse``, or nothing if neither can be said."""
+    """Return ``better`` or ``worse``, or an empty string if neither applies."""
     if None in (before, after) or not column.better:
         return ""
     is_more = abs(after) > abs(before)
@@ -191,7 +198,7 @@ def direction(column: Column, before: Any, after: Any) -> str:
 
 
 def few(names: Sequence[str], count: int = NAMED) -> str:
-    """Return at most so many names in words, and how many more there are."""
+    """Return at most ``count`` names in words, and the number of the others."""
     more = f"; and {len(names) - count} more" if len(names) > count else ""
     return "; ".join(names[:count]) + more
 
@@ -203,12 +210,12 @@ def _text(cell: Any) -> str:
 
 
 Pair = tuple[Move, Sequence[Estimate | None]]
-"""A number that is not judged yet, and what is known of it in both editions."""
+"""A number that is not tested yet, and its estimates in both editions."""
 
 
 def moves_between(before: Chapter, after: Chapter) -> list[Move]:
-    """Return the values of a section that compare between two editions, moved or not,
-    and the settings that only one of them has."""
+    """Return all values of a section that can be compared between two editions, and the
+    settings that only one of them has."""
     sides = before.results, after.results
     columns = after.results.columns
     rules = columns.settings.changes
@@ -227,13 +234,13 @@ def moves_between(before: Chapter, after: Chapter) -> list[Move]:
                 moves.append(move_of(columns["value"], a.get("value"), b.get("value")))
             continue
         rows = old[key], new[key]
-        # If repeats of a run ended in different classes, it is chance which one counts.
+        # If the repeats of a run ended in different classes, chance decides the class.
         endings = [row.plain[rules.endings] for row in rows if rules.endings in row]
         is_mixed = any(len(set(classes.split(", "))) > 1 for classes in endings)
         if is_mixed or key in edges:
             continue
         for column in _comparable([row.plain for row in rows], sides):
-            ends = [row.plain[column.name] for row in rows]
+            ends = [columns.number_of(column.name, row.plain) for row in rows]
             move = move_of(column, *ends, rows=rows)
             if not all(map(is_number, ends)):
                 moves.append(move)
@@ -246,16 +253,17 @@ def moves_between(before: Chapter, after: Chapter) -> list[Move]:
     return [*_without_chance([*numbers, *texts], sides), *shifts]
 
 
-def _rows_by_key(results: Results) -> dict[Key, Row]:
-    """Return rows by key, without rows that share one, and on noise without the runs,
-    which are compared by their means."""
-    is_noise = results.record.section == results.columns.settings.noise_section
-    rows = [row for row in results.rows if not (is_noise and "of" in row)]
-    return single((key_of(row.plain, results.columns), row) for row in rows)
+def _rows_by_key(results: Results) -> dict[RowKey, Row]:
+    """Return rows by key, without those that share one, and without the repeated runs of
+    the section on noise, which are compared by their means."""
+    section = results.record.section
+    columns = results.columns
+    rows = [row for row in results.rows if not is_repeat(row.plain, section, columns)]
+    return single((key_of(row.plain, columns), row) for row in rows)
 
 
 def _means_between(sides: Sequence[Results]) -> Iterator[Pair]:
-    """Yield the means of runs of one case, of the section on noise."""
+    """Yield the means over the runs of each case, for the section on noise."""
     columns = sides[1].columns
     rules = columns.settings.changes
     section = sides[1].record.section
@@ -271,7 +279,7 @@ def _means_between(sides: Sequence[Results]) -> Iterator[Pair]:
 
 
 def cost_terms(record: Record, row: Cells, columns: Schema) -> tuple[Any, ...]:
-    """Return what two costs must share to be compared: the machine and the amount of work."""
+    """Return the machine and the amount of work, which two costs must have in common."""
     work = [row.get(name) for name in columns.settings.cost_terms]
     return record.machine_for_speed, *work
 
@@ -312,22 +320,22 @@ def _comparable(rows: Sequence[Cells], sides: Sequence[Results]) -> Iterator[Col
         elif not changed or column.is_setting:
             yield column
         elif is_longer and column.unit.endswith(("/s", "/cycle")):
-            yield column  # a rate, of runs that only took longer or shorter
+            yield column  # a rate of two runs that differ only in their length
 
 
 def _judged(pairs: Sequence[Pair]) -> list[Move]:
-    """Return numbers with the chance that they differ as much by noise alone.
+    """Return numbers with the probability that they differ as much by noise alone.
 
     The share of false changes among those of this section is bounded by ``FALSE_SHARE``.
     """
-    import numpy as np  # a slow import, and most commands judge no move
+    import numpy as np  # slow to import, and most commands do not compare editions
 
     if not pairs:
         return []
     known = [_known(move, estimates) for move, estimates in pairs]
     values = np.array([[side.value for side in sides] for sides, *_ in known])
     errors = np.array([[side.error for side in sides] for sides, *_ in known])
-    # Both variances are of the same scatter, so one does not add to what the other says.
+    # Both variances come from the same scatter, so their degrees of freedom do not add.
     freedoms = np.array([min(side.freedom for side in sides) for sides, *_ in known])
     leasts = np.array([least for _, least, _ in known])
     distances = np.maximum(0.0, abs(np.diff(values)[:, 0]) - leasts)
@@ -357,8 +365,10 @@ def _judged(pairs: Sequence[Pair]) -> list[Move]:
 
 
 def _scales(pairs: Sequence[Pair]) -> dict[Column, float]:
-    """Return by column the size below which a number is close to zero: a percentage of
-    it would say nothing, so its change is a share of this size."""
+    """Return by column the size below which a number is close to zero.
+
+    A percentage of such a number has no meaning, so its change is a share of this size.
+    """
     sizes: dict[Column, list[float]] = {}
     for move, _ in pairs:
         sizes.setdefault(move.column, []).append(abs(move.before))
@@ -369,34 +379,33 @@ def _known(
     move: Move, estimates: Sequence[Estimate | None]
 ) -> tuple[list[Estimate], float, bool]:
     """Return the estimates of both sides, the least difference that counts, and whether
-    that is chosen because no noise is known.
+    that is chosen because the noise is not known.
 
-    If the scatter of one side only is known, it counts for the other side, too.
+    If the scatter of only one side is known, it is used for both.
     """
     ends = move.before, move.after
     size = max(map(abs, ends))
     resolution = move.column.resolution
-    found = [each for each in estimates if each]
-    if not found:
-        bare = [Estimate(end) for end in ends]
-        return bare, max(resolution, CHOSEN_SHARE * size), True
-    teacher = found[0]
+    known = [estimate for estimate in estimates if estimate]
+    if not known:
+        exact = [Estimate(end) for end in ends]
+        return exact, max(resolution, CHOSEN_SHARE * size), True
     sides = [
-        each or Estimate(end, teacher.variance, teacher.freedom)
-        for each, end in zip(estimates, ends, strict=True)
+        estimate or Estimate(end, known[0].variance, known[0].freedom)
+        for estimate, end in zip(estimates, ends, strict=True)
     ]
     rounding = size * (COST_SHARE if move.column.is_cost else ROUNDED_SHARE)
-    least = max(each.least for each in found)
+    least = max(estimate.least for estimate in known)
     return sides, max(resolution, rounding, least), False
 
 
 def _without_chance(moves: Sequence[Move], sides: Sequence[Results]) -> list[Move]:
-    """Return the moves; those that single runs explain that ended otherwise do not count.
+    """Return the moves, and mark those as odd that single runs may explain.
 
-    Now and then one run ends unlike all others although nothing changed. A number that
-    one side measured once cannot tell that from a change. So such rows count only if
-    there are more of them than the measurements of this section explain, or if
-    ``report.toml`` names the number.
+    Now and then one run ends unlike all others although nothing changed. If one side
+    measured a number only once, this looks like a change. So such rows count only if there
+    are more of them than the measurements of this section explain, or if ``report.toml``
+    names the number.
     """
     single_rows = {
         move.rows[0].source for move in moves if move.may_be_odd and move.is_real
@@ -405,7 +414,7 @@ def _without_chance(moves: Sequence[Move], sides: Sequence[Results]) -> list[Mov
     row_count = len({move.rows[0].source for move in numbers})
     odd_rows = [side.evidence.odd_rows for side in sides]
     if 1 < row_count <= len(single_rows):
-        is_change = True  # all rows do not end otherwise at once
+        is_change = True  # not all rows end otherwise by chance at once
     elif None not in odd_rows:
         is_change = exceeds_chance(len(single_rows), sum(filter(None, odd_rows)))
     elif row_count < LEAST_SWEEP:
@@ -421,11 +430,11 @@ def _without_chance(moves: Sequence[Move], sides: Sequence[Results]) -> list[Mov
 
 
 def _shifts(moves: Sequence[Move], sides: Sequence[Results]) -> list[Move]:
-    """Return by how much all times of a column moved together.
+    """Return for each column of times the change that all its rows have in common.
 
-    All times of one measurement share the error of its host and card, so many rows are
-    no better known together than one. Yet a change of all of them shows beside the
-    scatter between hosts, if that of a single row is hidden by the noise of that row.
+    All times of one measurement share the error of its host and card, so the median of many
+    changes is compared with the scatter between hosts. It can be significant although the
+    change of each single row is within the noise of that row.
     """
     by_column: dict[Column, list[Move]] = {}
     for move in moves:
@@ -434,23 +443,23 @@ def _shifts(moves: Sequence[Move], sides: Sequence[Results]) -> list[Move]:
             by_column.setdefault(move.column, []).append(move)
     counts = [max(1, side.evidence.count) for side in sides]
     shifts = []
-    for of_column in by_column.values():
-        if len(of_column) < LEAST_SHIFTED:
+    for column_moves in by_column.values():
+        if len(column_moves) < LEAST_SHIFTED:
             continue
-        logs = [math.log(move.after / move.before) for move in of_column]
+        logs = [math.log(move.after / move.before) for move in column_moves]
         middle = median(logs)
-        residual = TO_DEVIATION * median(abs(each - middle) for each in logs)
+        residual = TO_DEVIATION * median(abs(log - middle) for log in logs)
         variance, freedom = sides[0].evidence.host
         error = math.sqrt(
             variance * sum(1 / count for count in counts)
-            + math.pi / 2 * residual**2 / len(logs)
+            + MEDIAN**2 * residual**2 / len(logs)
         )
-        before = median(move.before for move in of_column)
+        before = median(move.before for move in column_moves)
         after = before * math.exp(middle)
         [chance] = chance_of([abs(middle)], [error], [freedom])
         shifts.append(
             replace(
-                of_column[0],
+                column_moves[0],
                 before=before,
                 after=after,
                 chance=chance,
@@ -460,7 +469,7 @@ def _shifts(moves: Sequence[Move], sides: Sequence[Results]) -> list[Move]:
                 place={},
                 rows=(),
                 limit=FALSE_SHARE / len(by_column),
-                row_count=len(of_column),
+                row_count=len(column_moves),
             )
         )
     return shifts

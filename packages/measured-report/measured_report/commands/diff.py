@@ -1,6 +1,6 @@
 """Print the claims that flipped and the numbers that moved between two editions."""
 
-from measured_report.changes.alarm import diff_text, rate_of, rate_text
+from measured_report.changes.alarm import diff_text, false_alarm_counts, rate_text
 from measured_report.changes.compare import compare
 from measured_report.commands.options import (
     Arguments,
@@ -27,7 +27,7 @@ def run(project: Project, arguments: Arguments) -> int:
     # Derive each edition alone, without the evidence of the other one.
     before, after = (derive_edition(project.of(name)) for name in names)
     comparison = compare(before, after)
-    rate = rate_of(before) + rate_of(after)
+    rate = false_alarm_counts(before) + false_alarm_counts(after)
     print(
         diff_text(comparison, rate_text(rate), arguments.format, sentences_of(project))
     )

@@ -232,8 +232,25 @@ class Schema:
         }
 
     def number_of(self, column: str, row: Mapping[str, Any]) -> Any:
-        """Return a cell of a row, or None if the run failed and it has no meaning."""
-        return None if row.get(self[column].unless) else row[column]
+        """Return a cell of a row, or None if it has no meaning.
+
+        It has none if the run failed, or if more trials succeeded than there were.
+        """
+        if row.get(self[column].unless) or self.trials_problem(column, row):
+            return None
+        return row[column]
+
+    def trials_problem(self, column: str, row: Mapping[str, Any]) -> str:
+        """Return the problem with a count, or share, of trials, or an empty string."""
+        name = self[column].trials
+        count = row.get(name)
+        value = row[column]
+        if not count or value is None:
+            return ""
+        largest = count if column.endswith("_count") else 1
+        if 0 <= value <= largest:
+            return ""
+        return f"{row['case']} has {column} {value:g}, with {name} {count:g}"
 
     def units_of(self, rows: Sequence[Mapping[str, Any]]) -> dict[str, str]:
         """Return the units of all columns with numbers, including missing numbers."""

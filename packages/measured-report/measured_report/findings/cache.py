@@ -1,4 +1,4 @@
-"""The cache of what is derived: an entry counts while all that it was made from is the same."""
+"""The cache of derived values, which are valid while none of their inputs changes."""
 
 import functools
 from collections.abc import Callable, Sequence
@@ -27,35 +27,44 @@ PACKAGES = (
 
 @dataclass(frozen=True)
 class DerivedCache(Cache):
-    """Keep what modules of a report make; each entry and each module is read once."""
+    """Keep the results of the modules of a report; each entry is read from disk once."""
 
     report: Report
     read: dict[tuple[str, str], Any] = field(default_factory=dict)
     code: Callable[[Path, Path], Code] = field(
         default_factory=lambda: functools.cache(Code)
     )
-    digests: dict[Path, str] = field(default_factory=dict)  # of code
+    digests: dict[Path | None, str] = field(default_factory=dict)  # of modules
 
     def get(self, name: str, key: str) -> Any:
-        """Return what is kept, read once; None when there is nothing whole."""
+        """Return an entry, or None if there is none that is whole."""
         if not self.read.get((name, key)):
             self.read[name, key] = super().get(name, key)
         return self.read[name, key]
 
-    def key(self, code: Path, inputs: Sequence[str]) -> str:
-        """Digest all that the module ``code`` makes something from."""
+    def key(self, code: Path | None, inputs: Sequence[str]) -> str:
+        """Return a digest of the inputs of a module and of its code.
+
+        Without a module the code is that of the generator.
+        """
         if code not in self.digests:
             self.digests[code] = self._digest_of(code)
         return digest_of([*inputs, self.digests[code]])
 
-    def _digest_of(self, module: Path) -> str:
-        """Digest a module with all that it imports, the files that they name, and packages."""
-        root = next(each for each in module.parents if (each / "report").is_dir())
+    def _digest_of(self, module: Path | None) -> str:
+        """Return a digest of a module, its imports, the files they name, and packages."""
+        root = self.report.root
+        if module:
+            root = next(
+                folder for folder in module.parents if (folder / "report").is_dir()
+            )
         code = self.code(root, self.report.root)
-        starts = (Path(__file__).resolve(), module)
+        here = Path(__file__).resolve()
+        # Sections do not import the modules that evaluate replicas, but depend on them.
+        starts = filter(None, (here, here.with_name("replicas.py"), module))
         closure = {file for start in starts for file in code.closure(str(start))}
         sources = {code.name_of(file): code.source(file) for file in closure}
-        # No module imports the settings, which say what columns are.
+        # Modules do not import report.toml, which describes the columns.
         named = set(self.report.settings.sources)
         named.update(name for source in sources.values() for name in source.assets)
         paths = {name: self.report.root / name for name in named}
@@ -67,18 +76,25 @@ class DerivedCache(Cache):
         return digest_of([installed(), digests])
 
     def value(
-        self, name: str, code: Path, inputs: Sequence[str], make: Callable[[], Any]
+        self,
+        name: str,
+        code: Path | None,
+        inputs: Sequence[str],
+        make: Callable[[], Any],
     ) -> Any:
-        """Return what ``make``, of the module ``code``, makes of the ``inputs``."""
+        """Return the result of ``make``, a function of the module ``code``, for inputs.
+
+        Without a module it is a function of the generator.
+        """
         key = self.key(code, inputs)
         if (kept := self.get(name, key)) is None:
-            kept = (make(),)  # which may be None
+            kept = (make(),)  # a tuple, because the result may be None
             self.put(name, key, kept)
         return kept[0]
 
 
 @functools.cache
 def installed() -> str:
-    """Digest the versions of Python and of the packages that decide what is made."""
+    """Return a digest of the versions of Python and of the packages that results need."""
     versions = (f"{name} {metadata.version(name)}" for name in PACKAGES)
     return digest_of([python_version(), *versions])

@@ -17,15 +17,15 @@ from measured_report.values.results import Results
 
 @dataclass(frozen=True)
 class Chapter:
-    """Hold all of a section in one edition: each stage of a build adds its fields."""
+    """Holds all of a section in one edition. Each stage of a build adds its fields."""
 
-    state: State  # how its record stands to the code
+    state: State  # whether its record is fresh, stale or damaged
     outline: Outline
     results: Results
-    key: str = ""  # digest of all that it is derived from
-    section: Section = field(default_factory=Section)  # what is derived
-    names: Mapping[str, Any] = field(default_factory=dict)  # what templates can name
-    prose: Prose | None = None  # its words, once they are said
+    key: str = ""  # digest of the inputs that it is derived from
+    section: Section = field(default_factory=Section)  # the derived section
+    names: Mapping[str, Any] = field(default_factory=dict)  # the names for templates
+    prose: Prose | None = None  # its text, once it is rendered
 
     @property
     def name(self) -> str:
@@ -37,7 +37,7 @@ class Chapter:
 
     @property
     def code(self) -> Iterator[tuple[str, int]]:
-        """Yield the file and the line of what measures it and of what derives it."""
+        """Yield the file and the line of its functions ``measure`` and ``derive``."""
         packages = {"experiments": "measure", PACKAGE: "derive"}
         for package, function in packages.items():
             if file := file_of(package, self.name):
@@ -49,21 +49,21 @@ class Chapter:
 
     @property
     def compares(self) -> bool:
-        """Tell whether it compares releases, so that it is of one page alone."""
+        """Return whether it compares releases, so that each edition has its own."""
         return self.outline.compares
 
 
 Chapters = Mapping[str, Chapter]
-Releases = Mapping[str, Chapters]  # of every release that has results, oldest first
+Releases = Mapping[str, Chapters]  # by release, oldest first
 
 
 def before(name: str, chapters: Chapters) -> Chapters:
-    """Return the chapters that stand before one."""
+    """Return the chapters before the one with this name."""
     return dict(takewhile(lambda item: item[0] != name, chapters.items()))
 
 
 def results_digest(results: Results) -> str:
-    """Digest a record with its traces, and the edition that it is of."""
+    """Return a digest of a record, its traces and the name of its edition."""
     folder = results.path.parent
     files = [results.path, *traces_of(results.path, results.record)]
     return files_digest(files, folder) + folder.name

@@ -20,7 +20,11 @@ from measured_report.findings.chapters import (
     before,
     results_digest,
 )
-from measured_report.findings.replicas import measured_digest, measurements_of
+from measured_report.findings.replicas import (
+    Measurements,
+    measured_digest,
+    measurements_of,
+)
 from measured_report.findings.sections import (
     Outline,
     derive_by,
@@ -41,23 +45,26 @@ Derived = tuple[Section, Mapping[str, Value]]
 
 @dataclass(eq=False)
 class Edition:
-    """Hold what one release has on disk, and what is derived from it, stage by stage."""
+    """Holds the results of one release, and all that is derived from them.
+
+    Each stage of a build replaces the chapters.
+    """
 
     project: Project
     cache: DerivedCache
-    draws: bool = False  # whether figures are drawn, and all that is derived is kept
-    root: str = ""  # the way from its pages to the root of the site
+    draws: bool = False  # whether to draw figures and store results in the cache
+    root: str = ""  # the relative path from its pages to the root of the site
     chapters: dict[str, Chapter] = field(default_factory=dict)  # in order
     left_out: list[State] = field(default_factory=list)
-    """What has no record or can't be shown: sections, and replicas and texts as well."""
+    """Sections, replicas and texts that were not measured or cannot be shown."""
     evidence: Mapping[str, Evidence] = field(default_factory=dict)  # by section
     confirmed: Mapping[str, str] = field(default_factory=dict)
-    """By section: by how many measurements its claims are decided, in words."""
-    replicas: Sequence[str] = ()  # names of the other measurements
+    """By section: the count of measurements that decide its claims, in words."""
+    replicas: Sequence[str] = ()  # names of its replicas
     calibration: Mapping[str, tuple[int, int]] = field(default_factory=dict)
-    """By kind of number: how many measurements lie where the others predict, of how many
-    in all editions."""
-    stories: dict[str, Section] = field(default_factory=dict)  # of its texts, worded
+    """By kind of number: the count of measurements within the noise that the others
+    predict, and the count of all. They include all editions."""
+    stories: dict[str, Section] = field(default_factory=dict)  # rendered texts by name
 
     @cached_property
     def report(self) -> Report:
@@ -65,12 +72,12 @@ class Edition:
 
     @property
     def folder(self) -> str:
-        """Return where its pages lie below the site."""
+        """Return the folder of its pages below the site."""
         return f"{self.project.results.name}/" if self.root else ""
 
     @cached_property
     def pages(self) -> dict[Page, list[Chapter]]:
-        """Return its pages with their chapters; the front page, and those that have any."""
+        """Return the front page and all pages that have chapters, with their chapters."""
         chapters = list(self.chapters.values())
         chapters.sort(key=lambda chapter: not chapter.outline.first)
         pages = {}
@@ -81,38 +88,40 @@ class Edition:
         return pages
 
     def address(self, page: Page) -> str:
-        """Return where its page of that name lies below the site, or else its front."""
+        """Return the address of a page below the site; without it, that of the front."""
         shown = page if page in self.pages else self.report.settings.front
         return self.folder + shown.file
 
     @property
     def measured_on(self) -> str:
-        """Return the day on which its newest record was measured; empty without any."""
+        """Return the date of its newest record, or an empty string."""
         records = (chapter.results.record for chapter in self.chapters.values())
         return max((record.measured["date"][:10] for record in records), default="")
 
     @cached_property
     def plugins(self) -> Any:
-        """Return what the report shows of it besides its sections."""
+        """Return the parts that the report adds to the pages of this edition."""
         return module_named("plugins", self.report.settings.plugins).Plugins(self)
 
     def unmeasured(self, page: Page) -> list[State]:
-        """Return the sections of a page that have no record; of all for the front page."""
+        """Return the sections of a page without a record. The front page has all of them."""
         missing = [state for state in self.left_out if state.kind == Kind.MISSING]
         if page == self.report.settings.front:
             return missing
-        return [each for each in missing if self._outline_of(each.section).page == page]
+        return [
+            state for state in missing if self._outline_of(state.section).page == page
+        ]
 
     @property
     def uncompared(self) -> dict[str, Chapter]:
-        """Return its chapters, without what only one page says of all releases."""
+        """Return its chapters, without the findings of those that compare releases."""
         return {
             name: replace(chapter, section=Section()) if chapter.compares else chapter
             for name, chapter in self.chapters.items()
         }
 
     def update(self, change: Callable[[Chapter], Chapter]) -> None:
-        """Let ``change`` make each chapter anew; one that it fails for is left out."""
+        """Replace each chapter by its change; leave out those for which this fails."""
         for name, chapter in list(self.chapters.items()):
             try:
                 self.chapters[name] = change(chapter)
@@ -121,11 +130,11 @@ class Edition:
                 self.leave_out(chapter.state, error)
 
     def leave_out(self, state: State, error: Exception) -> None:
-        """Note why a section can't be shown; raise what is wrong with code or words."""
+        """Note why a section cannot be shown; raise errors of the code or of templates."""
         is_fresh = state.kind == Kind.FRESH
-        is_of_record = isinstance(error, RecordError | ResultsError)
-        is_wrong = isinstance(error, ReportError) and not is_of_record
-        if is_wrong and is_fresh and self.project.is_own:
+        is_of_results = isinstance(error, RecordError | ResultsError)
+        is_of_code = isinstance(error, ReportError) and not is_of_results
+        if is_of_code and is_fresh and self.project.is_own:
             raise error
         message = str(error) if isinstance(error, ReportError) else bug_of(error)
         note = " ".join(message.split())
@@ -138,23 +147,24 @@ class Edition:
         self.left_out.append(replace(state, kind=kind, record=None, notes=(note,)))
 
     def set_keys(self, releases: Releases | None = None) -> None:
-        """Digest all that each section is derived from, those that compare by releases."""
+        """Set the digest of the inputs of each chapter, with ``releases`` of those only that
+        compare them."""
 
         def with_key(chapter: Chapter) -> Chapter:
             if releases is not None and not chapter.compares:
                 return chapter
-            read = {"": self._read_by(chapter), **(releases or {})}
             inputs = [
                 results_digest(chapter.results),
                 self._measured,
-                *_digests_of(read),
+                *_digests_of({"": self._read_by(chapter), **(releases or {})}),
             ]
             return replace(chapter, key=self.cache.key(chapter.outline.file, inputs))
 
         self.update(with_key)
 
     def lacks(self, *, compares: bool) -> bool:
-        """Tell whether a section that compares releases, or one of the others, isn't kept."""
+        """Return whether the cache lacks one of the chapters that compare releases, or one of
+        the others."""
         return any(
             chapter.compares == compares
             and not self.cache.get(self._entry(name), chapter.key)
@@ -162,19 +172,24 @@ class Edition:
         )
 
     def derive(self, releases: Releases | None = None) -> None:
-        """Derive the sections that compare releases where these are given, else all others."""
+        """Derive the chapters that compare releases, or without ``releases`` all others."""
         if releases is None:
-            records = {
-                name: each.results.record for name, each in self.chapters.items()
-            }
-            measured = measurements_of(self.project, records, self.cache)
-            self.evidence = measured.evidence
-            self.confirmed = measured.words
-            self.replicas = measured.names
-            self.calibration = measured.calibration
-            for fault in measured.damaged:
+            measurements = self.measurements
+            self.evidence = measurements.evidence
+            self.confirmed = measurements.words
+            self.replicas = measurements.names
+            self.calibration = measurements.calibration
+            for fault in measurements.damaged:
                 self.left_out.append(State(FOLDER, Kind.DAMAGED, notes=(fault,)))
         self.update(partial(self._derived, releases=releases))
+
+    @property
+    def measurements(self) -> Measurements:
+        """Return the evidence from all measurements of this edition."""
+        records = {
+            name: chapter.results.record for name, chapter in self.chapters.items()
+        }
+        return measurements_of(self.project, records, self.cache)
 
     def _derived(self, chapter: Chapter, releases: Releases | None) -> Chapter:
         name, outline = chapter.name, chapter.outline
@@ -183,14 +198,14 @@ class Edition:
         for other in outline.reads:
             if self._outline_of(other).order >= outline.order:
                 raise ReportError(
-                    f"{outline.source} reads {other}, which stands after it: "
+                    f"{outline.source} reads {other}, which comes after it: "
                     "give it a higher order"
                 )
         results = replace(
             chapter.results,
             evidence=self.evidence.get(name, Evidence()),
             others={
-                each.name: each.results for each in self._read_by(chapter).values()
+                other.name: other.results for other in self._read_by(chapter).values()
             },
             derived={},
         )
@@ -207,14 +222,15 @@ class Edition:
         return replace(chapter, section=replace(section, claims=claims))
 
     def _with_count(self, claim: Claim, section: str) -> Claim:
-        """Let a claim say by how many measurements it is decided; replicas lack traces."""
+        """Return a claim with the count of measurements that decide it, in words."""
+        # Replicas do not have traces.
         has_traces = any(Pointer(read).is_trace for read in claim.outcome.reads)
         if claim.outcome.name == "unknown" or has_traces:
             return claim
         return replace(claim, confirmed=self.confirmed.get(section, ""))
 
     def story(self, name: str, releases: Releases) -> Section:
-        """Derive what a text of a page tells: its module takes chapters or releases."""
+        """Derive the findings of a text; its module takes chapters or all releases."""
         package = self.report.settings.text_modules
         if package:
             module_named("text_modules", package)
@@ -222,13 +238,13 @@ class Edition:
         count = read_source(file, name).top.get("derive", 0) if file else 0
         if not (file and count):
             return Section()
-        told = releases if count > 1 else {"": self.chapters}
+        chapters_read = releases if count > 1 else {"": self.chapters}
         inputs = (releases, self.project.release) if count > 1 else (self.chapters,)
 
         def derive() -> Derived:
             return derive_by(f"{package}.{name}", *inputs), {}
 
-        key = self.cache.key(file, _digests_of(told))
+        key = self.cache.key(file, _digests_of(chapters_read))
         try:
             return self._kept(self._entry(f"{name}.text"), key, name, derive)[0]
         except Exception as error:
@@ -238,9 +254,9 @@ class Edition:
     def _kept(
         self, entry: str, key: str, anchor: str, derive: Callable[[], Derived]
     ) -> Derived:
-        """Return a section and its values from the cache, or else derive and draw them."""
-        if kept := self.cache.get(entry, key):
-            return kept
+        """Return a section and its values from the cache, or derive and draw them."""
+        if cached := self.cache.get(entry, key):
+            return cached
         section, values = derive()
         if self.draws:
             section = section.drawn(anchor)
@@ -254,7 +270,7 @@ class Edition:
         return outline_of(section, self.report)
 
     def _read_by(self, chapter: Chapter) -> Chapters:
-        """Return the chapters whose results a chapter may read."""
+        """Return the chapters whose results a chapter can read."""
         others = before(chapter.name, self.chapters)
         if chapter.compares:
             return others
@@ -263,7 +279,7 @@ class Edition:
 
     @cached_property
     def _measured(self) -> str:
-        """Digest the records and replicas of all editions, which say how numbers scatter."""
+        """Return a digest of the measurements of all editions, which the noise depends on."""
         return measured_digest(self.project)
 
 
@@ -278,7 +294,7 @@ def _digests_of(releases: Releases) -> list[str]:
 def editions_of(
     project: Project, among: Sequence[str] = (), *, draws: bool = False
 ) -> dict[str, Edition]:
-    """Derive what the results of every release make, oldest first; ``among``: of these alone."""
+    """Derive all editions, or those ``among`` the names, oldest first."""
     cache = DerivedCache(project.root, project.report)
     with project.report:
         editions = {
@@ -295,7 +311,7 @@ def editions_of(
 
 
 def _derive(editions: Mapping[str, Edition], releases: Releases | None = None) -> None:
-    """Derive editions: those of which something isn't kept side by side, which keeps it."""
+    """Derive editions. Those that the cache lacks are derived in parallel first."""
     for edition in editions.values():
         edition.set_keys(releases)
     lacking = [
@@ -305,21 +321,22 @@ def _derive(editions: Mapping[str, Edition], releases: Releases | None = None) -
     ]
     lacking.sort(key=lambda edition: -len(edition.chapters))
 
-    def derive_copy(number: int) -> None:
-        edition = lacking[number]
+    def derive_copy(index: int) -> None:
+        edition = lacking[index]
         copy = replace(edition, chapters=dict(edition.chapters), left_out=[])
         copy.derive(releases)
 
     if len(lacking) > 1:
         for name in ("pandas", "measured_report.parts.figures"):
-            import_module(name)  # once, and not in each process
+            import_module(name)  # once, instead of in each process
+        _ = lacking[0].measurements  # the same: evaluated once, and stored in the cache
         forked(derive_copy, len(lacking))
     for edition in editions.values():
         edition.derive(releases)
 
 
 def derive_edition(project: Project, cache: DerivedCache | None = None) -> Edition:
-    """Derive one release by itself: what compares releases has its results alone."""
+    """Derive one edition. Sections that compare releases have only this one."""
     edition = read_edition(project, cache or DerivedCache(project.root, project.report))
     edition.set_keys()
     edition.derive()
@@ -327,7 +344,7 @@ def derive_edition(project: Project, cache: DerivedCache | None = None) -> Editi
 
 
 def read_edition(project: Project, cache: DerivedCache) -> Edition:
-    """Read the records of one release; those that are missing or damaged are left out."""
+    """Read the records of one edition; leave out those that are missing or damaged."""
     code = cache.code(project.root, project.report.root)
     states = states_of(project, code)
     edition = Edition(project, cache)

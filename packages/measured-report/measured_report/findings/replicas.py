@@ -1,4 +1,4 @@
-"""Measurements of an edition: what its replicas are, and what they say together with what is tracked."""
+"""The measurements of an edition: its tracked records and its replicas."""
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
@@ -11,7 +11,6 @@ from measured_report.files.config import Report
 from measured_report.files.errors import ReportError
 from measured_report.files.groups import grouped
 from measured_report.findings.cache import DerivedCache
-from measured_report.findings.sections import outline_of
 from measured_report.records.identity import files_digest
 from measured_report.records.record import Record
 from measured_report.records.replicas import FOLDER, Records, mismatch, read_replica
@@ -20,46 +19,46 @@ from measured_report.values.evidence import Evidence
 
 @dataclass(frozen=True)
 class Measurements:
-    """Holds what all measurements of an edition say, by section."""
+    """Holds the evidence of an edition from all its measurements."""
 
     evidence: Mapping[str, Evidence] = field(default_factory=dict)
     words: Mapping[str, str] = field(default_factory=dict)
-    """By how many measurements claims are decided, for sections that have several."""
-    damaged: Sequence[str] = ()  # what is wrong with each replica that cannot be read
-    names: Sequence[str] = ()  # of the other replicas
+    """The count of measurements in words, for each section that has several."""
+    damaged: Sequence[str] = ()  # a message for each replica that cannot be read
+    names: Sequence[str] = ()  # of the readable replicas
     calibration: Mapping[str, tuple[int, int]] = field(default_factory=dict)
 
 
 def measurements_of(
     project: Project, tracked: Records, cache: DerivedCache
 ) -> Measurements:
-    """Return what all measurements of an edition say, kept from before."""
+    """Return the evidence of an edition, from the cache if its inputs did not change."""
     if not tracked:
         return Measurements(damaged=read_replicas(project)[1])
-    every = cache.value(
+    by_edition = cache.value(
         f"{project.aside}{project.profile}.evidence",
-        outline_of(next(iter(tracked))).file,
+        None,
         [measured_digest(project)],
         lambda: _measurements(project),
     )
-    return every.get(project.aside + project.release, Measurements())
+    return by_edition.get(project.aside + project.release, Measurements())
 
 
 def measured_digest(project: Project) -> str:
-    """Digest the records and replicas of all editions that are compared."""
+    """Return a digest of the records and replicas of all editions that are evaluated."""
     files: list[Path] = []
-    for each in _compared(project):
-        files += replica_files(each)
-        files += each.results.glob("*.json")
+    for edition in _compared(project):
+        files += replica_files(edition)
+        files += edition.results.glob("*.json")
     digest = files_digest(files, project.root)
-    # A replica that is not a file has a name and no digest, and is named as damaged.
+    # A replica that is a folder has no digest, but it is listed as damaged by its name.
     return f"{digest} {' '.join(sorted(path.name for path in files))}"
 
 
 def _compared(project: Project) -> list[Project]:
     """Return the editions whose measurements show how numbers scatter.
 
-    What was measured aside scatters as what is tracked, which is read with it.
+    The results of a folder aside scatter like the tracked ones, so both are evaluated.
     """
     sides = [project]
     if project.aside:
@@ -68,41 +67,41 @@ def _compared(project: Project) -> list[Project]:
 
 
 def _measurements(project: Project) -> dict[str, Measurements]:
-    """Return what all measurements of each edition say."""
-    # A slow import, which nothing needs while this is kept.
+    """Return the evidence of each edition."""
+    # Slow to import, and not needed if the evidence is in the cache.
     from measured_report.values.body import body_of
 
     measured: dict[tuple[str, str], list[Record | None]] = {}
-    found = {}
-    for each in _compared(project):
-        edition = each.aside + each.release
-        shown = {record.section: record for record in records_of(each)}
-        read, damaged = read_replicas(each)
-        replicas = [alike(shown, records) for records in read.values()]
+    by_edition = {}
+    for edition in _compared(project):
+        label = edition.aside + edition.release
+        shown = {record.section: record for record in records_of(edition)}
+        named_replicas, damaged = read_replicas(edition)
+        replicas = [alike(shown, records) for records in named_replicas.values()]
         for name, record in shown.items():
-            several = [record, *(records.get(name) for records in replicas)]
-            measured[edition, name] = several
-        found[edition] = Measurements(damaged=damaged, names=[*read])
+            others = [records.get(name) for records in replicas]
+            measured[label, name] = [record, *others]
+        by_edition[label] = Measurements(damaged=damaged, names=[*named_replicas])
     body = body_of(measured, project.report.columns)
-    for edition, measurements in found.items():
+    for label, measurements in by_edition.items():
         evidence = {}
         words = {}
-        for (other, name), records in measured.items():
-            if other != edition:
+        for (of_edition, name), records in measured.items():
+            if of_edition != label:
                 continue
-            evidence[name] = body.sections[edition, name]
+            evidence[name] = body.sections[label, name]
             present = [record for record in records if record]
             if len(present) > 1:
                 kinds = _kinds(present, project.report)
                 words[name] = f"by {len(present)} measurements{kinds}"
-        found[edition] = replace(
+        by_edition[label] = replace(
             measurements, evidence=evidence, words=words, calibration=body.calibration
         )
-    return found
+    return by_edition
 
 
 def _kinds(records: Sequence[Record], report: Report) -> str:
-    """Return on how many kinds of processor records were measured, in words."""
+    """Return the number of kinds of processor in words, if there are several."""
     processors = {record.processor for record in records}
     devices = {record.machine["device"] for record in records}
     is_accelerated = devices == {report.accelerator.KIND}
@@ -111,11 +110,12 @@ def _kinds(records: Sequence[Record], report: Report) -> str:
 
 
 def replica_files(project: Project) -> list[Path]:
+    """Return the files of an edition's replicas."""
     return sorted((project.results / FOLDER).glob("*.tgz"))
 
 
 def read_replicas(project: Project) -> tuple[dict[str, Records], list[str]]:
-    """Read an edition's replicas by name, and what is wrong with each that is damaged."""
+    """Read an edition's replicas by name, and return a message for each damaged one."""
     replicas = {}
     damaged = []
     for path in replica_files(project):
@@ -138,7 +138,7 @@ def damage_of(project: Project, states: Iterable[State]) -> Iterator[State]:
 
 
 def replicas_text(project: Project) -> list[str]:
-    """Write a line for each replica: how many of its sections are as they are tracked."""
+    """Return a line for each replica: how many of its sections have the current code."""
     tracked = {record.section: record for record in records_of(project)}
     lines = []
     for name, records in read_replicas(project)[0].items():
@@ -148,6 +148,7 @@ def replicas_text(project: Project) -> list[str]:
 
 
 def alike(tracked: Records, records: Records) -> Records:
+    """Return the records of a replica that measured the same as the tracked ones."""
     return {
         name: record
         for name, record in records.items()
@@ -156,7 +157,10 @@ def alike(tracked: Records, records: Records) -> Records:
 
 
 def refused(project: Project, records: Records) -> Mapping[str, str]:
-    """Return the sections that are no measurement of this edition, each with the reason; ReportError if all are."""
+    """Return the sections that are not measurements of this edition, with the reason.
+
+    Raise ReportError if none of them is.
+    """
     tracked = {record.section: record for record in records_of(project)}
     reasons = {}
     for name, record in records.items():
@@ -171,7 +175,7 @@ def refused(project: Project, records: Records) -> Mapping[str, str]:
 
 
 def reasons_text(reasons: Mapping[str, str]) -> str:
-    """Name sections by why they are left out."""
+    """Return the reasons in words, each with the sections that it applies to."""
     names = grouped((reason, name) for name, reason in reasons.items())
     return "; ".join(
         f"{reason} ({', '.join(sections)})" for reason, sections in names.items()

@@ -1,4 +1,4 @@
-"""Section modules: each is found, read for what it says of itself, and given results."""
+"""Section modules: find them, read their outlines, and derive sections from results."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
@@ -22,31 +22,33 @@ FACTS: Mapping[str, tuple[type, str]] = {
     "labels": (Mapping, 'a dict, as {"case": "words"}'),
     "reads": (tuple, 'a tuple, as ("noise",)'),
 }
-"""What a module says of its section, read without running it."""
+"""The constants of a section module, with their type and a description. They are read
+without running the module."""
 
 
 @dataclass(frozen=True)
 class Outline:
-    """Hold what a section's module, or folder of modules, says of itself, known without running it."""
+    """Holds the constants of a section's module, read without running it."""
 
     file: Path
     source: str
-    order: int  # place on its page; sections can read those of a lower one
-    page: Page  # the page that it names, or else the first that takes sections
+    order: int  # position on its page; a section can read those with a lower order
+    page: Page  # the page that it names, or else the first page with sections
     compares: bool
-    """Set where it compares releases: its ``derive(results, releases)`` then takes them as well, as
-    ``releases["1.4.0"]["friction"].results``."""
-    first: bool  # set for the section that its page begins with, whatever its order
-    label: str  # what figures and tables call the section; the name of its file where it does not say
-    labels: Mapping[str, str]  # what they call its cases; `label_of` reads it
-    reads: tuple[str, ...]  # sections before it whose results it reads as well
+    """Whether it compares releases. Its ``derive(results, releases)`` then takes them as
+    well, as ``releases["1.4.0"]["friction"].results``."""
+    first: bool  # whether its page begins with it, whatever its order is
+    label: str  # its name in figures and tables; by default the name of its file
+    labels: Mapping[str, str]  # the names of its cases there, see `label_of`
+    reads: tuple[str, ...]  # earlier sections whose results it reads as well
 
 
 def outline_of(section: str, report: Report | None = None) -> Outline:
-    """Read the facts of a section's module; ReportError, one line, where one is wrong."""
+    """Read the outline of a section's module; raise ReportError if it is wrong."""
     if (file := file_of(PACKAGE, section)) is None:
         raise ReportError(
-            f"there is no report/sections/{section}.py, nor a folder of that name"
+            f"report/sections/{section}.py does not exist, and neither does a folder "
+            "of this name: write one of them"
         )
     is_folder = file.name == "__init__.py"
     name = file.relative_to(file.parents[3 if is_folder else 2]).as_posix()
@@ -56,19 +58,21 @@ def outline_of(section: str, report: Report | None = None) -> Outline:
     for fact, (kind, words) in FACTS.items():
         value = facts.get(fact)
         if value == WORKED_OUT or not isinstance(value, kind):
-            raise ReportError(f"{name}: {fact} is not {words}, written out")
+            raise ReportError(f"{name}: {fact} must be {words}, as a literal")
     if "derive" not in facts:
-        raise ReportError(f"{name} has no function derive(results)")
+        raise ReportError(f"{name} has no function derive(results): add it")
     settings = (report or current_report()).settings
     pages = {page.name: page for page in settings.pages[1:]}
     page = facts.get("page", next(iter(pages), ""))
     if page not in pages:
         raise ReportError(
-            f"{name} names the page {page!r}; there are: {', '.join(pages)}"
+            f"{name} names the page {page!r}: use one of {', '.join(pages)}"
         )
     for read in facts["reads"]:
         if not file_of(PACKAGE, read):
-            raise ReportError(f"{name} reads {read!r}, and there is no such section")
+            raise ReportError(
+                f"{name} reads {read!r}, which is not a section: correct the name"
+            )
     return Outline(
         file,
         name.removesuffix("__init__.py"),
@@ -80,40 +84,42 @@ def outline_of(section: str, report: Report | None = None) -> Outline:
 
 
 def file_of(package: str, name: str) -> Path | None:
-    """Return the file of a module, or of a folder of modules; None where there is none."""
-    found = []
+    """Return the file of a module or of a package, or None if there is none."""
+    files = []
     for folder in import_module(package).__path__:
         for path in (Path(folder, name, "__init__.py"), Path(folder, f"{name}.py")):
             if path.is_file():
-                found.append(path)
-    if len({path.stem for path in found[:2]}) > 1:
-        place = package.replace(".", "/")
+                files.append(path)
+    if len({path.stem for path in files[:2]}) > 1:
+        folder_name = package.replace(".", "/")
         raise ReportError(
-            f"{name} in {place}/ is a file and a folder: one of them is never read"
+            f"{folder_name}/ has both {name}.py and {name}/, and only one of them "
+            "is read: remove the other"
         )
-    return found[0] if found else None
+    return files[0] if files else None
 
 
 def derive_section(results: Results, releases: Mapping[str, Any]) -> Section:
-    """Derive a section from its results; one that compares releases has them as well."""
+    """Derive a section from its results, and from releases if it compares them."""
     name = results.record.section
     compared = [releases] if outline_of(name).compares else []
     return derive_by(f"{PACKAGE}.{name}", results, *compared)
 
 
 def derive_by(name: str, *inputs: Any) -> Section:
-    """Return what ``derive`` of the module ``name`` makes, its claims checked."""
+    """Return the section that ``derive`` of the module ``name`` returns, with checked claims."""
     try:
         module = import_module(name)
         section = module.derive(*inputs)
     except RecordError:
         raise
-    except (ImportError, NameError) as error:  # the code is wrong whatever was measured
+    except (ImportError, NameError) as error:
+        # The code is wrong, whatever the measurements are.
         raise ReportError(bug_of(error)) from error
     except Exception as error:
         raise ResultsError(bug_of(error)) from error
     if not isinstance(section, Section):
-        place = short_path(Path(str(module.__file__)))
+        path = short_path(Path(str(module.__file__)))
         kind = type(section).__name__
-        raise ReportError(f"{place}: derive returns a {kind}, and not a Section")
+        raise ReportError(f"{path}: derive returns a {kind}: return a Section")
     return replace(section, claims=[claim.checked() for claim in section.claims])

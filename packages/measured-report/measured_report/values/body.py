@@ -1,8 +1,9 @@
-"""One body of evidence: the measurements of all editions, read together.
+"""One body of evidence: the measurements of all editions, evaluated together.
 
-``body_of`` gathers each number's measurements, fits how the numbers of a column in a
-section scatter in all editions, and returns what that says of each edition's numbers. It
-also checks itself: each measurement is left out in turn and predicted from the others.
+``body_of`` gathers the measurements of each number, estimates from all editions how the
+numbers of a column scatter, and returns the evidence of each section of each edition. It
+also checks its own noise: each measurement is left out in turn and predicted from the
+others.
 """
 
 from collections import Counter, defaultdict
@@ -13,96 +14,108 @@ from typing import Any
 
 import numpy as np
 
-from measured_report.files.columns import Column, Schema
+from measured_report.files.columns import Column, Schema, is_number
 from measured_report.files.groups import single
 from measured_report.records.record import Record
 from measured_report.values.evidence import (
     HOST_FREEDOM,
     HOST_SHARE,
     MEAN,
+    CellKey,
     Cells,
+    ColumnKey,
     Evidence,
-    Key,
-    Number,
-    Place,
+    RowKey,
     Several,
+    column_key_of,
     ending_of,
     is_absolute,
     is_lost,
+    is_repeat,
     key_of,
-    place_of,
     repeats_of,
     scatters,
 )
-from measured_report.values.noise import SURE, chance_of, discoveries, exceeds_chance
+from measured_report.values.noise import (
+    FALSE_SHARE,
+    SURE,
+    chance_of,
+    discoveries,
+    exceeds_chance,
+)
 from measured_report.values.scatter import SLOPES, Fit, fit_of, left_out
 
-MOST_DISSENT = (
-    1 / 3
-)  # chosen: a larger share of other endings makes a row one of chance
+MOST_DISSENT = 1 / 3
+"""Chosen: if a larger share of the measurements of a row ends otherwise, chance decides how
+that row ends, and none of them is an outlier."""
 ODD_ROWS = 0.02
-"""Chosen: how many rows of a section end otherwise by chance in one measurement, where all
-measurements of it agree."""
-KINDS = ("physics", "times", "ratios")  # numbers whose calibration is counted apart
+"""Chosen: the count of rows that is added to those which ended otherwise, in all measurements
+of a section. Without it, one odd row would count as a change if all earlier ones agreed."""
+KINDS = (
+    "physics",
+    "times",
+    "ratios",
+)  # kinds of numbers that are calibrated separately
 
-Section = tuple[str, str]  # an edition, and the name of a section
-Line = tuple[str, Key, str]  # an edition, and the row and the column of a number
-Samples = dict[Line, list[float | None]]  # of each number, by measurement
-Columns = dict[tuple[str, Place], Samples]  # by section
-Fits = dict[tuple[str, Place], Fit]
+SectionKey = tuple[str, str]  # an edition, and the name of a section
+NumberKey = tuple[
+    str, RowKey, str
+]  # an edition, and the row and the column of a number
+Samples = Mapping[NumberKey, Sequence[float | None]]  # each number by measurement
+SamplesByColumn = Mapping[tuple[str, ColumnKey], Samples]  # by section and column
+Fits = Mapping[tuple[str, ColumnKey], Fit]
+Chances = Mapping[tuple[str, ColumnKey], Mapping[NumberKey, Any]]  # arrays of chances
 
 
 @dataclass(frozen=True)
 class Body:
     """Holds the evidence of each section of each edition, and how well it predicts."""
 
-    sections: Mapping[Section, Evidence] = field(default_factory=dict)
+    sections: Mapping[SectionKey, Evidence] = field(default_factory=dict)
     calibration: Mapping[str, tuple[int, int]] = field(default_factory=dict)
-    """By kind of number: how many measurements lie within the noise that the others
-    predict, and of how many."""
+    """For each kind of number: the count of measurements that lie within the noise which
+    the others predict, and the count of all."""
 
 
 def body_of(
-    measured: Mapping[Section, Sequence[Record | None]], columns: Schema
+    measured: Mapping[SectionKey, Sequence[Record | None]], columns: Schema
 ) -> Body:
     """Return the evidence of all sections of all editions.
 
     ``measured`` has the records of each section: first the one that is shown, then its
-    replicas, None where a replica lacks the section.
+    replicas, None for a replica that lacks the section.
     """
-    gathered = {place: _Gathered(each, columns) for place, each in measured.items()}
-    samples: Columns = defaultdict(dict)
-    for (edition, section), found in gathered.items():
-        for place, key, name, line in found.numbers:
-            samples[section, place][edition, key, name] = line
+    gathered = {
+        key: _Gathered(key[1], records, columns) for key, records in measured.items()
+    }
+    samples: dict[tuple[str, ColumnKey], dict[NumberKey, list[float | None]]]
+    samples = defaultdict(dict)
+    for (edition, section), measurements in gathered.items():
+        for column_key, row_key, name, numbers in measurements.numbers:
+            samples[section, column_key][edition, row_key, name] = numbers
     fits = _fits(samples, columns)
-    numbers, apart = _numbers(samples, fits)
-    odd_rows = _odd_rows(gathered, apart)
-    chances = _predict(samples, fits)
+    several, outliers = _several(samples, fits)
+    odd_rows = _odd_rows(gathered, outliers)
+    chances = _chances(samples, fits)
     host = _host_scatter(samples, fits, columns)
     sections = {}
-    for (edition, section), found in gathered.items():
+    for (edition, section), measurements in gathered.items():
         noise = measured.get((edition, columns.settings.noise_section), [None])[0]
-        of_section = [
-            (line[1], of_line)
-            for (name, _), lines in chances.items()
-            if name == section
-            for line, of_line in lines.items()
-            if line[0] == edition
-        ]
         sections[edition, section] = Evidence(
-            count=found.count,
-            numbers=numbers[edition, section],
+            count=measurements.count,
+            numbers=several[edition, section],
             scatters={
-                place: fit.scatter
-                for (name, place), fit in fits.items()
+                column_key: fit.scatter
+                for (name, column_key), fit in fits.items()
                 if name == section
             },
             repeats=repeats_of(noise.rows if noise else (), columns),
-            edges=frozenset(found.edges),
+            edges=frozenset(measurements.edges),
             odd_rows=odd_rows.get(section),
             host=host,
-            changed=_changed(of_section, odd_rows.get(section, 0.0)),
+            changed=_changed(
+                _row_chances(chances, edition, section), odd_rows.get(section, 0.0)
+            ),
         )
     return Body(sections, _calibration(chances, columns))
 
@@ -110,72 +123,85 @@ def body_of(
 class _Gathered:
     """Gathers the measurements of one section of one edition."""
 
-    def __init__(self, records: Sequence[Record | None], columns: Schema):
+    def __init__(self, section: str, records: Sequence[Record | None], columns: Schema):
         shown = records[0]
         assert shown, "the record that is shown comes first"
         self.columns = columns
         self.count = sum(record is not None for record in records)
-        self.edges: set[Key] = set()  # rows of which chance decides how they end
-        self.dissenting = 0  # rows of a measurement that end unlike all others
+        self.edges: set[RowKey] = set()  # rows that end in one of two ways, by chance
+        self.dissenting = 0  # rows of one measurement that end unlike the others
         self.is_alike = [
             record is not None and record.machine_for_speed == shown.machine_for_speed
             for record in records
         ]
         rows = [
-            rows_by_key(record.rows if record else (), columns) for record in records
+            rows_by_key(record.rows if record else (), section, columns)
+            for record in records
         ]
         self.numbers = list(self._numbers(rows))
 
     def _numbers(
-        self, rows: Sequence[Mapping[Key, Cells]]
-    ) -> Iterator[tuple[Place, Key, str, list[float | None]]]:
+        self, rows: Sequence[Mapping[RowKey, Cells]]
+    ) -> Iterator[tuple[ColumnKey, RowKey, str, list[float | None]]]:
         """Yield each number of the record that is shown, with all its measurements."""
-        for key, row in rows[0].items():
-            of_row = self._agreeing(key, [each.get(key) for each in rows])
-            is_mean = key[0] == MEAN
-            if is_lost(row, self.columns):
+        for row_key, shown in rows[0].items():
+            measured_rows = self._agreeing(
+                row_key, [by_key.get(row_key) for by_key in rows]
+            )
+            if is_lost(shown, self.columns):
                 continue
-            for name, cell in row.items():
+            for name in shown:
                 column = self.columns[name]
-                if cell is None or isinstance(cell, str | bool) or not scatters(column):
+                number = self.columns.number_of(name, shown)
+                if not (is_number(number) and scatters(column)):
                     continue
-                place = (MEAN, name) if is_mean else place_of(name, row, self.columns)
-                samples = [each.get(name) if each else None for each in of_row]
+                column_key = column_key_of(name, shown, self.columns)
+                if row_key[0] == MEAN:
+                    column_key = MEAN, name
+                samples = [
+                    self.columns.number_of(name, row) if row and name in row else None
+                    for row in measured_rows
+                ]
                 if is_absolute(column):
                     pairs = zip(samples, self.is_alike, strict=True)
                     samples = [
                         sample if is_alike else None for sample, is_alike in pairs
                     ]
-                yield place, key, name, samples
+                yield column_key, row_key, name, samples
 
-    def _agreeing(self, key: Key, rows: list[Cells | None]) -> list[Cells | None]:
+    def _agreeing(self, key: RowKey, rows: list[Cells | None]) -> list[Cells | None]:
         """Return the measurements of a row without the few that end otherwise.
 
-        If more than a third do, or the one that is shown does, the row is at an edge.
+        If more than ``MOST_DISSENT`` of them end unlike the one that is shown, all are
+        returned, and the row is at an edge.
         """
         endings = [ending_of(row, self.columns) if row else None for row in rows]
-        others = [ending not in (None, endings[0]) for ending in endings]
-        if not any(others):
+        dissents = [ending not in (None, endings[0]) for ending in endings]
+        if not any(dissents):
             return rows
-        if sum(others) > MOST_DISSENT * sum(row is not None for row in rows):
+        if sum(dissents) > MOST_DISSENT * sum(row is not None for row in rows):
             self.edges.add(key)
             return rows
-        self.dissenting += sum(others)
+        self.dissenting += sum(dissents)
         return [
-            None if is_other else row
-            for row, is_other in zip(rows, others, strict=True)
+            None if is_dissent else row
+            for row, is_dissent in zip(rows, dissents, strict=True)
         ]
 
 
-def rows_by_key(rows: Sequence[Cells], columns: Schema) -> dict[Key, Cells]:
+def rows_by_key(
+    rows: Sequence[Cells], section: str, columns: Schema
+) -> dict[RowKey, Cells]:
     """Return the rows of a record by their keys, without those that share one.
 
-    The mean of the runs of one case is a row of its own for each column.
+    In the section on noise, the mean of the runs of one case is a row of its own for each
+    column, in place of the runs.
     """
-    singles = [row for row in rows if "of" not in row]
+    singles = [row for row in rows if not is_repeat(row, section, columns)]
     by_key = single((key_of(row, columns), row) for row in singles)
-    for case, runs in repeats_of(rows, columns).items():
-        by_key |= {(MEAN, case, name): {name: runs[name].mean} for name in runs}
+    if section == columns.settings.noise_section:
+        for case, runs in repeats_of(rows, columns).items():
+            by_key |= {(MEAN, case, name): {name: runs[name].mean} for name in runs}
     return by_key
 
 
@@ -186,92 +212,126 @@ def kind_of(column: Column) -> str:
     return "times" if is_absolute(column) else "ratios"
 
 
-def _column(place: Place, columns: Schema) -> Column:
-    return columns[place[1] if place[0] == MEAN else place[0]]
+def _column(key: ColumnKey, columns: Schema) -> Column:
+    return columns[key[1] if key[0] == MEAN else key[0]]
 
 
-def _array(lines: Samples) -> Any:
-    """Return samples by number and measurement, NaN where there is none."""
-    width = max(map(len, lines.values()))
-    array = np.full((len(lines), width), np.nan)
-    for index, line in enumerate(lines.values()):
-        array[index, : len(line)] = [np.nan if x is None else x for x in line]
+def _array(samples: Samples) -> Any:
+    """Return samples by number and measurement, NaN for those that are missing."""
+    width = max(map(len, samples.values()))
+    array = np.full((len(samples), width), np.nan)
+    for index, numbers in enumerate(samples.values()):
+        array[index, : len(numbers)] = [
+            np.nan if number is None else number for number in numbers
+        ]
     return array
 
 
-def _fits(samples: Columns, columns: Schema) -> Fits:
-    """Fit the numbers of each column in each section.
+def _row_keys(samples: Samples) -> list[RowKey]:
+    """Return the row of each number; a row occurs once for each edition that has it."""
+    return [row_key for _, row_key, _ in samples]
+
+
+def _fits(samples: SamplesByColumn, columns: Schema) -> Fits:
+    """Fit the scatter of each column of each section.
 
     A column with few numbers in one section scatters as it does in all sections.
     """
-    together: dict[Place, Samples] = defaultdict(dict)
-    for (section, place), lines in samples.items():
-        for (edition, key, name), line in lines.items():
-            together[place][edition, (section, *key), name] = line
+    pooled: dict[ColumnKey, dict[NumberKey, Sequence[float | None]]] = defaultdict(dict)
+    for (section, column_key), of_column in samples.items():
+        for (edition, row_key, name), numbers in of_column.items():
+            pooled[column_key][edition, (section, *row_key), name] = numbers
     general = {}
-    for place, lines in together.items():
-        slopes = _slopes(place, columns)
-        rows: list[Any] = [line[1] for line in lines]
-        if fit := fit_of(_array(lines), rows, slopes=slopes):
-            general[place] = fit.scatter
+    for column_key, of_column in pooled.items():
+        slopes = _slopes(column_key, columns)
+        if fit := fit_of(_array(of_column), _row_keys(of_column), slopes=slopes):
+            general[column_key] = fit.scatter
     fits = {}
-    for (section, place), lines in samples.items():
-        rows = [line[1] for line in lines]
-        slopes = _slopes(place, columns)
-        if fit := fit_of(_array(lines), rows, general.get(place), slopes):
-            fits[section, place] = fit
+    for (section, column_key), of_column in samples.items():
+        fit = fit_of(
+            _array(of_column),
+            _row_keys(of_column),
+            general.get(column_key),
+            _slopes(column_key, columns),
+        )
+        if fit:
+            fits[section, column_key] = fit
     return fits
 
 
-def _slopes(place: Place, columns: Schema) -> Sequence[float]:
-    """Return how the noise of a column may go with its numbers: costs are in proportion."""
-    return SLOPES[:1] if _column(place, columns).is_cost else SLOPES
+def _slopes(key: ColumnKey, columns: Schema) -> Sequence[float]:
+    """Return the exponents by which the variance of a column may grow with its numbers.
+
+    The errors of costs are in proportion to them, so for costs there is only one.
+    """
+    return SLOPES[:1] if _column(key, columns).is_cost else SLOPES
 
 
-def _numbers(
-    samples: Columns, fits: Fits
-) -> tuple[dict[Section, dict[Number, Several]], dict[Section, set[tuple[Key, int]]]]:
-    """Return the numbers that were measured several times, by section, and which of their
-    measurements lie far from all others: the row, and which measurement."""
-    numbers: dict[Section, dict[Number, Several]] = defaultdict(dict)
-    apart: dict[Section, set[tuple[Key, int]]] = defaultdict(set)
-    for (section, place), lines in samples.items():
-        fit = fits.get((section, place))
-        for index, ((edition, key, name), line) in enumerate(lines.items()):
-            present = [sample for sample in line if sample is not None]
+def _several(
+    samples: SamplesByColumn, fits: Fits
+) -> tuple[
+    dict[SectionKey, dict[CellKey, Several]], dict[SectionKey, set[tuple[RowKey, int]]]
+]:
+    """Return the numbers that were measured several times, and the outliers among their
+    measurements as row and index of the measurement. Both are by section."""
+    several: dict[SectionKey, dict[CellKey, Several]] = defaultdict(dict)
+    outliers: dict[SectionKey, set[tuple[RowKey, int]]] = defaultdict(set)
+    for (section, column_key), of_column in samples.items():
+        fit = fits.get((section, column_key))
+        for index, ((edition, row_key, name), numbers) in enumerate(of_column.items()):
+            present = [number for number in numbers if number is not None]
             if len(present) < 2:
                 continue
-            odd = np.flatnonzero(fit.apart[index, : len(line)]).tolist() if fit else []
-            apart[edition, section] |= {(key, measurement) for measurement in odd}
-            value = float(fit.values[index]) if fit else fmean(present)
+            odd: list[int] = []
+            value = fmean(present)
+            if fit:
+                odd = np.flatnonzero(fit.is_outlier[index, : len(numbers)]).tolist()
+                value = float(fit.values[index])
             if len({*present}) == 1:
-                value = present[0]  # not moved by rounding
-            entry = Several(value, line, len(present), len(odd))
-            numbers[edition, section][key, name] = entry
-    return numbers, apart
+                value = present[0]  # exactly, because a mean can be rounded
+            outliers[edition, section] |= {
+                (row_key, measurement) for measurement in odd
+            }
+            several[edition, section][row_key, name] = Several(
+                value, numbers, len(present), len(odd)
+            )
+    return several, outliers
 
 
-def _predict(samples: Columns, fits: Fits) -> dict[tuple[str, Place], dict[Line, Any]]:
-    """Return how often chance puts each measurement so far from the others of its number,
-    NaN where that is not known."""
+def _chances(samples: SamplesByColumn, fits: Fits) -> Chances:
+    """Return the probability of the distance between each measurement and the mean of the
+    others of its number; NaN if it cannot be tested."""
     chances = {}
-    for place, fit in fits.items():
-        lines = samples[place]
-        found = left_out(_array(lines), [line[1] for line in lines], fit)
-        of_place = np.array(chance_of(found.distances, found.errors, found.freedoms))
-        of_place = np.where(np.isnan(found.distances), np.nan, of_place)
-        chances[place] = dict(zip(lines, of_place, strict=True))
+    for key, fit in fits.items():
+        numbers = samples[key]
+        predicted = left_out(_array(numbers), _row_keys(numbers), fit)
+        of_column = np.array(
+            chance_of(predicted.distances, predicted.errors, predicted.freedoms)
+        )
+        of_column = np.where(np.isnan(predicted.distances), np.nan, of_column)
+        chances[key] = dict(zip(numbers, of_column, strict=True))
     return chances
 
 
-def _calibration(
-    chances: Mapping[tuple[str, Place], Mapping[Line, Any]], columns: Schema
-) -> dict[str, tuple[int, int]]:
-    """Return by kind how many measurements lie within the noise that others predict."""
+def _row_chances(
+    chances: Chances, edition: str, section: str
+) -> list[tuple[RowKey, Any]]:
+    """Return the chances of each number of a section, with the row of that number."""
+    return [
+        (row_key, of_number)
+        for (name, _), numbers in chances.items()
+        if name == section
+        for (release, row_key, _), of_number in numbers.items()
+        if release == edition
+    ]
+
+
+def _calibration(chances: Chances, columns: Schema) -> dict[str, tuple[int, int]]:
+    """Return by kind the count of measurements within the predicted noise, and of all."""
     counts = dict.fromkeys(KINDS, (0, 0))
-    for (_, place), lines in chances.items():
-        kind = kind_of(_column(place, columns))
-        known = np.concatenate([line[~np.isnan(line)] for line in lines.values()])
+    for (_, column_key), numbers in chances.items():
+        kind = kind_of(_column(column_key, columns))
+        known = np.concatenate([row[~np.isnan(row)] for row in numbers.values()])
         inside, total = counts[kind]
         inside += int((known >= 1 - SURE).sum())
         counts[kind] = inside, total + len(known)
@@ -279,77 +339,81 @@ def _calibration(
 
 
 def _changed(
-    chances: Sequence[tuple[Key, Any]], odd_rows: float
+    chances: Sequence[tuple[RowKey, Any]], odd_rows: float
 ) -> list[tuple[int, int]]:
-    """Return how many numbers a measurement has, and how many seem to have changed.
+    """Return for each measurement the count of its numbers, and of those that differ from
+    the other measurements beyond noise.
 
-    Nothing changed between measurements, so this is how often the comparison is wrong.
+    Nothing changed between measurements, so the second count is that of false alarms. The
+    rules are those of a comparison of two editions, see ``changes/moves.py``.
     """
-    by_measurement: dict[int, dict[Key, list[float]]] = {}
-    for key, line in chances:
-        for index in np.flatnonzero(~np.isnan(line)):
+    by_measurement: dict[int, dict[RowKey, list[float]]] = {}
+    for row_key, of_number in chances:
+        for index in np.flatnonzero(~np.isnan(of_number)):
             rows = by_measurement.setdefault(int(index), {})
-            rows.setdefault(key, []).append(float(line[index]))
+            rows.setdefault(row_key, []).append(float(of_number[index]))
     counts = []
     for rows in by_measurement.values():
         known = [chance for of_row in rows.values() for chance in of_row]
-        limit = discoveries(known)
-        changed = [sum(c <= limit for c in of_row) for of_row in rows.values()]
-        row_count = sum(map(bool, changed)) if limit else 0
-        is_told = exceeds_chance(row_count, odd_rows)
-        counts.append((len(known), sum(changed) if is_told else 0))
+        limit = max(discoveries(known), FALSE_SHARE / len(known))
+        changed = [
+            sum(chance <= limit for chance in of_row) for of_row in rows.values()
+        ]
+        is_listed = exceeds_chance(sum(map(bool, changed)), odd_rows)
+        counts.append((len(known), sum(changed) if is_listed else 0))
     return counts
 
 
 def _odd_rows(
-    gathered: Mapping[Section, _Gathered], apart: Mapping[Section, set[tuple[Key, int]]]
+    gathered: Mapping[SectionKey, _Gathered],
+    outliers: Mapping[SectionKey, set[tuple[RowKey, int]]],
 ) -> dict[str, float]:
-    """Return by section how many rows of one measurement end unlike all others."""
+    """Return by section the mean count of rows of a measurement that end unlike others."""
     odd: Counter[str] = Counter()
     measurements: Counter[str] = Counter()
-    for (edition, section), found in gathered.items():
-        if found.count > 1:
-            odd[section] += found.dissenting + len(apart[edition, section])
-            odd[section] += len(found.edges)
-            measurements[section] += found.count
+    for (edition, section), rows in gathered.items():
+        if rows.count > 1:
+            odd[section] += rows.dissenting + len(outliers[edition, section])
+            odd[section] += len(rows.edges)
+            measurements[section] += rows.count
     return {
         section: (odd[section] + ODD_ROWS) / count
         for section, count in measurements.items()
     }
 
 
-def _host_scatter(samples: Columns, fits: Fits, columns: Schema) -> tuple[float, float]:
-    """Return the relative variance of all times of a measurement together.
+def _host_scatter(
+    samples: SamplesByColumn, fits: Fits, columns: Schema
+) -> tuple[float, float]:
+    """Return the relative variance that all times of one measurement share, and its
+    degrees of freedom.
 
-    For each section of an edition it is that of the median over all times of their
-    logarithm less its mean; sections share it, and its degrees of freedom are those of
-    the section that was measured most often.
+    The shift of a measurement is the median of log(time / mean time) over all times of a
+    section of an edition. Sections share hosts, so the degrees of freedom are those of the
+    section that was measured most often. The usual variance weighs ``HOST_FREEDOM``.
     """
-    shifts: dict[Section, list[Any]] = defaultdict(list)
-    for (section, place), lines in samples.items():
-        fit = fits.get((section, place))
-        if fit is None or not is_absolute(_column(place, columns)):
+    logs_by_section: dict[SectionKey, list[Any]] = defaultdict(list)
+    for (section, column_key), of_column in samples.items():
+        fit = fits.get((section, column_key))
+        if fit is None or not is_absolute(_column(column_key, columns)):
             continue
         with np.errstate(divide="ignore", invalid="ignore"):
-            logs = np.log(_array(lines) / fit.values[:, None])
-        for (edition, *_), line in zip(lines, logs, strict=True):
-            shifts[edition, section].append(line)
+            logs = np.log(_array(of_column) / fit.values[:, None])
+        for (key, numbers), row in zip(of_column.items(), logs, strict=True):
+            # Another edition of the column may have more measurements.
+            logs_by_section[key[0], section].append(row[: len(numbers)])
     squares = 0.0
     freedom = 0
     most = 0
-    for lines_of_section in shifts.values():
-        width = max(map(len, lines_of_section))
-        by_measurement = np.stack(
-            [line for line in lines_of_section if len(line) == width]
-        )
+    for rows in logs_by_section.values():
+        by_measurement = np.stack(rows)
         is_known = ~np.isnan(by_measurement).all(axis=0)
-        medians = np.nanmedian(by_measurement[:, is_known], axis=0)
-        squares += float(((medians - medians.mean()) ** 2).sum()) if len(medians) else 0
-        freedom += max(0, len(medians) - 1)
-        most = max(most, len(medians) - 1)
+        shifts = np.nanmedian(by_measurement[:, is_known], axis=0)
+        squares += float(((shifts - shifts.mean()) ** 2).sum()) if len(shifts) else 0.0
+        freedom += max(0, len(shifts) - 1)
+        most = max(most, len(shifts) - 1)
     if not freedom:
         return HOST_SHARE**2, HOST_FREEDOM
     weight = HOST_FREEDOM / (HOST_FREEDOM + freedom)
-    return weight * HOST_SHARE**2 + (
-        1 - weight
-    ) * squares / freedom, HOST_FREEDOM + most
+    variance = weight * HOST_SHARE**2 + (1 - weight) * squares / freedom
+    return variance, HOST_FREEDOM + most

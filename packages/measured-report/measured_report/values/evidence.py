@@ -1,9 +1,10 @@
-"""Evidence: what all measurements of an edition say of its numbers.
+"""Evidence: estimates of an edition's numbers from all their measurements.
 
-A measurement gives the truth with errors of its host and card, of its process and of its
-run. A number that was measured several times has the mean of its measurements; how much
-they scatter is known from all editions, see ``scatter.py``. A number of which nothing was
-ever measured twice has the scatter of the runs of one case, or of its own repeats.
+A measurement differs from the truth by errors of its host and card, of its process and of
+its run. The estimate of a number that was measured several times is the mean of its
+measurements; their scatter is estimated from all editions, see ``scatter.py``. If no number
+of a column was ever measured twice, its scatter is that of repeated runs of one case, or
+that of the repeats within its own row.
 """
 
 import math
@@ -13,7 +14,6 @@ from statistics import NormalDist, fmean
 from typing import Any, NamedTuple
 
 from measured_report.files.columns import REASON, Column, Schema, is_number
-from measured_report.files.errors import ReportError
 from measured_report.files.groups import grouped
 from measured_report.values.noise import (
     Estimate,
@@ -25,26 +25,29 @@ from measured_report.values.noise import (
 )
 
 REPEATED_SHARE = 1e-3
-"""Chosen: by how much a number that repeats to the last bit on one machine may differ on
-another, by rounding."""
+"""Chosen: the relative difference that rounding may cause between two machines, in a number
+that repeats to the last bit on each of them."""
 HOST_SHARE = 0.03
-"""Chosen: the deviation of a time between hosts and cards if none was measured twice; it
-was 0.5 to 5 % between ten hosts with one kind of card."""
-HOST_FREEDOM = 4.0  # chosen: degrees of freedom of that
-EDGES = ("_p5", "_p95")  # columns with the spread of the numbers that a median is of
-MEDIAN = math.sqrt(
-    math.pi / 2
-)  # the error of the median of many, over that of their mean
-MEAN = "mean of"  # begins the key of a mean of runs of one case
-Key = tuple[Any, ...]
+"""Chosen: the relative deviation of times between hosts and cards, if no time was measured
+twice. Ten hosts with one kind of card differed by 0.5 to 5 %."""
+HOST_FREEDOM = (
+    4.0  # chosen: degrees of freedom of HOST_SHARE, about those of five hosts
+)
+EDGES = ("_p5", "_p95")  # ends of columns with the quantiles beside a median
+MEDIAN = math.sqrt(math.pi / 2)
+"""The standard error of the median of many normal numbers, divided by that of their mean."""
+MEAN = "mean of"  # the first part of the key of a mean over runs of one case
+RowKey = tuple[Any, ...]
 Cells = Mapping[str, Any]
-Number = tuple[Key, str]  # the row and the column of a number
-Place = tuple[Any, ...]  # a column of a section and the engine that its rows ran on
-Repeated = Mapping[str, Mapping[str, "Repeats"]]  # runs of one case, by case and column
+CellKey = tuple[RowKey, str]  # the row and the column of a number
+ColumnKey = tuple[
+    Any, ...
+]  # a column of a section, and the engine that its rows ran on
+Repeated = Mapping[str, Mapping[str, "Repeats"]]  # by case and column
 
 
 def is_lost(row: Cells, columns: Schema) -> bool:
-    """Return whether the run of a row failed, so that its numbers are chance."""
+    """Return whether the run of a row failed, so that its numbers have no meaning."""
     return any(row[name] for name in row if "failure" in columns[name].kinds)
 
 
@@ -54,38 +57,46 @@ def is_absolute(column: Column) -> bool:
 
 
 def scatters(column: Column) -> bool:
-    """Return whether measurements of a column differ by chance and are compared."""
-    is_ignored = column.is_exact or "uncompared" in column.kinds
+    """Return whether measurements of a column differ by chance and are compared.
+
+    The noise of a count of trials follows from the trials, not from other measurements.
+    """
+    is_ignored = column.is_exact or column.trials or "uncompared" in column.kinds
     return not (is_ignored or column.name.endswith(EDGES))
 
 
-def key_of(row: Cells, columns: Schema) -> Key:
-    """Return the cells that tell a row from the others of its section."""
+def key_of(row: Cells, columns: Schema) -> RowKey:
+    """Return the cells that distinguish a row from the others of its section."""
     return tuple(row.get(name) for name in columns.settings.changes.keys)
 
 
-def place_of(name: str, row: Cells, columns: Schema) -> Place:
-    """Return the column and the engine of a number, which scatters as others there do."""
+def column_key_of(name: str, row: Cells, columns: Schema) -> ColumnKey:
+    """Return the column and the engine of a number. Numbers that share both scatter alike."""
     return name, *(row.get(engine) for engine in columns.settings.repeating)
 
 
+def is_repeat(row: Cells, section: str, columns: Schema) -> bool:
+    """Return whether a row repeats the case ``of``, so that only its mean is compared."""
+    return section == columns.settings.noise_section and "of" in row
+
+
 class Repeats(NamedTuple):
-    """Holds what runs of one case of one measurement say of a column."""
+    """Holds the mean and the variance of repeated runs of one case, in one column."""
 
     mean: float
     variance: float
     run_count: int
-    length: float = 0.0  # of the longest, in the column that numbers grow with
+    length: float = 0.0  # of the longest run, in the column that noise grows with
 
     def variance_at(self, value: float, length: float | None) -> float:
-        """Return the variance of one run; it grows with its number and its length."""
+        """Return the variance of one run, which grows with its number and its length."""
         scale = abs(value / self.mean) if self.mean else 1.0
         longer = (length or 0.0) / self.length if self.length else 1.0
         return self.variance * max(1.0, scale, longer) ** 2
 
 
 def repeats_of(rows: Iterable[Cells], columns: Schema) -> Repeated:
-    """Return what the runs of one case, as ``of`` names it, say of each column."""
+    """Return the repeats of each case, as ``of`` names it, by case and column."""
     repeats: dict[str, dict[str, Repeats]] = {}
     for case, runs in grouped((row["of"], row) for row in rows if "of" in row).items():
         repeats[case] = {}
@@ -95,42 +106,47 @@ def repeats_of(rows: Iterable[Cells], columns: Schema) -> Repeated:
             if len(finite) > 1:
                 numbers = fenced(finite)
                 length = max(row.get(column.grows_with) or 0.0 for row in runs)
-                found = fmean(numbers), variance_of(numbers), len(numbers), length
-                repeats[case][column.name] = Repeats(*found)
+                repeats[case][column.name] = Repeats(
+                    mean=fmean(numbers),
+                    variance=variance_of(numbers),
+                    run_count=len(numbers),
+                    length=length,
+                )
     return repeats
 
 
 class Several(NamedTuple):
-    """Holds what several measurements of a number say."""
+    """Holds a number that was measured several times."""
 
-    value: float | int
-    samples: Sequence[float | None]
-    total: int  # of measurements that have it
-    dissent: int = 0
+    value: float | int  # the mean, with outliers moved in
+    samples: Sequence[float | None]  # by measurement, None if it lacks the number
+    total: int  # count of the measurements that have the number
+    dissent: int = 0  # count of outliers among them
 
 
 @dataclass(frozen=True)
 class Evidence:
-    """Holds what all measurements of a section say of its numbers."""
+    """Holds the measurements of a section, and the scatter of its numbers."""
 
     count: int = 1  # of measurements of the section
-    numbers: Mapping[Number, Several] = field(default_factory=dict)
-    """What was measured several times."""
-    scatters: Mapping[Place, Scatter] = field(default_factory=dict)
+    numbers: Mapping[CellKey, Several] = field(default_factory=dict)
+    scatters: Mapping[ColumnKey, Scatter] = field(default_factory=dict)
     repeats: Repeated = field(default_factory=dict)  # of the section on noise
-    edges: frozenset[Key] = frozenset()  # rows that end in one of two ways, by chance
+    edges: frozenset[RowKey] = (
+        frozenset()
+    )  # rows that end in one of two ways, by chance
     odd_rows: float | None = None
-    """How many rows of one measurement end unlike all others though nothing changed; None
-    if no measurement was repeated."""
+    """The expected number of rows of one measurement that end unlike all others although
+    nothing changed. None if no measurement was repeated."""
     host: tuple[float, float] = (HOST_SHARE**2, HOST_FREEDOM)
     """The relative variance of times between hosts, and its degrees of freedom."""
     changed: Sequence[tuple[int, int]] = ()
-    """By measurement: how many numbers it has, and how many seem to have changed beside
-    the others, though nothing changed."""
+    """For each measurement: the count of its numbers, and the count of those that differ
+    from the other measurements beyond noise. Nothing changed, so these are false alarms."""
 
     def estimate(self, name: str, row: Cells, columns: Schema) -> Estimate | None:
-        """Return what is known of a number; None if its scatter is not known."""
-        value = row[name]
+        """Return the estimate of a number, or None if its scatter is not known."""
+        value = columns.number_of(name, row)
         column = columns[name]
         if value is None:
             return None
@@ -139,17 +155,19 @@ class Evidence:
         if column.is_exact:
             return Estimate(value)
         key = key_of(row, columns)
-        place = place_of(name, row, columns)
+        column_key = column_key_of(name, row, columns)
         if several := self.numbers.get((key, name)):
-            return self._by_measurements(several, column, key, place)
+            return self._by_measurements(several, column, key, column_key)
         if isinstance(value, int):
             return Estimate(value)
-        if scatter := self.scatters.get(place):
+        if scatter := self.scatters.get(column_key):
             variance, freedom = scatter.of(key, abs(value))
-            is_shared = is_absolute(column)
-            samples = (value,)
             return Estimate(
-                value, variance, freedom, samples=samples, is_shared=is_shared
+                value,
+                variance,
+                freedom,
+                samples=(value,),
+                is_shared=is_absolute(column),
             )
         if estimate := _by_itself(column, row):
             return estimate
@@ -161,7 +179,7 @@ class Evidence:
         return self._by_repeats(column, row, rounding)
 
     def means(self) -> dict[tuple[str, str], Estimate]:
-        """Return what is known of means of runs of one case, by case and column."""
+        """Return the estimates of the means over runs of one case, by case and column."""
         means = {}
         for case, columns in self.repeats.items():
             for name, runs in columns.items():
@@ -169,37 +187,42 @@ class Evidence:
                 several = self.numbers.get((key, name))
                 scatter = self.scatters.get((MEAN, name))
                 if several and scatter:
-                    value = several.value
-                    known = scatter.of(key, abs(value))
-                    estimate = Estimate(value, *known, several.total)
-                    estimate = estimate._replace(samples=several.samples)
-                else:
-                    freedom = runs.run_count - 1
+                    variance, freedom = scatter.of(key, abs(several.value))
                     estimate = Estimate(
-                        runs.mean, runs.variance, freedom, runs.run_count
+                        several.value,
+                        variance,
+                        freedom,
+                        count=several.total,
+                        samples=several.samples,
+                    )
+                else:
+                    estimate = Estimate(
+                        runs.mean,
+                        runs.variance,
+                        freedom=runs.run_count - 1,
+                        count=runs.run_count,
                     )
                 means[case, name] = estimate
         return means
 
     def _by_measurements(
-        self, several: Several, column: Column, key: Key, place: Place
+        self, several: Several, column: Column, key: RowKey, column_key: ColumnKey
     ) -> Estimate:
         value = several.value
         present = [sample for sample in several.samples if sample is not None]
         reach = max(abs(sample - value) for sample in present)
-        is_shared = is_absolute(column)
         common: dict[str, Any] = {
             "count": several.total,
             "samples": several.samples,
             "dissent": several.dissent,
-            "is_shared": is_shared,
+            "is_shared": is_absolute(column),
         }
         if key in self.edges and reach:
             return Estimate(value, least=reach, **common, is_edge=True)
         # Measurements that agree on a count, or on zero, leave no doubt.
         if not reach and not (isinstance(value, float) and value):
             return Estimate(value, **common)
-        scatter = self.scatters.get(place)
+        scatter = self.scatters.get(column_key)
         if scatter is None:
             freedom = several.total - 1
             variance = variance_of(present) if freedom else 0.0
@@ -212,12 +235,12 @@ class Evidence:
         """Return an estimate with the noise of the noisiest runs of one case."""
         value = row[column.name]
         length = row.get(column.grows_with)
-        runs = [
-            each[column.name] for each in self.repeats.values() if column.name in each
+        cases = [
+            case[column.name] for case in self.repeats.values() if column.name in case
         ]
-        if not runs:
+        if not cases:
             return None
-        noisiest = max(runs, key=lambda run: run.variance_at(value, length))
+        noisiest = max(cases, key=lambda repeats: repeats.variance_at(value, length))
         variance = noisiest.variance_at(value, length)
         least = column.resolution or (0.0 if variance else rounding)
         if not (variance or least):
@@ -230,15 +253,12 @@ def _of_trials(column: Column, row: Cells, trials: float) -> Estimate:
     """Return an estimate of a number, or share, of trials that succeeded."""
     value = row[column.name]
     scale = trials if column.name.endswith("_count") else 1
-    if not 0 <= value <= scale:
-        given = f"{column.name} {value:g}, with {column.trials} {trials:g}"
-        raise ReportError(f"{row['case']} has {given}")
     deviation = scale * binomial_noise(value / scale, trials) / Z
     return Estimate(value, deviation**2, samples=(value,))
 
 
 def _by_itself(column: Column, row: Cells) -> Estimate | None:
-    """Return an estimate with the noise that the row has; None if it has none."""
+    """Return an estimate with the noise that the row itself states, or None."""
     value = row[column.name]
     if share := row.get(column.known_within):
         return Estimate(value, (share * value / Z) ** 2, samples=(value,))
@@ -256,7 +276,7 @@ def _by_itself(column: Column, row: Cells) -> Estimate | None:
 
 
 def ending_of(row: Cells, columns: Schema) -> tuple[Any, ...]:
-    """Return how the run of a row ended: whether it failed, and what it says in words."""
+    """Return how the run of a row ended: whether it failed, and its cells with text."""
     texts = frozenset(
         (name, cell)
         for name, cell in row.items()

@@ -1,7 +1,7 @@
-"""Noise: how far a number may be from the truth, and how often chance makes two numbers differ as much.
+"""Noise: the confidence interval of a number, and the test of a difference of two numbers.
 
-The first is a confidence interval of the mean of all measurements, the second a test of the
-difference of two such means. ``scatter.py`` estimates the variance that both use.
+A number is the mean of all its measurements. ``scatter.py`` estimates the variance that
+both the interval and the test use.
 """
 
 import math
@@ -11,37 +11,42 @@ from functools import cache
 from statistics import NormalDist, fmean, median
 from typing import Any, NamedTuple
 
-SURE = 0.95  # chosen: how often the truth lies within the noise of a printed number
+SURE = 0.95  # chosen: the probability that the truth lies within the noise of a number
 FALSE_SHARE = 0.01  # chosen: the share of the listed changes that may be false
 OUTLIER = 5.0
-"""Chosen: a measurement farther from the median of its row, in deviations, is moved there."""
-LEAST_FENCED = 6  # chosen: how many numbers it takes to find an outlier among them
+"""Chosen: a measurement that is more deviations away from the median of its row is moved to
+this distance. A normal distribution has one such number in 1.7 million."""
+LEAST_FENCED = 6  # chosen: fewer numbers do not show which of them is an outlier
 NORMAL = NormalDist()
 Z = NORMAL.inv_cdf((1 + SURE) / 2)
 """Half the width of the interval that has ``SURE`` of a normal distribution [σ]."""
-TO_DEVIATION = 1.4826  # of a normal distribution, over its median absolute deviation
+TO_DEVIATION = 1.4826
+"""The standard deviation of a normal distribution, divided by its median absolute
+deviation."""
 WRITTEN_SHARE = (
-    5e-4  # chosen: no number is written more precisely than this share of it
+    5e-4  # chosen: no number is printed more precisely than this share of it
 )
 ROUNDED_SHARE = 1e-6
-"""Chosen: smaller relative differences are rounding, as sums in single precision have it."""
+"""Chosen: smaller relative differences are rounding; sums in single precision have them."""
 
 
 @cache
 def t_quantile(share: float, freedom: float) -> float:
-    """Return the value of Student's t that the given share of the distribution lies within."""
+    """Return the t for which ``share`` of Student's distribution lies within -t to t."""
     if math.isinf(freedom):
         return NORMAL.inv_cdf((1 + share) / 2)
-    from scipy.special import stdtrit  # a slow import, which a cached build never needs
+    from scipy.special import (
+        stdtrit,
+    )  # slow to import, and a cached build does not need it
 
     return float(stdtrit(freedom, (1 + share) / 2))
 
 
 def chance_of(difference: Any, error: Any, freedom: Any) -> list[float]:
-    """Return how often two means of one truth differ by as much or more.
+    """Return the probability that two means of one truth differ by as much or more.
 
-    All arguments are arrays: the size of the difference, its standard error and the
-    degrees of freedom of that. Without an error any difference is certain.
+    All arguments are arrays: the size of the difference, its standard error, and the
+    degrees of freedom of that error. If the error is 0, any difference is certain.
     """
     import numpy as np
     from scipy.special import ndtr, stdtr
@@ -55,7 +60,7 @@ def chance_of(difference: Any, error: Any, freedom: Any) -> list[float]:
 
 
 def discoveries(chances: Sequence[float]) -> float:
-    """Return the largest chance that counts as a discovery among so many.
+    """Return the largest of these chances that counts as a discovery, or 0.
 
     The method is that of Benjamini and Hochberg (1995), J. R. Stat. Soc. B 57, 289.
     """
@@ -67,9 +72,9 @@ def discoveries(chances: Sequence[float]) -> float:
 
 
 def exceeds_chance(count: int, expected: float) -> bool:
-    """Return whether so many rare events are more than chance explains.
+    """Return whether there are more rare events than chance explains.
 
-    Their number has Poisson's distribution; chance would give as many in less than
+    Their count has Poisson's distribution. Chance would give as many in less than
     ``FALSE_SHARE`` of all comparisons.
     """
     if not count:
@@ -80,9 +85,9 @@ def exceeds_chance(count: int, expected: float) -> bool:
 
 
 def exceeds_share(count: int, total: int, share: float) -> bool:
-    """Return whether more of so many are rare events than their usual share explains.
+    """Return whether there are more rare events among ``total`` than their share explains.
 
-    Their number has the binomial distribution; see ``exceeds_chance``.
+    Their count has the binomial distribution; see ``exceeds_chance``.
     """
     from scipy.special import bdtrc
 
@@ -104,13 +109,13 @@ def fenced(numbers: Sequence[float]) -> list[float]:
 
 
 def variance_of(numbers: Sequence[float]) -> float:
-    """Return the variance of the population that these numbers are a sample of."""
+    """Return the variance of the population, estimated from a sample."""
     mean = fmean(numbers)
     return math.fsum((number - mean) ** 2 for number in numbers) / (len(numbers) - 1)
 
 
 def binomial_noise(share: float, trials: float) -> float:
-    """Return how far the observed share of successes may be from the truth.
+    """Return the noise of an observed share of successes.
 
     This is the wider side of Wilson's interval (1927), J. Am. Stat. Assoc. 22, 209-212.
     """
@@ -120,42 +125,54 @@ def binomial_noise(share: float, trials: float) -> float:
     return abs(share - middle) + Z * spread / (1 + squared)
 
 
+def rounding_variance(size: Any) -> Any:
+    """Return the variance of rounding, which is uniform within ``ROUNDED_SHARE``."""
+    return (ROUNDED_SHARE * size) ** 2 / 12
+
+
+class RowScatter(NamedTuple):
+    """Holds the scatter of one row that was measured more than once."""
+
+    level: float  # the variance of a number of size 1
+    freedom: float  # degrees of freedom of the variance
+    least_size: float = 0.0  # smaller numbers scatter like one of this size
+
+
 @dataclass(frozen=True)
 class Scatter:
     """Gives the variance of one measurement of any number of a column in a section."""
 
     level: float  # the variance of a number of size 1
-    slope: float  # the power of a number's size that its variance goes with
+    slope: float  # the exponent by which the variance grows with the size
     freedom: float  # degrees of freedom of the variance of a row measured once
-    rows: Mapping[Hashable, tuple[float, float]] = field(default_factory=dict)
-    """Of each row that was measured twice: its level and its degrees of freedom."""
+    rows: Mapping[Hashable, RowScatter] = field(default_factory=dict)
 
     def of(self, row: Hashable, size: float) -> tuple[float, float]:
         """Return the variance of a number of this size, and its degrees of freedom."""
-        level, freedom = self.rows.get(row, (self.level, self.freedom))
-        floor = (ROUNDED_SHARE * size) ** 2 / 12
-        return max(level * size**self.slope, floor), freedom
+        known = self.rows.get(row, RowScatter(self.level, self.freedom))
+        size = max(size, known.least_size)
+        variance = max(known.level * size**self.slope, rounding_variance(size))
+        return variance, known.freedom
 
 
 class Estimate(NamedTuple):
-    """Holds what all measurements of a number say of it."""
+    """Holds a number estimated from all its measurements."""
 
-    value: float | int  # the mean of its measurements, or the number that all agree on
+    value: float | int  # the mean of the measurements, or the number that all agree on
     variance: float = 0.0  # of one measurement
     freedom: float = math.inf  # degrees of freedom of the variance
-    count: float = 1.0  # type: ignore[assignment] # of measurements that the value is the mean of
-    least: float = 0.0  # the least uncertainty, such as that of rounding
+    count: float = 1.0  # type: ignore[assignment] # of measurements in the mean
+    least: float = 0.0  # the least uncertainty, for example of rounding
     samples: Sequence[float | None] = ()
-    """The number in each measurement, None where it is missing; empty if it is exact."""
-    dissent: int = 0
-    """How many measurements ended otherwise or lie far apart; they hardly move the mean."""
+    """The number by measurement, None if it is missing; empty for an exact number."""
+    dissent: int = 0  # count of outliers, which hardly move the mean
     is_shared: bool = False
-    """Whether all numbers of one measurement share a part of its error, as times do."""
+    """Whether all numbers of one measurement share a part of their error, as times do."""
     is_edge: bool = False  # whether chance decides in which of two ways its run ends
 
     @property
     def note(self) -> str:
-        """Say which measurements the value is made of; empty if there is only one."""
+        """Return a text that lists the measurements, or an empty one for only one."""
         present = [sample for sample in self.samples if sample is not None]
         if len(present) < 2:
             return ""
@@ -167,7 +184,7 @@ class Estimate(NamedTuple):
         mean = "mean of " if least < largest else ""
         if self.dissent:
             agreeing = len(present) - self.dissent
-            return f"{mean}{several}, of which {agreeing} agree"
+            return f"{mean}{several}; {agreeing} of them agree"
         return f"{mean}{several}"
 
     @property

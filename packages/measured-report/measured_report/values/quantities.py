@@ -1,11 +1,11 @@
-"""Quantities: numbers that know their unit and where they come from."""
+"""Quantities: numbers with their unit, their noise and a pointer to their source."""
 
 import json
 import math
 import operator
 import re
 from collections import Counter
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
 from functools import cached_property, partial, partialmethod
@@ -30,21 +30,24 @@ from measured_report.values.format import (
 from measured_report.values.noise import NORMAL, SURE, WRITTEN_SHARE, Z, t_quantile
 
 VALUES_FILE = "values.json"
-NOISE_FILE = "noise.json"  # of the cells of records that pages print
-LEAST_TOGETHER = 3  # chosen: how many measurements show what times have in common
+NOISE_FILE = "noise.json"  # the noise of the cells of records that pages print
+LEAST_TOGETHER = 3
+"""Chosen: fewer measurements do not show which part of their error times have in common."""
 POWERS = "⁰¹²³⁴⁵⁶⁷⁸⁹"
-FACTOR = re.compile(f"(/?)([^/·{POWERS}]+)([{POWERS}]?)")  # of a unit, as mm/s² or N·m
+FACTOR = re.compile(f"(/?)([^/·{POWERS}]+)([{POWERS}]?)")  # of a unit like mm/s²
 
 
 def local(text: str, folder: str) -> str:
-    """Return ``text`` with shorter addresses of the values of the site's own edition,
-    whose data lie in ``folder``."""
+    """Return ``text`` with shorter addresses of the values of the site's own edition.
+
+    The data of that edition are in ``folder``.
+    """
     return text.replace(f"{folder}/{VALUES_FILE}", VALUES_FILE)
 
 
 @dataclass(frozen=True)
 class Pointer:
-    """Names the place of a number of a record, or of a trace, below the site's ``data/``."""
+    """Points to a number of a record, or to a trace, below the site's ``data/``."""
 
     text: str  # such as `engine-1.4.0/friction.json#/rows/3/drag_n`
 
@@ -54,54 +57,54 @@ class Pointer:
 
     @property
     def is_trace(self) -> bool:
-        """Return whether it names a whole trace."""
+        """Return whether it points to a whole trace."""
         return self.text.endswith(".csv.gz")
 
     @property
     def cell(self) -> tuple[int, str] | None:
-        """Return row and column; None for what is in no row."""
+        """Return row and column, or None if it does not point to a cell."""
         match = re.fullmatch(r"[^#]*#/rows/(\d+)/(\w+)", self.text)
         return (int(match[1]), match[2]) if match else None
 
 
 class Lost(Markup):
-    """Write a number that is not there."""
+    """The markup of a missing number, with the reason why it is missing."""
 
     reason = ""
 
     @classmethod
     def because(cls, html: Markup, reason: str) -> "Lost":
-        written = cls(html)
-        written.reason = reason or "no reason is known"
-        return written
+        lost = cls(html)
+        lost.reason = reason or "the reason is not known"
+        return lost
 
 
 def lost_reason(printed: Any) -> str:
-    """Return why a number that is printed is not there; empty for anything else."""
+    """Return why a printed number is missing, or an empty string if it is not."""
     return printed.reason if isinstance(printed, Lost) else ""
 
 
 @dataclass(frozen=True)
 class Quantity:
-    """Holds a measured number, shown with a pointer to the file that holds it.
+    """Holds a measured number with its unit and the pointer to its source.
 
-    Arithmetic makes a ``Term`` of it, whose unit, noise and sources are worked out.
+    Arithmetic with quantities makes a ``Term``, whose unit, noise and sources follow from
+    those of its operands.
     """
 
     value: float | int | None
     unit: str
-    source: str  # pointer below the site's ``data/``, see ``Pointer``; empty for a number that no file has a place for
-    reason: str = ""  # why there is no number, where there is none
-    origins: frozenset[Origin] = (
-        frozenset()
-    )  # releases and machines that measured it; none for what was not measured
+    source: str  # see ``Pointer``; empty for a number that is not in a file
+    reason: str = ""  # why there is no number
+    origins: frozenset[Origin] = frozenset()
+    """The releases and machines that measured it; empty if it was not measured."""
     noise: float | None = None
-    """How far the truth may be from it, in its unit; None where nobody knows, 0 for what is exact."""
-    formula: str = ""  # words for how it is computed; of what was measured more than once between what
+    """Half the confidence interval; None if it is not known, 0 for an exact number."""
+    formula: str = ""  # the computation in words, or a list of the measurements
     samples: Sequence[float | None] = field(default=(), compare=False, repr=False)
-    """The number in each measurement of its edition, None where it was not measured; empty where it is exact."""
+    """The number by measurement of its edition, None if it is missing; empty if exact."""
     is_shared: bool = field(default=False, compare=False, repr=False)
-    """Whether all numbers of one measurement share a part of its error, as times do."""
+    """Whether all numbers of one measurement share a part of their error, as times do."""
 
     def _with(
         self, function: Callable[..., Any], *operands: "Quantity | float"
@@ -112,7 +115,7 @@ class Quantity:
         return combined(function, number, self)
 
     def __radd__(self, number: float) -> "Quantity":
-        return self + number if number else self  # sum() begins with 0
+        return self + number if number else self  # sum() starts with 0
 
     __add__ = partialmethod(_with, operator.add)
     __sub__ = partialmethod(_with, operator.sub)
@@ -126,48 +129,48 @@ class Quantity:
 
     @property
     def reads(self) -> frozenset[str]:
-        """Return pointers to itself and to all that it is computed from."""
+        """Return the pointers to the number and to all numbers it is computed from."""
         return frozenset({self.source} if self.source else ())
 
     @property
     def number(self) -> float:
-        """Return the value of one that is known to be there."""
+        """Return the value, which must not be missing."""
         assert self.value is not None, self.reason
         return self.value
 
     @property
     def bare(self) -> Markup:
-        """Write the number without its unit, for places that say the unit themselves."""
+        """Return the number as markup without its unit, for example for a table."""
         return self._written(self.written)
 
     @property
     def written(self) -> str:
-        """Write the number as people do, without its unit."""
+        """Return the number as text without its unit, rounded by its noise."""
         return format_number(self.value, noise=self.noise)
 
     @property
     def code(self) -> Markup:
-        """Write the number as it is typed into a program."""
+        """Return the number as markup, in the form that a program reads."""
         return self._written(format_code(self.value))
 
     @property
     def interval(self) -> Markup:
-        """Write the number with its confidence interval and unit, as 0.042 ± 0.010 %."""
+        """Return the number with its confidence interval and unit, like 0.042 ± 0.010 %."""
         return self._in_words(INTERVAL)
 
     @property
     def is_distinct(self) -> bool:
-        """Return whether it is farther from 0 than its noise."""
+        """Return whether its distance from 0 exceeds its noise."""
         return self.value is not None and abs(self.value) > (self.noise or 0.0)
 
     @property
     def most(self) -> Markup:
-        """Write the number with its unit, rounded up: where the words say *at most*, *within* or *less than*."""
+        """Return the number with its unit, rounded up, for "at most" or "within"."""
         return self._in_words(MOST)
 
     @property
     def least(self) -> Markup:
-        """Write the number with its unit, rounded down: where the words say *at least* or *more than*."""
+        """Return the number with its unit, rounded down, for "at least" or "more than"."""
         return self._in_words(LEAST)
 
     def _written(self, text: str, written_as: str = "") -> Markup:
@@ -186,7 +189,7 @@ class Quantity:
             for name, text in (("data-as", written_as), ("title", hint))
             if text
         }
-        # Not with Markup's own format, which takes many times as long, and there are tens of thousands of numbers.
+        # Markup's own format takes many times as long, and pages print 30,000 numbers.
         written = "".join(
             f' {name}="{escape(value)}"' for name, value in attributes.items()
         )
@@ -195,7 +198,7 @@ class Quantity:
 
     @property
     def _uncertainty(self) -> str:
-        """Say how far the truth may be from it, and what a derived one was in each of several measurements."""
+        """Return the noise in words, and the measurements of a derived number."""
         if self.value is None or not self.noise:
             return ""
         present = [sample for sample in self.samples if sample is not None]
@@ -207,8 +210,8 @@ class Quantity:
     def __html__(self) -> Markup:
         return self._in_words()
 
-    def _in_words(self, way: str = "") -> Markup:
-        number = self._written(WRITES[way](self.value, noise=self.noise), way)
+    def _in_words(self, form: str = "") -> Markup:
+        number = self._written(WRITES[form](self.value, noise=self.noise), form)
         return number + Markup("&nbsp;") + self._label if self._label else number
 
     def __str__(self) -> str:
@@ -220,26 +223,25 @@ class Quantity:
 
 
 def absent(unit: str, reason: str) -> Quantity:
-    """Make a number that is not there, and say why."""
+    """Return a quantity that is missing, with the reason."""
     return Quantity(None, unit, "", reason)
 
 
 def constant(value: float, unit: str = PLAIN) -> Quantity:
-    """Make an exact number that nobody measured, as a factor."""
+    """Return an exact number that was not measured, such as a factor."""
     return Quantity(value, unit, "", noise=0.0)
 
 
-PERCENT = constant(100, "%")  # makes a share one in percent, as ``PERCENT * a / b``
+PERCENT = constant(100, "%")  # ``PERCENT * a / b`` is a share in percent
 
 
 @dataclass(frozen=True)
 class Value(Quantity):
-    """Holds a number derived from others, which says how."""
+    """Holds a number that is derived from others, with the formula in words."""
 
-    sources: Sequence[str] = ()  # pointers to what it is computed from
-    roots: frozenset[str] = (
-        frozenset()
-    )  # the same, and pointers to what those are computed from, down to the records
+    sources: Sequence[str] = ()  # pointers to the numbers in its formula
+    roots: frozenset[str] = frozenset()
+    """Pointers to all numbers that it depends on, down to the records."""
 
     @property
     def reads(self) -> frozenset[str]:
@@ -247,7 +249,7 @@ class Value(Quantity):
 
     @property
     def entry(self) -> dict[str, Any]:
-        """Return what the site's values file says of it."""
+        """Return its entry in the values file of the site."""
         entry: dict[str, Any] = {
             name: getattr(self, name) for name in ("value", "unit", "noise", "formula")
         }
@@ -256,7 +258,10 @@ class Value(Quantity):
 
 
 def mixed(*origins: frozenset[Origin]) -> str:
-    """Say why what has these origins is not to be compared; empty for one origin, or for the same several."""
+    """Return why numbers of these origins must not be compared.
+
+    The text is empty if all of them have the same origins.
+    """
     if len({origin for origin in origins if origin}) < 2:
         return ""
     return f"it would compare {' with '.join(map(str, sorted(frozenset().union(*origins))))}"
@@ -265,34 +270,37 @@ def mixed(*origins: frozenset[Origin]) -> str:
 def samples_of(
     function: Callable[..., float], sources: Sequence[Any]
 ) -> list[float | None]:
-    """Return what each measurement by itself makes of the function; nothing where all sources are exact."""
+    """Return the result of the function in each measurement; none if sources are exact."""
     rows = _measurements(sources)
     return [None if None in row else _evaluated(function, row)[0] for row in rows]
 
 
 def _measurements(sources: Sequence[Any]) -> list[tuple[Any, ...]]:
-    """Return what each measurement has of all sources; none where all of them are exact, or one is no number."""
+    """Return the values of all sources by measurement.
+
+    There are none if all sources are exact, or if one of them is not a number.
+    """
     sampled = [
         source.samples if isinstance(source, Quantity) else None for source in sources
     ]
     count = max((len(samples) for samples in sampled if samples), default=0)
     if None in sampled or not count:
         return []
-    ways = [
+    columns = [
         samples or count * (source.value,)
         for samples, source in zip(sampled, sources, strict=True)
     ]
-    return [*zip_longest(*(way[:count] for way in ways))]
+    return [*zip_longest(*columns)]
 
 
 def noise_of(function: Callable[..., float], sources: Sequence[Any]) -> float | None:
-    """Return the noise of a value that a function makes of its sources.
+    """Return the noise of the value of a function of sources.
 
-    Errors that are independent add in squares, as in the Guide to the Expression of
-    Uncertainty in Measurement (JCGM 100:2008), 5.1.2, with differences for derivatives.
-    A chosen number has a noise of 0. Times of one measurement share the error of its host,
-    which cancels in a ratio: if there are enough measurements of times, all sources are
-    moved together as they differ from one measurement to the next.
+    Independent errors add in squares, as in the Guide to the Expression of Uncertainty in
+    Measurement (JCGM 100:2008), 5.1.2, with differences in place of derivatives. A chosen
+    number has no noise. Times of one measurement share the error of its host, which cancels
+    in a ratio. So if there are enough measurements of times, all sources are shifted
+    together by the differences between the measurements.
     """
     values: list[Any] = [source.value for source in sources]
     noises = [
@@ -303,24 +311,21 @@ def noise_of(function: Callable[..., float], sources: Sequence[Any]) -> float | 
     middle = function(*values)
     rows = [row for row in _measurements(sources) if None not in row]
     is_shared = any(getattr(source, "is_shared", False) for source in sources)
+    independent = {index: noise for index, noise in enumerate(noises) if noise}
+    shifts: list[Mapping[int, float]] = []
     if is_shared and len(rows) >= LEAST_TOGETHER:
+        independent = {
+            index: noise
+            for index, noise in independent.items()
+            if not sources[index].samples
+        }
         scale = t_quantile(SURE, len(rows) - 1) / math.sqrt(len(rows) * (len(rows) - 1))
         means = [*map(fmean, zip(*rows, strict=True))]
-        offs = [
-            [scale * (number - mean) for number, mean in zip(row, means, strict=True)]
-            for row in rows
-        ]
-        moves = (
-            [[*map(way, values, off)] for way in (operator.add, operator.sub)]
-            for off in offs
-        )
-    else:
-        noisy = [(at, by) for at, by in enumerate(noises) if by]
-        moves = (
-            [[*values[:at], values[at] + way, *values[at + 1 :]] for way in (by, -by)]
-            for at, by in noisy
-        )
-    noise = _moved(function, middle, moves)
+        for row in rows:
+            pairs = enumerate(zip(row, means, strict=True))
+            shifts.append({index: scale * (x - mean) for index, (x, mean) in pairs})
+    shifts += [{index: noise} for index, noise in independent.items()]
+    noise = _shifted(function, values, shifts)
     if not math.isfinite(noise):
         return None
     return max(float(noise), WRITTEN_SHARE * abs(middle)) if any(noises) else 0.0
@@ -331,45 +336,66 @@ def extreme_noise(
 ) -> float:
     """Return the noise of the largest or smallest of several numbers.
 
-    Each of the numbers near the end may be the true one, and the end is that with the
-    largest error. Independent errors of so many all stay below the bound that is used
-    with probability ``SURE`` (Šidák 1967, J. Am. Stat. Assoc. 62, 626-633).
+    The true extreme may be any of the numbers near it, so the interval has to hold for all
+    of these at once. Independent errors do with probability ``SURE`` if each interval is
+    widened as in Šidák (1967), J. Am. Stat. Assoc. 62, 626-633.
     """
-    end = choose(values)
-    noise = noises[values.index(end)]
-    most = _factor(len(values))
+    extreme = choose(values)
+    noise = noises[values.index(extreme)]
+    widest = _widening(len(values))
     near = sum(
-        abs(end - value) <= most * (noise + by)
-        for value, by in zip(values, noises, strict=True)
+        abs(extreme - value) <= widest * (noise + other_noise)
+        for value, other_noise in zip(values, noises, strict=True)
     )
-    wider = _factor(near)
-    tops = [value + wider * by for value, by in zip(values, noises, strict=True)]
-    bottoms = [value - wider * by for value, by in zip(values, noises, strict=True)]
-    return max(choose(tops) - end, end - choose(bottoms))
+    factor = _widening(near)
+    tops = [value + factor * by for value, by in zip(values, noises, strict=True)]
+    bottoms = [value - factor * by for value, by in zip(values, noises, strict=True)]
+    return max(choose(tops) - extreme, extreme - choose(bottoms))
 
 
-def _factor(count: int) -> float:
-    """Return how much wider an interval is that so many errors stay below at once."""
+def _widening(count: int) -> float:
+    """Return the factor by which intervals are widened so that all of ``count`` hold."""
     return NORMAL.inv_cdf(max((1 + SURE) / 2, SURE ** (1 / count))) / Z
 
 
-def _moved(
+def _shifted(
     function: Callable[..., float],
-    middle: float,
-    moves: Iterable[Sequence[Sequence[Any]]],
+    values: Sequence[Any],
+    shifts: Iterable[Mapping[int, float]],
 ) -> float:
-    """Return how far moves of its values take a function, each the farther of its ways; infinite where one fails."""
-    with suppress(
-        ArithmeticError, ValueError, LookupError
-    ):  # a number that can't be changed by its noise
-        return math.hypot(
-            *(max(abs(function(*way) - middle) for way in ways) for ways in moves)
-        )
+    """Return how far shifts of its values move a function; infinite if it fails.
+
+    A shift has the number that is added to each value, by index. The effects of all shifts
+    add in squares. Each of them is also subtracted, and the larger effect counts.
+    """
+    middle = function(*values)
+
+    def effect(shift: Mapping[int, float]) -> float:
+        above = list(values)
+        below = list(values)
+        for index, by in shift.items():
+            above[index] += by
+            below[index] -= by
+        return max(abs(function(*above) - middle), abs(function(*below) - middle))
+
+    # The function may not be defined there, for example the root of a negative number.
+    with suppress(ArithmeticError, ValueError, LookupError):
+        return math.hypot(*map(effect, shifts))
     return math.inf
 
 
-class Term(Value):
-    """Works a number out of its operands; ``results.value`` gives it a name, and with that a place on the page."""
+class Unnamed(Quantity):
+    """Holds a computed number without a name, so that it cannot be printed."""
+
+    def _written(self, text: str, written_as: str = "") -> Markup:
+        raise ReportError(
+            f"{self} is printed without a name: "
+            "derive it with results.value(name, formula, …)"
+        )
+
+
+class Term(Unnamed, Value):
+    """Computes a number from its operands; ``results.value`` gives it a name."""
 
     function: Callable[..., float]
     operands: Sequence[Any]
@@ -407,7 +433,7 @@ class Term(Value):
 
     @property
     def leaves(self) -> list[Any]:
-        """Return the quantities that it is computed from, none of them a Term."""
+        """Return the quantities in its formula that are not terms themselves."""
         leaves: dict[int, Any] = {}
         for operand in self.operands:
             parts = operand.leaves if isinstance(operand, Term) else [operand]
@@ -422,19 +448,17 @@ class Term(Value):
     def noise(self) -> float | None:
         if self.value is None:
             return None
-        noises: list[Any] = [getattr(each, "noise", None) for each in self.operands]
+        noises: list[Any] = [
+            getattr(operand, "noise", None) for operand in self.operands
+        ]
         if self.chooses and None not in noises:
             values: list[Any] = [operand.value for operand in self.operands]
             return extreme_noise(self.chooses, values, noises)
         return noise_of(self.function, self.operands)
 
-    def _written(self, text: str, written_as: str = "") -> Markup:
-        raise ReportError(
-            f"{self} has no name to be shown by: give it one with results.value(name, formula, …)"
-        )
-
-    def __reduce__(self) -> tuple[type, tuple[Any, ...]]:  # kept without its function
-        return Quantity, (
+    def __reduce__(self) -> tuple[type, tuple[Any, ...]]:
+        # Its function may be a local one, which pickle does not store.
+        return Unnamed, (
             self.value,
             self.unit,
             "",
@@ -447,90 +471,90 @@ class Term(Value):
 def combined(
     function: Callable[..., float], *sources: Any, unit: str = "", across: bool = False
 ) -> Term:
-    """Return what a function makes of quantities, series and plain numbers, in ``unit`` or else in theirs.
+    """Return a function of quantities, series and plain numbers as a term.
 
-    What it takes twice changes in both places at once. ReportError for quantities of unlike units.
+    Its unit is ``unit``, or that of the sources. A quantity that occurs twice in it is
+    shifted in both places at once. Raise ReportError if the sources have unlike units.
     """
-    if plain := [
-        source
-        for source in sources
-        if not (hasattr(source, "reads") or hasattr(source, "__float__"))
-    ]:
-        raise ReportError(
-            f"{plain[0]!r:.80} is no number to compute with, nor a series"
-        )
+    for source in sources:
+        if not (hasattr(source, "reads") or hasattr(source, "__float__")):
+            raise ReportError(
+                f"{source!r:.80} is not a number or a series: derive values from these"
+            )
     sources = tuple(
         source if hasattr(source, "reads") else constant(source) for source in sources
     )
     if across:
-        sources = tuple(map(_across, sources))
+        terms: dict[int, Any] = {}
+        sources = tuple(_across(source, terms) for source in sources)
     if function in (max, min):
-        # Each source keeps its own noise, which that of the largest is made of.
+        # The noise of the extreme depends on the noise of each source.
         choose = partial(function, default=math.nan)
 
         def chosen(*values: Any) -> float:
-            return choose(values)  # the largest of none is not a number
+            return choose(values)  # without values it is not a number
 
         return Term(
             chosen, sources, unit or _unit_of(function, sources), across, choose
         )
     groups = [_operands(source) for source in sources]
     operands = {id(operand): operand for group in groups for operand in group}
-    places = {key: place for place, key in enumerate(operands)}
-    # Found once: to find the noise of a count of a thousand numbers, each of them is moved in turn.
-    ways = [
-        _way(source, [places[id(part)] for part in group])
+    indices = {key: index for index, key in enumerate(operands)}
+    # Made once, because the noise of a count of 1,000 numbers shifts each of them in turn.
+    getters = [
+        _getter(source, [indices[id(operand)] for operand in group])
         for source, group in zip(sources, groups, strict=True)
     ]
 
     def composed(*values: Any) -> float:
-        return function(*(way(values) for way in ways))
+        return function(*(getter(values) for getter in getters))
 
     return Term(
         composed, tuple(operands.values()), unit or _unit_of(function, sources), across
     )
 
 
-def _across(source: Any) -> Any:
-    """Return a source; if it is a Term, one of numbers of several editions."""
+def _across(source: Any, terms: dict[int, Any]) -> Any:
+    """Return a source; if it is a term, one that may combine several editions.
+
+    ``terms`` has the terms that were made, because a term that occurs twice has to stay one
+    operand.
+    """
     if not isinstance(source, Term):
         return source
-    operands = tuple(map(_across, source.operands))
-    return Term(source.function, operands, source.unit, True, source.chooses)
+    if id(source) not in terms:
+        operands = tuple(_across(operand, terms) for operand in source.operands)
+        terms[id(source)] = Term(
+            source.function, operands, source.unit, True, source.chooses
+        )
+    return terms[id(source)]
 
 
 def _operands(source: Any) -> Sequence[Any]:
-    """Return what a source is computed from; itself if it is an extreme, or no Term."""
+    """Return the operands of a term; an extreme, or another quantity, is one by itself."""
     is_computed = isinstance(source, Term) and not source.chooses
     return source.operands if is_computed else (source,)
 
 
-def _way(source: Any, places: Sequence[int]) -> Callable[[Sequence[Any]], Any]:
-    """Return what takes a source, or works it out, of the values of all operands."""
+def _getter(source: Any, indices: Sequence[int]) -> Callable[[Sequence[Any]], Any]:
+    """Return a function that computes a source from the values of all operands."""
     if isinstance(source, Term) and not source.chooses:
-        return lambda values: source.function(*map(values.__getitem__, places))
-    return operator.itemgetter(*places)
+        return lambda values: source.function(*map(values.__getitem__, indices))
+    return operator.itemgetter(*indices)
 
 
 def _unit_of(function: Callable[..., float], quantities: Sequence[Quantity]) -> str:
-    """Return the unit of a product or a ratio; what else is made of quantities has that which they have in common."""
+    """Return the unit of a product, a ratio, or else the common unit of the quantities."""
     if function in (operator.mul, operator.truediv):
         a, b = (quantity.unit for quantity in quantities)
         return _product_unit(a, b, 1 if function is operator.mul else -1)
-    if (
-        len(
-            units := {
-                quantity.unit: quantity
-                for quantity in quantities
-                if quantity.value is not None
-            }
-        )
-        > 1
-    ):
+    units = {
+        quantity.unit: quantity for quantity in quantities if quantity.value is not None
+    }
+    if len(units) > 1:
+        first, second, *_ = units.values()
         raise ReportError(
-            "{} and {} have no unit in common: derive them in one".format(
-                *units.values()
-            )
+            f"{first} and {second} do not have the same unit: correct the formula"
         )
     return next(iter(units), quantities[0].unit if quantities else PLAIN)
 
@@ -551,16 +575,16 @@ def _product_unit(a: str, b: str, power: int) -> str:
 def _evaluated(
     function: Callable[..., float], values: Sequence[Any]
 ) -> tuple[float | None, str]:
-    """Return what a function makes of values, and why that is no number if it is none."""
+    """Return the value of a function, or None and the reason why it is not a number."""
     try:
         value = function(*values)
     except ZeroDivisionError:
         return None, "it would be a division by zero"
     except (ArithmeticError, ValueError, LookupError) as error:
-        # A damaged record may hold what no measurement gives, such as a coordinate twice.
+        # A damaged record may contain impossible data, such as a coordinate twice.
         return (
             None,
-            f"it cannot be computed from what was measured: {' '.join(str(error).split())}",
+            f"it cannot be computed from the measurements: {' '.join(str(error).split())}",
         )
     if isinstance(value, complex):
         return None, "it has no finite value"

@@ -108,14 +108,11 @@ class Row:
         origins = self._origins
         pointer = f"{self.source}/{column}"
         if value is None:
-            reason = ": ".join(
-                filter(None, (self.label, self.plain.get(f"{column}_reason") or "lost"))
-            )
+            reason = self.plain.get(column + REASON)
+            reason = reason or self.columns.trials_problem(column, self.plain) or "lost"
+            reason = ": ".join(filter(None, (self.label, reason)))
             return Quantity(None, unit, pointer, reason, origins)
-        try:
-            estimate = self.estimate(column)
-        except ReportError as error:  # more successes than trials
-            return Quantity(None, unit, pointer, str(error), origins)
+        estimate = self.estimate(column)
         if not estimate:
             return Quantity(value, unit, pointer, "", origins)
         details = (

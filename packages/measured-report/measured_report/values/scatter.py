@@ -1,15 +1,16 @@
 """Scatter: the variance between measurements of a number, estimated from all editions.
 
 The numbers of a column in a section scatter alike. Each row has a variance of its own,
-from the measurements of that row in every edition; it is shrunk towards the variance of
-its column by a strength that the variances themselves show: Smyth (2004), Statistical
-Applications in Genetics and Molecular Biology 3, article 3. A row that was never measured
-twice has the variance of its column. Outliers do not count for other rows and keep their
-own variance: Phipson et al. (2016), Annals of Applied Statistics 10, 946-963.
+estimated from the measurements of that row in every edition. It is shrunk towards the
+variance of its column; how strongly is estimated from the spread of the variances: Smyth
+(2004), Statistical Applications in Genetics and Molecular Biology 3, article 3. A row that
+was never measured twice has the variance of its column. A row with an outlying variance
+keeps it, and has no influence on other rows: Phipson et al. (2016), Annals of Applied
+Statistics 10, 946-963.
 """
 
 from collections.abc import Hashable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any, NamedTuple
 
@@ -21,33 +22,45 @@ from measured_report.values.noise import (
     OUTLIER,
     ROUNDED_SHARE,
     TO_DEVIATION,
+    RowScatter,
     Scatter,
+    rounding_variance,
 )
 
 Array = Any  # an array of NumPy's
-MOST_FREEDOM = 100.0  # strength of a column whose variances differ by chance alone
-USUAL_FREEDOM = 4.0  # chosen: the strength of a column with too few rows to tell
-USUAL_ROWS = (
-    8  # chosen: how many rows of a column that usual strength weighs as much as
-)
+MOST_FREEDOM = 100.0
+"""The prior degrees of freedom of a column whose variances differ by chance alone. Smyth has
+infinity, but a few rows do not exclude that some scatter more."""
+LEAST_FREEDOM = 0.2
+"""Chosen: the fewest prior degrees of freedom. With fewer, Student's t has no finite
+quantiles in double precision."""
+USUAL_FREEDOM = 4.0  # chosen: the prior degrees of freedom of a column with few rows
+USUAL_ROWS = 8  # chosen: the count of rows that weigh as much as that usual value
 LEAST_ROWS = 3  # fewer rows do not show how a column scatters
 WILD = 3.3
-"""Chosen: a row whose variance exceeds its column's by so many normal deviations keeps
-its own."""
+"""Chosen: a row keeps its own variance if that exceeds the variance of its column by more
+normal deviations. By chance, one row in 2,000 does."""
 SLOPES = (2.0, 1.0, 0.0)
-"""The powers of a number's size that its variance may go with: noise in proportion to it,
-to its root, or the same for all."""
-CLEARLY = 1.25  # chosen: by how much less the variances scatter with another slope
-QUIET_SHARE = 0.1  # chosen: below this share of rows that scatter, the others do not
+"""The exponents by which the variance of a number may grow with its size: its noise is in
+proportion to it, to its square root, or the same for all sizes."""
+CLEARLY = 1.25
+"""Chosen: the factor by which the spread of the variances has to shrink with another
+exponent. The first exponent is the usual one, and few rows favour others by chance."""
+LEAST_SHARE = 1e-3
+"""Chosen: a number below this share of the same row in another edition scatters like one of
+this share. Its relative scatter can be huge, and does not apply to the larger number."""
+QUIET_SHARE = 0.1
+"""Chosen: if a smaller share of the rows scatters at all, a row that was measured once is
+taken to repeat exactly, like most of its column."""
 
 
 @dataclass(frozen=True)
 class Fit:
-    """Holds the numbers of a column in a section, a line for each, and their scatter."""
+    """Holds the numbers of a column in a section, a row for each, and their scatter."""
 
     scatter: Scatter
-    fenced: Array  # by number and measurement, outliers moved in
-    apart: Array  # the same: whether it is an outlier
+    fenced: Array  # by number and measurement, with outliers moved in
+    is_outlier: Array  # of the same shape
 
     @cached_property
     def values(self) -> Array:
@@ -60,8 +73,8 @@ def prior_of(
 ) -> Scatter:
     """Fit the variances of a column, all above 0, by the distribution of their logarithms.
 
-    The first of the slopes is taken unless the logarithms scatter clearly less with
-    another one.
+    The first of the slopes is used, unless the logarithms scatter clearly less with another
+    one.
     """
     logs = np.log(variances) - digamma(freedoms / 2) + np.log(freedoms / 2)
 
@@ -80,10 +93,12 @@ def prior_of(
     squares = ((residuals - residuals.mean()) ** 2).sum() + usual
     excess = squares / (len(residuals) - 1 + USUAL_ROWS) - by_chance
     freedom = MOST_FREEDOM
-    if excess > polygamma(1, MOST_FREEDOM / 2):
+    if excess >= polygamma(1, LEAST_FREEDOM / 2):
+        freedom = LEAST_FREEDOM
+    elif excess > polygamma(1, MOST_FREEDOM / 2):
         freedom = 2 * brentq(lambda half: polygamma(1, half) - excess, 1e-3, 1e6)
     level = np.exp(residuals.mean() + digamma(freedom / 2) - np.log(freedom / 2))
-    return Scatter(float(level), slope, freedom)
+    return Scatter(float(level), slope, float(freedom))
 
 
 def fit_of(
@@ -92,13 +107,13 @@ def fit_of(
     general: Scatter | None = None,
     slopes: Sequence[float] = SLOPES,
 ) -> Fit | None:
-    """Fit the numbers of a column in a section; None if nothing shows how they scatter.
+    """Fit the numbers of a column in a section; None if their scatter is not known.
 
     Args:
-        samples: by number and measurement, NaN where there is none.
+        samples: by number and measurement, NaN for those that are missing.
         rows: the row of each number; a row occurs once for each edition that has it.
         general: the scatter of the same column in all sections, for one with few rows.
-        slopes: by which powers of a number's size its variance may go.
+        slopes: the exponents by which the variance of a number may grow with its size.
     """
     counts = (~np.isnan(samples)).sum(axis=1)
     medians = _medians(samples)
@@ -106,40 +121,40 @@ def fit_of(
     prior = _column_scatter(samples, counts, sizes, slopes) or general
     if prior is None:
         return None
-    floors = (ROUNDED_SHARE * sizes) ** 2 / 12
-    usual = np.maximum(prior.level * sizes**prior.slope, floors)
-    off = samples - medians[:, None]
-    deviations = TO_DEVIATION * _medians(abs(off))
+    usual = np.maximum(prior.level * sizes**prior.slope, rounding_variance(sizes))
+    distances = samples - medians[:, None]
+    deviations = TO_DEVIATION * _medians(abs(distances))
     reach = OUTLIER * np.maximum(deviations, np.sqrt(usual))
     reach = np.where(counts > 2, reach, np.inf)[:, None]
-    fenced = medians[:, None] + np.clip(off, -reach, reach)
+    fenced = medians[:, None] + np.clip(distances, -reach, reach)
+    sizes = np.maximum(abs(np.nanmean(fenced, axis=1)), 1e-12)
     scatter = _with_rows(prior, fenced, counts, sizes, rows)
-    return Fit(scatter, fenced, abs(off) > reach)
+    return Fit(scatter, fenced, abs(distances) > reach)
 
 
 def _medians(samples: Array) -> Array:
-    """Return the median of each row, NaN left out; NumPy's own takes ten times as long."""
+    """Return the median of each row without NaN. NumPy's own takes ten times as long."""
     ranked = np.sort(samples, axis=1)  # NaN comes last
     counts = (~np.isnan(samples)).sum(axis=1)
-    places = np.arange(len(samples))
-    return (ranked[places, (counts - 1) // 2] + ranked[places, counts // 2]) / 2
+    rows = np.arange(len(samples))
+    return (ranked[rows, (counts - 1) // 2] + ranked[rows, counts // 2]) / 2
 
 
 def _column_scatter(
     samples: Array, counts: Array, sizes: Array, slopes: Sequence[float]
 ) -> Scatter | None:
     """Fit the scatter of a column by the numbers that were measured more than once."""
-    again = counts > 1
-    if again.sum() < LEAST_ROWS:
+    is_repeated = counts > 1
+    if is_repeated.sum() < LEAST_ROWS:
         return None
-    variances = np.nanvar(samples[again], axis=1, ddof=1)
-    sizes = sizes[again]
-    floors = (ROUNDED_SHARE * sizes) ** 2 / 12
+    variances = np.nanvar(samples[is_repeated], axis=1, ddof=1)
+    sizes = sizes[is_repeated]
+    floors = rounding_variance(sizes)
     moves = variances > 1e-3 * floors
-    if moves.sum() < LEAST_ROWS or moves.mean() < QUIET_SHARE:
-        return Scatter(ROUNDED_SHARE**2 / 12, 2.0, USUAL_FREEDOM)
+    if moves.mean() < QUIET_SHARE:
+        return Scatter(rounding_variance(1.0), 2.0, USUAL_FREEDOM)
     variances = np.maximum(variances, floors)[moves]
-    return prior_of(variances, counts[again][moves] - 1.0, sizes[moves], slopes)
+    return prior_of(variances, counts[is_repeated][moves] - 1.0, sizes[moves], slopes)
 
 
 def _with_rows(
@@ -149,56 +164,65 @@ def _with_rows(
     sizes: Array,
     rows: Sequence[Hashable],
 ) -> Scatter:
-    """Return the scatter with the level of each row that was measured more than once."""
+    """Return the scatter with that of each row that was measured more than once.
+
+    A row that is close to zero in one edition and not in another has a least size.
+    """
+    least: dict[Hashable, float] = {}
+    for row, size in zip(rows, sizes, strict=True):
+        least[row] = max(least.get(row, 0.0), LEAST_SHARE * float(size))
+    sizes = np.maximum(sizes, [least[row] for row in rows])
     sums: dict[Hashable, list[float]] = {}
-    again = counts > 1
+    is_repeated = counts > 1
     variances = np.full(len(samples), np.nan)
-    variances[again] = np.nanvar(samples[again], axis=1, ddof=1)
-    for index in np.flatnonzero(again):
-        freedom = counts[index] - 1.0
-        level = variances[index] / sizes[index] ** prior.slope
+    variances[is_repeated] = np.nanvar(samples[is_repeated], axis=1, ddof=1)
+    for index in np.flatnonzero(is_repeated):
+        freedom = float(counts[index] - 1)
+        level = float(variances[index] / sizes[index] ** prior.slope)
         entry = sums.setdefault(rows[index], [0.0, 0.0])
         entry[0] += freedom * level
         entry[1] += freedom
     levels = {}
     for row, (weighted, freedom) in sums.items():
-        lent = prior.freedom
+        prior_freedom = prior.freedom
         ratio = weighted / freedom / prior.level
         if -ndtri(fdtrc(freedom, prior.freedom, ratio)) > WILD:
-            lent = 0.0
-        level = (lent * prior.level + weighted) / (lent + freedom)
-        levels[row] = level, lent + freedom
-    return Scatter(prior.level, prior.slope, prior.freedom, levels)
+            prior_freedom = 0.0
+        level = (prior_freedom * prior.level + weighted) / (prior_freedom + freedom)
+        levels[row] = RowScatter(level, prior_freedom + freedom, least[row])
+    return replace(prior, rows=levels)
 
 
 class LeftOut(NamedTuple):
-    """Holds each measurement as the others predict it, by number and measurement."""
+    """Holds how each measurement differs from the others, by number and measurement."""
 
     distances: Array  # from the mean of the others; NaN if that cannot be tested
-    errors: Array  # standard errors of those
+    errors: Array  # standard errors of the distances
     freedoms: Array
 
 
 def left_out(samples: Array, rows: Sequence[Hashable], fit: Fit) -> LeftOut:
     """Leave out each measurement in turn and predict it from the others.
 
-    What it adds to the variance of its row is left out with it; what the column lends to
-    that row stays as it is.
+    Its contribution to the variance of its row is left out as well. The variance of the
+    column, towards which that of the row is shrunk, stays as it is.
     """
-    known = [fit.scatter.rows.get(row, (np.nan, np.nan)) for row in rows]
-    levels, freedoms = np.array(known).T[:, :, None]
+    unknown = RowScatter(np.nan, np.nan)
+    known = [fit.scatter.rows.get(row, unknown) for row in rows]
+    levels, freedoms, least = np.array(known).T[:, :, None]
     counts = (~np.isnan(samples)).sum(axis=1)[:, None]
     means = fit.values[:, None]
-    sizes = np.maximum(abs(means), 1e-12)
+    sizes = np.maximum(abs(means), np.maximum(least, 1e-12))
     shapes = sizes**fit.scatter.slope
-    floors = (ROUNDED_SHARE * sizes) ** 2 / 12
     with np.errstate(invalid="ignore", divide="ignore"):
         own = (fit.fenced - means) ** 2 * counts / (counts - 1)
-        left = np.broadcast_to(freedoms - 1, samples.shape)
-        variances = (levels * freedoms - own / shapes) / left * shapes
-        errors = np.sqrt(np.maximum(variances, floors) * counts / (counts - 1))
+        remaining = np.broadcast_to(freedoms - 1, samples.shape)
+        variances = (levels * freedoms - own / shapes) / remaining * shapes
+        variances = np.maximum(variances, rounding_variance(sizes))
+        errors = np.sqrt(variances * counts / (counts - 1))
         others = (counts * means - fit.fenced) / (counts - 1)
         distances = abs(samples - others) - ROUNDED_SHARE * sizes
-    # Little is left that shows how a row scatters if its column lends nothing.
-    is_tested = ~np.isnan(samples) & (counts > 1) & (left >= 0.5)
-    return LeftOut(np.where(is_tested, np.maximum(distances, 0), np.nan), errors, left)
+    # Without half a degree of freedom, the variance of the others is hardly known.
+    is_tested = ~np.isnan(samples) & (counts > 1) & (remaining >= 0.5)
+    distances = np.where(is_tested, np.maximum(distances, 0), np.nan)
+    return LeftOut(distances, errors, remaining)

@@ -1,5 +1,6 @@
 """Several releases: judged, shown and compared without any of them being installed."""
 
+import math
 from argparse import Namespace
 from dataclasses import replace
 from functools import partial
@@ -11,7 +12,7 @@ from current_columns import units_of
 from scipy import stats
 from toys import MODULE, ROWS, Toy, compared, derived
 
-from measured_report.changes.alarm import rate_of, settings_text
+from measured_report.changes.alarm import false_alarm_counts, settings_text
 from measured_report.changes.compare import flips_between
 from measured_report.changes.moves import Move, moves_between
 from measured_report.commands import diff, page
@@ -22,7 +23,7 @@ from measured_report.parts.claim import FAILS, HOLDS, Claim, Outcome, at_most, g
 from measured_report.parts.section import Section
 from measured_report.records.record import load_record
 from measured_report.site.check import check_site
-from measured_report.values.evidence import Evidence, Several, key_of, place_of
+from measured_report.values.evidence import Evidence, Several, column_key_of, key_of
 from measured_report.values.noise import Scatter
 from measured_report.values.quantities import Quantity
 from measured_report.values.results import Results
@@ -218,7 +219,7 @@ def side(
         count=count,
         numbers=several if count > 1 else {},
         scatters={
-            place_of(column, row, columns): Scatter(deviation**2, 0.0, freedom)
+            column_key_of(column, row, columns): Scatter(deviation**2, 0.0, freedom)
             for row in rows
         },
         odd_rows=odd_rows,
@@ -297,6 +298,16 @@ def test_single_runs_count_if_more_end_otherwise_than_chance_explains(
     both = side(chapter, after, odd_rows=odd_rows / 2, count=4)
     found = moves_between(several, both)
     assert sum(move.is_real for move in found) == wild, "measured again"
+
+
+def test_a_number_that_is_computed_is_never_taken_for_an_odd_run(chapter):
+    exact = {"column": "frame_count", "odd_rows": 1.0}
+    old = side(chapter, cases(40), **exact)
+    new = side(chapter, cases(40) | {"c0": 30.0}, **exact)
+    column = old.results.columns["frame_count"]
+    assert column.is_exact
+    [real] = [move for move in moves_between(old, new) if move.is_real]
+    assert real.place["case"] == "c0"
 
 
 def test_a_number_that_is_named_counts_even_if_its_run_may_be_odd(chapter, monkeypatch):
@@ -381,6 +392,8 @@ def test_a_share_is_sure_beyond_its_noise_whichever_way_it_moves_and_two_of_thre
         == pytest.approx(0.5 * (1 - 0.30758), rel=1e-4)
     )
     assert replace(falls, error=1.0).sure_share == 0.0
+    from_zero = Move(load, 0.0, 1.0, chance=0.9, error=1.0)
+    assert (from_zero.share, from_zero.sure_share) == (math.inf, 0.0)
     setting = partial(Move, value, 1.0, chance=0.0, rules=report().settings.changes)
     some = [
         setting(after=after, place={"case": f"by {after}", "kind": "option"})
@@ -393,7 +406,7 @@ def test_a_share_is_sure_beyond_its_noise_whichever_way_it_moves_and_two_of_thre
         "a": SimpleNamespace(changed=[(40, 0), (40, 1), (0, 0)]),
         "b": SimpleNamespace(changed=[(20, 3)]),
     }
-    found = rate_of(SimpleNamespace(evidence=evidence))
+    found = false_alarm_counts(SimpleNamespace(evidence=evidence))
     assert found == {"comparisons": 3, "told": 2, "numbers": 100, "moves": 4}
 
 

@@ -93,12 +93,12 @@ def test_a_name_of_nothing_stops_the_build(toy, settle, wrong, said):
         (
             "experiments/toy/__init__.py",
             EXPERIMENT,
-            "toy in experiments/ is a file and a folder: one of them is never",
+            "experiments/ has both toy.py and toy/, and only one of them is read",
         ),
         (
             "report/sections/toy/__init__.py",
             MODULE,
-            "toy in report/sections/ is a file and a folder",
+            "report/sections/ has both toy.py and toy/",
         ),
     ],
 )

@@ -3,6 +3,7 @@
 import pickle
 import shutil
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -11,6 +12,7 @@ from toys import MODULE, REPORT, ROWS, TEMPLATE, Toy, program
 from measured_report.files.cache import Cache, _is_ours
 from measured_report.findings import cache as derived
 from measured_report.findings.editions import derive_edition, editions_of
+from measured_report.records import code
 from measured_report.records.record import write_record
 from measured_report.records.replicas import FOLDER
 
@@ -102,6 +104,23 @@ def test_a_module_that_the_section_imports_counts(toy):
     toy.build()
     assert ">y</text>" in drawing.read_text()
     assert ">x</text>" not in drawing.read_text()
+
+
+@pytest.mark.parametrize("name", ["body.py", "scatter.py", "replicas.py"])
+def test_the_code_that_evaluates_all_measurements_counts(toy, monkeypatch, name):
+    """No section imports it, and each of their claims depends on it."""
+
+    def key() -> str:
+        return derive_edition(toy.project).chapters["toy"].key
+
+    def changed_source(path: Path, label: str) -> code.Source:
+        source = read_source(path, label)
+        return replace(source, digest="changed") if path.name == name else source
+
+    before = key()
+    read_source = code.read_source
+    monkeypatch.setattr(code, "read_source", changed_source)
+    assert key() != before
 
 
 def test_what_is_installed_counts(monkeypatch):
@@ -199,7 +218,7 @@ def left_out(toy: Toy) -> dict[str, str]:
 def test_a_section_reads_only_what_it_names_and_what_stands_before_it(toy):
     with_readers(toy, order=0)
     assert (
-        "report/sections/reader.py reads toy, which stands after it"
+        "report/sections/reader.py reads toy, which comes after it"
         in left_out(toy)["reader"]
     )
     with_readers(toy, order=2)

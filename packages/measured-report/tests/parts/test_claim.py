@@ -111,7 +111,7 @@ def test_a_bound_that_is_a_plain_number_is_kept_with_its_unit_and_why():
             ReportError, match=r"0\.5.* was not measured: a chosen number takes why"
         ):
             at_least(quantity(0.4), bound, why=why)
-    with pytest.raises(ReportError, match="'far' is no number to compute with"):
+    with pytest.raises(ReportError, match="'far' is not a number or a series"):
         _ = quantity(0.4) - "far"
 
 
@@ -220,7 +220,7 @@ def test_what_has_no_value_says_why(results):
         match="the value least has no words for how it is computed, or why",
     ):
         results.chosen("least", "", 2.0)
-    with pytest.raises(ReportError, match="'2' is no number to compute with"):
+    with pytest.raises(ReportError, match="'2' is not a number or a series"):
         results.chosen("least", "two", "2")
     with pytest.raises(
         ResultsError, match="toy: there is no single row of case nobody"

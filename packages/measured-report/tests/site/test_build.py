@@ -121,7 +121,7 @@ END = "{% endtable %}\n"
         (
             END,
             END + '{{ row["stiff"].slip_mm + 1 }}',
-            r"templates/sections/toy.md.j2:\d+: 0.31 mm and 1 have no unit",
+            r"templates/sections/toy.md.j2:\d+: 0.31 mm and 1 do not have the same unit",
         ),
         (
             "{{ gain }}",
@@ -150,38 +150,38 @@ END = "{% endtable %}\n"
             + '{% passage needs="toy.helps fails" %} By {{ 3.5 }}. {% endpassage %}',
             "prints 3.5, which",
         ),
-        ("order = 1", "order = 'x'", "toy.py: order is not a number such as 125"),
+        ("order = 1", "order = 'x'", "toy.py: order must be a number such as 125"),
         (
             "order = 1",
             "order = 1\npage = 'x'",
-            "toy.py names the page 'x'; there are: cause",
+            "toy.py names the page 'x': use one of cause",
         ),
         (
             "order = 1",
             "order = 1\nreads = ('no',)",
-            "toy.py reads 'no', and there is no such section",
+            "toy.py reads 'no', which is not a section: correct the name",
         ),
         (
             "order = 1",
             "order = 1\nreads = 'toy'",
-            "toy.py: reads is not a tuple",
+            "toy.py: reads must be a tuple",
         ),
         (
             "order = 1",
             "order = 1\nreads = ('toy',)",
-            "toy.py reads toy, which stands after it",
+            "toy.py reads toy, which comes after it",
         ),
-        ("order = 1", "order = 1\nlabel = 3", "toy.py: label is not a text"),
+        ("order = 1", "order = 1\nlabel = 3", "toy.py: label must be a text"),
         (
             END,
             END + "{# x",
             r"^templates/sections/toy.md.j2:\d+: Missing end of comment tag",
         ),
-        ("order = 1", "order = 1\nlabels = ['soft']", "toy.py: labels is not a dict"),
+        ("order = 1", "order = 1\nlabels = ['soft']", "toy.py: labels must be a dict"),
         (
             "order = 1",
             "order = 1\nlabels = dict(soft='x')",
-            "toy.py: labels is not a dict, .* written out",
+            "toy.py: labels must be a dict, .* as a literal",
         ),
         ("order = 1", "order = (", "report/sections/toy.py cannot be read or parsed: "),
         (
@@ -193,7 +193,7 @@ END = "{% endtable %}\n"
         (
             "return Section",
             "Section",
-            "toy.py: derive returns a NoneType, and not a Section",
+            "toy.py: derive returns a NoneType: return a Section",
         ),
     ],
 )

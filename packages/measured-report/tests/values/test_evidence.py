@@ -8,10 +8,9 @@ from scipy import stats
 from toys import BY_HAND, lay_out
 
 from measured_report.files.config import report, report_in
-from measured_report.files.errors import ReportError
 from measured_report.records.record import Record
 from measured_report.values import evidence
-from measured_report.values.body import Body, body_of
+from measured_report.values.body import Body, _changed, body_of
 from measured_report.values.evidence import HOST_SHARE, Evidence
 from measured_report.values.noise import Estimate
 
@@ -62,7 +61,7 @@ def repeats_of(rows: list[dict]) -> evidence.Repeated:
     return evidence.repeats_of(rows, report().columns)
 
 
-def key_of(row: dict) -> evidence.Key:
+def key_of(row: dict) -> evidence.RowKey:
     return evidence.key_of(row, report().columns)
 
 
@@ -232,7 +231,7 @@ def test_one_contradicting_measurement_of_eight_is_noted_and_hardly_moves_the_me
     assert abs(after.value - before.value) < after.noise
     assert after.noise < 4 * before.noise
     assert after.dissent == 1
-    assert after.note.endswith(" to 900, of which 7 agree")
+    assert after.note.endswith(" to 900; 7 of them agree")
     others = [key for key in found.numbers if key[0] != key_of(shown)]
     assert all(found.numbers[key].dissent == 0 for key in others)
     assert not found.edges
@@ -317,6 +316,53 @@ def test_the_scatter_between_hosts_is_that_of_all_times_together():
     assert freedom == 5.0
     slips = [record([{"case": f"c{row}", DRIFT: 1.0} for row in range(9)])] * 2
     assert evidence_of(slips).host == (HOST_SHARE**2, 4.0)
+
+
+def test_columns_measured_more_often_elsewhere_count_for_the_scatter_of_hosts():
+    """One column of four was measured six times in another edition, and never shifts."""
+    columns = [TIME, "frame_ms_p25", "frame_ms_p50", "frame_ms_p75"]
+
+    def with_shift(scale: float) -> Record:
+        cells = {TIME: 10.0} | dict.fromkeys(columns[1:], 10.0 * scale)
+        return record([{"case": f"c{row}", **cells} for row in range(4)])
+
+    sides = [with_shift(0.97), with_shift(1.03)]
+    others = [record([{"case": f"c{row}", TIME: 10.0} for row in range(4)])] * 6
+    variance, freedom = body(a=sides, b=others).sections["a", "toy"].host
+    logs = np.log([0.97, 1.03])
+    weight = 4 / (4 + 1 + 5)
+    squares = ((logs - logs.mean()) ** 2).sum()
+    assert variance == pytest.approx(
+        weight * HOST_SHARE**2 + (1 - weight) * squares / 6
+    )
+    assert freedom == 9.0
+
+
+def test_rows_of_a_case_are_compared_one_by_one_outside_the_section_on_noise():
+    """There `of` may name the solver or the case that a row belongs to."""
+    _, [records] = drawn(5, 4)
+    named = [
+        replace(each, rows=[{**row, "of": "a solver"} for row in each.rows])
+        for each in records
+    ]
+    found = evidence_of(named)
+    assert len(found.numbers) == ROWS
+    assert {key[0][0] for key in found.numbers} == {f"c{row}" for row in range(ROWS)}
+
+
+def test_the_noise_of_trials_is_theirs_alone():
+    rows = [
+        {"case": f"c{row}", "hit_count": 3 + row, "try_count": 20} for row in range(4)
+    ]
+    found = evidence_of([record(rows)] * 3)
+    assert not [key for key in found.numbers if key[1] == "hit_count"]
+    assert not [key for key in found.scatters if key[0] == "hit_count"]
+
+
+def test_a_change_that_is_certain_counts_as_a_false_alarm():
+    """A chance of 0 is the smallest that a number can have."""
+    chances = [((row,), np.array([0.0 if row < 3 else 0.5])) for row in range(12)]
+    assert _changed(chances, 0.02) == [(12, 3)]
 
 
 def test_runs_of_one_case_are_compared_by_their_mean():
@@ -453,8 +499,10 @@ def test_a_row_itself_says_how_well_a_time_a_ratio_and_a_count_are_known():
         "pad_ke": 0.0,
         "load": None,
     }
-    with pytest.raises(ReportError, match="x has hit_count 9, with try_count 8"):
-        estimate(Evidence(), "hit_count", {"case": "x", "hit_count": 9, "try_count": 8})
+    impossible = {"case": "x", "hit_count": 9, "try_count": 8}
+    assert estimate(Evidence(), "hit_count", impossible) is None
+    problem = report().columns.trials_problem("hit_count", impossible)
+    assert problem == "x has hit_count 9, with try_count 8"
     share = {"case": "x", "lifted_count": 3, "trial_count": 8}
     assert estimate(Evidence(), "lifted_count", share).noise == 0.0
 

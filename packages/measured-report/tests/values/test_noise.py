@@ -2,6 +2,7 @@
 
 import math
 import operator
+import pickle
 from functools import partial
 from statistics import fmean
 
@@ -181,6 +182,20 @@ def test_a_difference_of_times_has_the_interval_of_paired_measurements():
     assert missing.noise == pytest.approx(interval), "of those that have both"
 
 
+def test_a_number_measured_once_adds_its_own_noise_to_that_of_times():
+    """Half of it is exact in each measurement: 3 ± 0.4 and a paired difference."""
+    alone = Quantity(3.0, "ms", "b", noise=0.4)
+    paired = (SLOW - UNLIKE).noise
+    assert (SLOW - UNLIKE - alone).noise == pytest.approx(math.hypot(paired, 0.4))
+
+
+def test_a_term_that_occurs_twice_is_one_operand_across_editions():
+    known = partial(Quantity, unit="mm", noise=0.3)
+    largest = combined(max, known(5.0, source="a"), known(1.0, source="b"))
+    same = combined(lambda a, b: a - b, largest, largest, across=True)
+    assert same.noise == 0.0
+
+
 def test_two_measurements_do_not_show_what_times_have_in_common():
     difference = times(10.0, 11.0) - times(5.0, 5.5)
     assert difference.noise == pytest.approx(2**0.5)
@@ -287,8 +302,9 @@ def test_arithmetic_is_one_formula_of_what_was_measured():
     ]
     with pytest.raises(
         ReportError,
-        match=r"^6 mm and 2.0 s have no unit in common: derive them in one$",
+        match=r"^6 mm and 2.0 s do not have the same unit: correct the formula$",
     ):
         A - B
-    with pytest.raises(ReportError, match="has no name to be shown by"):
-        _ = term.bare
+    for unnamed in (term, pickle.loads(pickle.dumps(term))):
+        with pytest.raises(ReportError, match="is printed without a name: derive it"):
+            _ = unnamed.bare

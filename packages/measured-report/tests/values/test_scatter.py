@@ -1,11 +1,24 @@
 """Scatter: what the variances of a column show, and which rows keep their own."""
 
+import math
+
 import numpy as np
 import pytest
 from scipy import special, stats
 
-from measured_report.values.noise import Scatter
-from measured_report.values.scatter import Fit, fit_of, left_out, prior_of
+from measured_report.values.noise import (
+    RowScatter,
+    Scatter,
+    t_quantile,
+)
+from measured_report.values.scatter import (
+    LEAST_FREEDOM,
+    LEAST_SHARE,
+    Fit,
+    fit_of,
+    left_out,
+    prior_of,
+)
 
 ROUNDING = (1e-6) ** 2 / 12
 
@@ -80,11 +93,10 @@ def test_a_row_and_its_column_count_by_their_degrees_of_freedom():
     rows = [f"row {index % 30}" for index in range(60)]
     scatter = fit_of(samples, rows).scatter
     own = samples.var(axis=1, ddof=1)
-    sizes = np.median(samples, axis=1) ** scatter.slope
-    levels = own / sizes
+    levels = own / samples.mean(axis=1) ** scatter.slope
     lent = scatter.freedom
     expected = (lent * scatter.level + 3 * levels[5] + 3 * levels[35]) / (lent + 6)
-    assert scatter.rows["row 5"] == pytest.approx((expected, lent + 6))
+    assert scatter.rows["row 5"][:2] == pytest.approx((expected, lent + 6))
     assert scatter.of("row 5", 1.0) == pytest.approx((expected, lent + 6))
 
 
@@ -102,8 +114,9 @@ def test_a_wild_row_keeps_its_own_variance_and_changes_no_other():
     plain = fit_of(tame, range(60)).scatter
     odd = tame.copy()
     odd[-1] = [0.0, 40.0, 90.0, 7.0]
-    scatter = fit_of(odd, range(60)).scatter
-    assert scatter.of(59, 23.5) == pytest.approx((odd[-1].var(ddof=1), 3.0))
+    fit = fit_of(odd, range(60))
+    scatter = fit.scatter
+    assert scatter.of(59, fit.values[59]) == pytest.approx((odd[-1].var(ddof=1), 3.0))
     for row in range(59):
         variance, _ = scatter.of(row, 1.0)
         assert variance == pytest.approx(plain.of(row, 1.0)[0], rel=0.25)
@@ -114,7 +127,7 @@ def test_an_outlier_is_moved_to_five_deviations_of_its_row():
     samples = np.array([[1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 100.0]])
     fit = fit_of(samples, ["a"], Scatter(1e-9, 0.0, 4.0))
     assert fit.values[0] == pytest.approx((28 + 4.5 + 14.826) / 8)
-    assert fit.apart.tolist() == [[False] * 7 + [True]]
+    assert fit.is_outlier.tolist() == [[False] * 7 + [True]]
     usual = fit_of(samples, ["a"], Scatter(400.0, 0.0, 4.0))
     assert usual.values[0] == 16.0, "the column scatters as much"
     pair = fit_of(samples[:, -2:], ["a"], Scatter(1e-9, 0.0, 4.0))
@@ -127,6 +140,40 @@ def test_numbers_that_agree_to_the_last_bit_have_the_noise_of_rounding():
     some = np.vstack([np.full((16, 3), 5.0), drawn(np.full(4, 0.1), 3)])
     scatter = fit_of(some, range(20)).scatter
     assert scatter.of(19, 1.0)[0] > 1e-3
+
+
+def test_two_rows_that_scatter_count_unless_most_others_repeat():
+    """Of ten rows two scatter, which is a fifth; of 30 it is less than a tenth."""
+    noisy = drawn(np.full(2, 0.1), 3)
+    some = fit_of(np.vstack([np.full((8, 3), 5.0), noisy]), range(10)).scatter
+    assert 1e-4 < some.level < 0.1
+    few = fit_of(np.vstack([np.full((28, 3), 5.0), noisy]), range(30)).scatter
+    assert few.level == pytest.approx(ROUNDING)
+
+
+def test_a_number_close_to_zero_does_not_make_its_row_noisy_elsewhere():
+    """The last row is about 1e-6 in one edition and 1.0 in another."""
+    samples = drawn(np.full(60, 0.01), 4)
+    samples[59] = [1e-6, 2e-6, -1e-6, 3e-6]
+    scatter = fit_of(samples, [*range(59), 58]).scatter
+    assert scatter.of(58, 1.0)[0] < 0.02**2
+    assert scatter.of(58, 1e-6) == scatter.of(58, LEAST_SHARE * samples[58].mean())
+
+
+def test_a_small_number_of_a_column_with_large_ones_scatters_like_itself():
+    """Errors of 1 and of 1e-5 in one column, both known to 1 %."""
+    chance = np.random.default_rng(3)
+    sizes = np.repeat([1.0, 1e-5], 30)
+    samples = sizes[:, None] * chance.normal(1.0, 0.01, (60, 4))
+    variance, _ = fit_of(samples, range(60)).scatter.of(45, 1e-5)
+    assert variance == pytest.approx(1e-14, rel=0.9)
+
+
+def test_variances_that_have_nothing_in_common_leave_a_finite_quantile():
+    wild = 10.0 ** np.linspace(-12, 12, 200)
+    prior = prior_of(wild, np.full(200, 3.0), np.ones(200))
+    assert prior.freedom == LEAST_FREEDOM
+    assert math.isfinite(t_quantile(0.999, prior.freedom))
 
 
 def test_a_column_with_two_rows_scatters_as_it_does_elsewhere():
@@ -147,7 +194,7 @@ def test_each_measurement_is_predicted_by_the_others(lent, level):
     """
     samples = np.array([[1.0, 2.0, 3.0, 10.0]])
     with_row = (lent * level + 50) / (lent + 3)
-    scatter = Scatter(level, 0.0, lent, {"a": (with_row, lent + 3)})
+    scatter = Scatter(level, 0.0, lent, {"a": RowScatter(with_row, lent + 3)})
     fit = Fit(scatter, samples, np.zeros((1, 4), bool))
     found = left_out(samples, ["a"], fit)
     assert found.distances[0] == pytest.approx([4.0, 8 / 3, 4 / 3, 8.0], abs=1e-5)
@@ -158,7 +205,7 @@ def test_each_measurement_is_predicted_by_the_others(lent, level):
 
 def test_nothing_is_predicted_without_a_second_measurement():
     samples = np.array([[1.0, np.nan], [1.0, 2.0]])
-    scatter = Scatter(1.0, 0.0, 4.0, {"b": (0.5, 1.0)})
+    scatter = Scatter(1.0, 0.0, 4.0, {"b": RowScatter(0.5, 1.0)})
     fit = Fit(scatter, samples, np.zeros((2, 2), bool))
     assert np.isnan(left_out(samples, ["a", "b"], fit).distances).all()
 
