@@ -28,7 +28,7 @@ from tqdm import tqdm
 from measured_report.editions.project import Project, own_release
 from measured_report.editions.release import read_label
 from measured_report.files.atomic import short_path
-from measured_report.files.columns import REASON, UNBELIEVED, Schema, is_number, plain
+from measured_report.files.columns import IMPLAUSIBLE, REASON, Schema, is_number, plain
 from measured_report.files.config import Report
 from measured_report.files.config import report as current
 from measured_report.files.errors import ReportError, bug_of
@@ -297,7 +297,7 @@ def believable(row: Mapping[str, object], columns: Schema) -> dict[str, object]:
         is_wrong = is_number(cell) and columns.number_problem(name, cell)
         is_absent = cell is None and columns[name].unit != "1"
         if is_wrong or (is_absent and name + REASON not in cells):
-            lost[name] = f"{UNBELIEVED}{cell!s:.40}"
+            lost[name] = f"{IMPLAUSIBLE}{cell!s:.40}"
     reasons = {name + REASON: reason for name, reason in lost.items()}
     return {**cells, **dict.fromkeys(lost), **reasons}
 
