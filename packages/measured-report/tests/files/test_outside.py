@@ -81,7 +81,7 @@ def test_finding_8_names_reasons_and_commands_are_printed_without_what_moves_a_t
 ):
     rows = [{**ROWS[0], "case": f"so{text}ft"}, ROWS[1]]
     with pytest.raises(
-        RecordError, match=r"^newton-1\.4\.0/toy\.json is no whole record: "
+        RecordError, match=r"^newton-1\.4\.0/toy\.json is not a valid record: "
     ):
         write_record(toy.record_path, toy.record(rows))
     data = toy.record_path.read_text().replace(
@@ -98,7 +98,7 @@ def test_finding_8_names_reasons_and_commands_are_printed_without_what_moves_a_t
         text in line for line in said.splitlines()
     )
     assert (
-        "newton-1.4.0/toy.json is no whole record" in said
+        "newton-1.4.0/toy.json is not a valid record" in said
         and "newton-1.4.0/edition.toml is not a valid manifest" in said
     )
 

@@ -275,15 +275,15 @@ NEWER = """path = Path("results/newton-1.4.0/toy.json").resolve()
 @pytest.mark.parametrize(
     ("event", "reason", "case"),
     [
-        (EDIT, "the code of toy changed meanwhile: nothing was written", "soft"),
+        (EDIT, "the code of toy changed in the meantime", "soft"),
         (
             f"from experiments.scene import slip; {IMPORT}",
-            "the code of toy changed meanwhile",
+            "the code of toy changed in the meantime",
             "soft",
         ),
         (
             NEWER,
-            "newton-1.4.0/toy.json was written by another command meanwhile",
+            "newton-1.4.0/toy.json was changed by another command",
             "newer",
         ),
     ],

@@ -51,11 +51,11 @@ def test_a_record_that_was_changed_by_hand_or_has_no_seal_is_damaged(toy, old, n
     toy.record_path.write_text(text.replace(old, new))
     with pytest.raises(
         RecordError,
-        match=r"^newton-1\.4\.0/toy\.json is no whole record: it is not as it was sealed$",
+        match=r"^newton-1\.4\.0/toy\.json is not a valid record: it was changed after it was sealed$",
     ):
         load_record(toy.record_path)
     toy.record_path.write_text(unsealed(text))
-    with pytest.raises(RecordError, match=r"is no whole record: it has no seal$"):
+    with pytest.raises(RecordError, match=r"is not a valid record: it has no seal$"):
         load_record(toy.record_path)
     assert toy.state().kind == "damaged"
 
