@@ -47,7 +47,7 @@ def measure(
 
     Results of another machine are kept in a separate project.
     """
-    edition, is_done = measure_what_can(
+    edition, is_done = measure_available(
         project, release, sections, device, cluster=cluster
     )
     if not is_done:
@@ -55,7 +55,7 @@ def measure(
     return edition
 
 
-def measure_what_can(
+def measure_available(
     project: Project,
     release: Release,
     sections: Sequence[str],
@@ -80,8 +80,8 @@ def measure_what_can(
                 "uv sync --inexact --extra cluster"
             ) from None
         machine = card_of(cluster)
-    needing = [name for name in sections if needs_device(name, project)]
-    edition = kept_by(project, machine) if needing else project
+    has_device_sections = any(needs_device(name, project) for name in sections)
+    edition = project_of(project, machine) if has_device_sections else project
     options += ["--edition", edition.release]
     edition.results.mkdir(parents=True, exist_ok=True)
     if not os.access(edition.results, os.W_OK):
@@ -111,9 +111,10 @@ def measure_headline(
     program: str,
     beside: Callable[[], T],
 ) -> tuple[T | None, Mapping[str, Any]]:
-    """Measure the headline without keeping it, while ``beside`` runs in this process.
+    """Run ``program``, which measures the headline, and ``beside`` at the same time.
 
-    Return the result of ``beside`` and the data that ``program`` writes.
+    ``beside`` runs in this process. Return its result and the data that ``program``
+    writes, which is not stored.
     """
     python = python_of(release, expected_packages(project), project.root)
     with TemporaryDirectory() as folder:
@@ -160,7 +161,7 @@ def _run(
     return done
 
 
-def kept_by(project: Project, machine: str) -> Project:
+def project_of(project: Project, machine: str) -> Project:
     """Return the project that keeps the results of ``machine``.
 
     It is a separate project if other machines have results of this edition.
@@ -172,7 +173,7 @@ def kept_by(project: Project, machine: str) -> Project:
             f"{option} has the results of {named.machine}, and this machine is "
             f"{machine}: name the edition without the machine"
         )
-    machines = dict.fromkeys(machines_besides(project, machine))
+    machines = dict.fromkeys(other_machines(project, machine))
     if named.machine or not machines:
         return project
     edition = project.of(str(replace(named, machine=machine)))
@@ -183,11 +184,8 @@ def kept_by(project: Project, machine: str) -> Project:
     return edition
 
 
-def machines_besides(project: Project, machine: str) -> Iterator[str]:
-    """Yield the other machines with results in a project.
-
-    The results of ``machine`` never replace theirs.
-    """
+def other_machines(project: Project, machine: str) -> Iterator[str]:
+    """Yield the machines other than ``machine`` that have results in a project."""
     for record in records_of(project):
         if needs_device(record.section, project) and machine_of(record) != machine:
             yield machine_of(record)
@@ -207,5 +205,5 @@ def _note_measured(project: Project, release: Release) -> None:
         }
         if names:
             day = manifest.date if manifest else release_date(release)
-            manifest = Manifest(release.asked, day, tuple(sorted(names)))
+            manifest = Manifest(release.spec, day, tuple(sorted(names)))
             write_manifest(project.results, manifest)

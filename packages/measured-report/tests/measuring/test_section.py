@@ -121,7 +121,10 @@ def test_a_killed_process_costs_nothing_but_what_it_measured(toy, log, capsys):
         capsys.readouterr().err,
         "the process of die was killed twice, the second time alone: use less memory",
     )
-    assert "the process of mortal/die was killed; it is tried again alone" in lines
+    assert (
+        "the process of mortal/die was killed; the batch is measured again alone"
+        in lines
+    )
     assert (
         f"doomed could not be measured (an existing record is kept): {reason}" in lines
     )
