@@ -125,7 +125,7 @@ def test_what_is_no_number_and_rows_that_nothing_tells_apart_are_said_when_the_s
         "toy: case stiff has several rows that cannot be distinguished",
         "toy: firm has no slip_mm: the measurement gave nan",
         "toy.helps cannot tell: there are 2 rows of case stiff",
-        "toy: its words print what is not there: there are 2 rows of case stiff",
+        "toy: its text prints a missing number: there are 2 rows of case stiff",
     ]
 
 
