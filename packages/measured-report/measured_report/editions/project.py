@@ -153,7 +153,8 @@ class Project:
     def releases(self) -> list[str]:
         """Return this edition and those that have results, by version and date.
 
-        An edition whose folder cannot be read is included, so that messages can name it.
+        An edition whose folder cannot be read is included, so that messages can name
+        it.
         """
         folders = [
             folder

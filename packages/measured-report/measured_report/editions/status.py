@@ -44,7 +44,7 @@ class State:
 
     @property
     def summary(self) -> str:
-        """Return the state; for a stale record with the changed parts of its identity."""
+        """Return the state and, if it is stale, the changed parts of its identity."""
         if self.kind != Kind.STALE:
             return self.kind
         parts = dict.fromkeys(note.partition(":")[0] for note in self.notes)

@@ -132,7 +132,7 @@ class Schema:
     """Describe the columns of a report: ``schema["depth_mm"]`` is a `Column`.
 
     Args:
-        settings: the settings of ``report.toml``, which complement the names of columns.
+        settings: the settings of ``report.toml``, which complement the columns' names.
         parameters: the parameters of a case with their defaults, or ``MISSING``.
     """
 
@@ -259,8 +259,9 @@ class Schema:
     ) -> None:
         """Raise ValueError if rows contradict their columns.
 
-        The ``recorded`` units must be those of the columns' names, a column must not mix
-        numbers, text and booleans, and numbers must be in the range of their column.
+        The ``recorded`` units must be those of the columns' names, a column must not
+        mix numbers, text and booleans, and numbers must be in the range of their
+        column.
         """
         units = self.units_of(rows)
         for name in sorted({*units, *recorded}):

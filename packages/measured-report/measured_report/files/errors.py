@@ -56,7 +56,7 @@ def suggestion(name: str, names: Iterable[str]) -> str:
 
 
 def bug_of(error: BaseException) -> str:
-    """Return an error of a report's code as one line: file, line number, type and text."""
+    """Return an error of a report's code as one line: file, line, type and text."""
     frames = [
         (Path(frame.filename), frame.lineno)
         for frame in extract_tb(error.__traceback__)

@@ -27,7 +27,7 @@ PR_SET_PDEATHSIG = 1
 def workers(
     count: int, method: str, prepare: Callable[[], None] | None = None
 ) -> Iterator[ProcessPoolExecutor]:
-    """Open a pool of ``count`` processes, each of which calls ``prepare`` first.
+    """Open a pool of ``count`` processes that call ``prepare`` first.
 
     ``method`` is the start method of ``multiprocessing``. Raise ReportError if a
     process is killed.

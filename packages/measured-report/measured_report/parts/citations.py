@@ -2,11 +2,11 @@
 
     {% call stated("sea_level") %} The sea rises by 3 to 4 mm a year. {% endcall %}
 
-``templates/sources.toml`` has a table for each source. The table contains either ``url``
-and ``title``, or ``package``, ``version``, ``file`` (its path in the package), ``line``
-and ``excerpt``, a text that this line must contain. The table ``packages`` contains the
-address of each package's files, with the fields ``{version}``, ``{file}`` and ``{line}``.
-A page numbers its citations and lists their sources at the end.
+``templates/sources.toml`` has a table for each source. The table contains either
+``url`` and ``title``, or ``package``, ``version``, ``file`` (its path in the package),
+``line`` and ``excerpt``, a text that this line must contain. The table ``packages``
+contains the address of each package's files, with the fields ``{version}``, ``{file}``
+and ``{line}``. A page numbers its citations and lists their sources at the end.
 """
 
 from collections.abc import Callable, Mapping
@@ -40,15 +40,15 @@ def references(templates: Path) -> References:
             table["url"] = table["url"] or addresses[table["package"]].format(**table)
         except LookupError:
             raise ReportError(
-                f"templates/{NAME}: {name} has neither a url nor a package of the table "
-                f"packages: add url, or package, {', '.join(LINE)}"
+                f"templates/{NAME}: {name} has neither a url nor a package of the "
+                f"table packages: add url, or package, {', '.join(LINE)}"
             ) from None
         tables[name] = table
     return tables
 
 
 def stated(references: References, name: str, caller: Callable[[], str]) -> Markup:
-    """Return a statement with the name of its source, which the page replaces by a number."""
+    """Return a statement with the name of its source, which pages number."""
     if name not in references:
         raise ReportError(
             f"templates/{NAME} does not contain the source {name}: add a table for it"

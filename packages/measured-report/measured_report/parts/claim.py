@@ -39,7 +39,7 @@ class Outcome:
     name: str  # `holds`, `fails` or `unknown`
     reason: str = ""  # why it is unknown
     is_inconclusive: bool = False
-    """Whether it is unknown because of noise, so that a second measurement may decide."""
+    """Whether it is unknown because of noise; then a second measurement may decide."""
     is_opposite: bool = field(default=False, compare=False)
     """Whether it fails because the opposite is shown."""
     reads: frozenset[str] = field(default=frozenset(), compare=False, repr=False)
@@ -48,7 +48,7 @@ class Outcome:
     """Bounds that were chosen for this test, each with its unit and its reason."""
 
     def having_read(self, *quantities: Quantity) -> "Outcome":
-        """Return the outcome of a test that depends on these quantities, too."""
+        """Return the outcome with these quantities added to ``reads``."""
         reads = self.reads.union(*(quantity.reads for quantity in quantities))
         return replace(self, reads=reads)
 
@@ -75,20 +75,20 @@ class Claim:
     numbers: Mapping[str, Any] = field(default_factory=dict)
     """Quantities, texts and flags that the wording can name.
 
-    If a quantity is missing, the outcome is unknown. Use "" instead of a quantity that the
-    claim can do without.
+    If a quantity is missing, the outcome is unknown. Use "" instead of a quantity that
+    the claim can do without.
     """
     wording: Wording | None = None
     confirmed: str = ""  # how many of several measurements agree
     effect: Outcome = HOLDS
-    """Whether the effect exists that `because` explains; otherwise `because` is left out."""
+    """Whether the effect exists that `because` explains; `because` needs it to hold."""
 
     @cached_property
     def sentence(self) -> Markup:
         """Return the sentence for the outcome.
 
-        If the template has no sentence for it, this is the question with a verdict, such
-        as "Whether the tower leans cannot be told".
+        If the template has no sentence for it, this is the question with a verdict,
+        such as "Whether the tower leans cannot be told".
         """
         outcome = self.outcome
         parts = ["opposite", "fails"] if outcome.is_opposite else [outcome.name]
@@ -101,7 +101,7 @@ class Claim:
         return sentence + reason + "."
 
     def checked(self) -> "Claim":
-        """Return the claim, with the outcome unknown if any of its numbers is missing."""
+        """Return the claim; its outcome is unknown if any of its numbers is missing."""
         quantities = [
             number for number in self.numbers.values() if isinstance(number, Quantity)
         ]
@@ -117,7 +117,7 @@ class Claim:
         """Yield the names of numbers that the claim may print, but did not test.
 
         A number counts as tested if the test depends on it, or on all measured numbers
-        from which it is computed.
+        that it is computed from.
         """
         if self.outcome.name == "unknown":
             return
@@ -153,18 +153,25 @@ def decided(is_so: bool, *quantities: Quantity) -> Outcome:
     The outcome is unknown if any of them is missing.
     """
     assert not (is_so and isinstance(is_so, Quantity | str)), (
-        f"decided() got {is_so} instead of True or False: compare it, as in x.value == 0"
+        f"decided() got {is_so} instead of True or False: compare it, as in "
+        "x.value == 0"
     )
     return _judged(lambda *_: HOLDS if is_so else FAILS, *quantities, compares=False)
 
 
 def at_least(a: Quantity, bound: Number, why: str = "") -> Outcome:
-    """Test whether ``a`` is at least ``bound``; unknown if its interval has the bound in it."""
+    """Test whether ``a`` is at least ``bound``.
+
+    The outcome is unknown if the interval of ``a`` contains the bound.
+    """
     return _bounded(a, bound, why, operator.ge)
 
 
 def at_most(a: Quantity, bound: Number, why: str = "") -> Outcome:
-    """Test whether ``a`` is at most ``bound``; unknown if its interval has the bound in it."""
+    """Test whether ``a`` is at most ``bound``.
+
+    The outcome is unknown if the interval of ``a`` contains the bound.
+    """
     return _bounded(a, bound, why, operator.le)
 
 
@@ -216,9 +223,9 @@ def greater(a: Number, b: Number, why: str = "") -> Outcome:
 def decreases(sequence: Sequence[Number], *, by: Number, why: str = "") -> Outcome:
     """Test whether a sequence falls by more than ``by`` and never rises by more.
 
-    The opposite is a sequence that rises by more than ``by`` and never falls by more. The
-    outcome is unknown if the change from the first to the last number may be smaller than
-    ``by``, given its noise.
+    The opposite is a sequence that rises by more than ``by`` and never falls by more.
+    The outcome is unknown if the change from the first to the last number may be
+    smaller than ``by``, given its noise.
     """
 
     def judge(*quantities: Quantity) -> Outcome:

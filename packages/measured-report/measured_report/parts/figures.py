@@ -19,8 +19,8 @@ from measured_report.values.format import format_number, format_power
 
 INK = "#1b1f24"
 FAINT = "#c9ced4"
-# Colour-blind readers can distinguish these colours. The stylesheet has a lighter set for
-# dark pages.
+# Colour-blind readers can distinguish these colours. The stylesheet has a lighter set
+# for dark pages.
 SERIES = ("#0b62a8", "#b8480c", "#0a7a5c", "#8b3d91", "#8a6400", "#4a5560")
 PAGE_COLOURS = {
     colour: f"var(--series-{number})" for number, colour in enumerate(SERIES, start=1)
@@ -43,7 +43,8 @@ STYLE: dict[str, Any] = {
         ("axes.grid", "axes.axisbelow", "figure.constrained_layout.use"), True
     ),
     **dict.fromkeys(("axes.titlesize", "font.size"), 10),
-    # Never put a factor such as 1e6 at the end of an axis: readers take it for a number.
+    # Never put a factor such as 1e6 at the end of an axis: readers take it for a
+    # number.
     "axes.formatter.limits": (-99, 99),
     # Without a fixed place, Matplotlib lays out everything above the axes to find one.
     "axes.titley": 1.0,
@@ -67,7 +68,7 @@ LONGEST_NAME = 18  # longer names beside a narrow figure are folded [characters]
 LONGEST_LINE = 36  # longer texts along a narrow figure are folded [characters]
 COORDINATES = re.compile(r'(?<= )(?:d|x|y)="[^"]*"')
 DECIMALS = re.compile(r"(\.\d\d)\d+")
-"""Matches coordinates with more than two decimals; a hundredth of a point is invisible."""
+"""Matches decimals after the second; a hundredth of a point is invisible."""
 UNWANTED = re.compile(
     r"""
     <metadata>.*?</metadata>
@@ -109,7 +110,7 @@ def is_narrow() -> bool:
 
 
 def _fit_narrow(drawing: Drawing) -> None:
-    """Adapt a figure to a narrow screen: enlarge and fold its texts, reduce its ticks."""
+    """Adapt a figure to a narrow screen: enlarge and fold texts, and reduce ticks."""
     for legend in [*drawing.legends]:
         names = [text.get_text() for text in legend.get_texts()]
         is_long = max(map(len, names), default=0) > LONGEST_NAME
@@ -151,7 +152,7 @@ def _fit_narrow(drawing: Drawing) -> None:
 def fold(text: str, longest: int = LONGEST_LINE) -> str:
     """Return a text with line breaks for a narrow figure.
 
-    Line breaks of the text are kept, and none is added before a number.
+    Line breaks of the text are kept. A number stays on the line of the word before it.
     """
     unbroken = re.sub(r" (?=\d)", "\u00a0", text)
     lines = (textwrap.fill(line, longest) for line in unbroken.split("\n"))

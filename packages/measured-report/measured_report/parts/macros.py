@@ -1,4 +1,4 @@
-"""Compile the macros in ``pages/layout/parts.html.j2``, the HTML of a section's parts."""
+"""Compile ``pages/layout/parts.html.j2``: macros for the HTML of a section's parts."""
 
 from functools import cache, partial
 from pathlib import Path
@@ -13,11 +13,11 @@ FILE = Path(__file__).parents[1] / "pages" / "layout" / "parts.html.j2"
 
 
 class Undefined(jinja2.StrictUndefined):
-    """Raise an error for a name in a template that does not exist.
+    """Raise an error if a template uses an undefined name.
 
-    It is a ResultsError if the name is an attribute of None, a text or a number, because
-    then a record contains one of them instead of a quantity. Other names are mistakes in
-    the template.
+    It is a ResultsError if the name is an attribute of None, a text or a number,
+    because then a record contains one of them instead of a quantity. Other names are
+    mistakes in the template.
     """
 
     def __init__(

@@ -1,7 +1,7 @@
 """Render Markdown with printed values that are never taken for Markdown.
 
-A template first prints a token for each value. After Markdown is rendered, the tokens are
-replaced by the values.
+A template first prints a token for each value. After Markdown is rendered, the tokens
+are replaced by the values.
 """
 
 import re

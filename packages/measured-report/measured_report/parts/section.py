@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 
 UNDRAWN = "This cannot be drawn from what was measured"  # shown in place of a figure
 FIGURE_SPACE, POINT_SPACE = "\u2007", "\u2008"
-"""Spaces as wide as a digit and as a point, with which the stylesheet aligns numbers."""
+"""Spaces as wide as a digit and a point, with which the style sheet aligns numbers."""
 SIZE = re.compile(r'viewBox="0 0 ([\d.]+) ([\d.]+)"')
 """The width and the height of a drawing in SVG."""
 
@@ -57,7 +57,7 @@ class Table:
 
 
 def _column(name: str, values: "pd.Series") -> dict[str, Any]:
-    """Return the name and the unit of a column, and the text and the padding of cells."""
+    """Return the name and unit of a column, and the text and padding of its cells."""
     numbers = [cell for cell in values if isinstance(cell, Quantity)]
     units = {cell.unit for cell in numbers}
     if clash := unlike(sorted(units)):
@@ -96,7 +96,7 @@ def _column(name: str, values: "pd.Series") -> dict[str, Any]:
 
 
 def _place_count(number: Quantity) -> int:
-    """Return the number of decimals that are printed; 0 for a number without a source."""
+    """Return the count of printed decimals; 0 for a number without a source."""
     match = re.search(r"\.(\d*)$", number.written if number.source else "")
     return len(match[1]) if match else 0
 
@@ -107,7 +107,7 @@ class Figure:
 
     draw: "Callable[[], Drawing] | None"  # None if it is already drawn
     sources: Sequence[Quantity | Series]
-    """All data that it draws; if none of them exist, the page prints the reason instead."""
+    """All data that it draws; if they are all missing, the page prints the reason."""
     numbers: Mapping[str, Any] = field(default_factory=dict)
     """Numbers for its caption and its alternative text."""
     wording: Wording | None = None
@@ -190,7 +190,7 @@ class Figure:
 
 @dataclass(frozen=True)
 class Section:
-    """Hold the tables, figures, claims and downloads that a section's template can print."""
+    """Hold the tables, figures, claims and downloads for the template of a section."""
 
     tables: Mapping[str, Any] = field(default_factory=dict)
     """Tables, and other objects with a method ``__html__``."""
@@ -199,7 +199,7 @@ class Section:
     downloads: Mapping[str, str] = field(default_factory=dict)
     """Contents of files by name; the site has them in its folder ``download/``."""
     unmeasured: Collection[str] = ()
-    """Names that can only be derived from other records; their words are not printed."""
+    """Names of parts whose numbers are not in this record; they are not printed."""
     lost: Collection[tuple[str, str]] = ()
     """Kinds and names that only other editions derive."""
 
@@ -237,7 +237,7 @@ class Section:
     ) -> "Section":
         """Return the section with the wordings of ``template``.
 
-        Raise ReportError if the template has a wording without a part of the section, or
+        Raise ReportError if a wording does not belong to any part of the section, or if
         a part does not have a wording.
         """
         parts: Mapping[str, Mapping[str, Any]] = {

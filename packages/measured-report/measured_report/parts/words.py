@@ -7,12 +7,15 @@
     {% because %} The ground is soft on one side.
     {% endclaim %}
 
-    {% figure tower %} The tower from the south. {% alt %} It leans by {{ angle }}. {% endfigure %}
+    {% figure tower %}
+    This is the tower from the south. {% alt %} It leans by {{ angle }}.
+    {% endfigure %}
     {% table cases %} All cases. {% endtable %}
 
 ``{% opposite %}`` can be used in addition to ``{% fails %}``, or instead of it. These
-parts can name only the numbers that Python passes to the claim, figure or table. After *at
-most* or *up to*, write ``{{ angle.most }}``; after *at least*, write ``{{ angle.least }}``.
+parts can name only the numbers that Python passes to the claim, figure or table. After
+*at most* or *up to*, write ``{{ angle.most }}``. After *at least*, write
+``{{ angle.least }}``.
 
 Outside of these parts, the template of a section can name ``row["north"].lean_mm``,
 ``rows``, the derived ``value.lean``, ``release``, ``table(name)``, ``figure(name)``,
@@ -30,7 +33,7 @@ from jinja2 import Environment, TemplateSyntaxError, nodes
 from jinja2.parser import Parser
 from markupsafe import Markup
 
-# The parts of each kind; `caption` follows the opening tag, each of the others has a tag.
+# The parts of each kind. `caption` follows the opening tag; all others have a tag each.
 PARTS = {
     "claim": ("holds", "fails", "opposite", "asks", "because"),
     "figure": ("caption", "alt"),
@@ -83,10 +86,10 @@ def wordings_of(
 
 
 def parse_words(parser: Parser, environment: Environment) -> list[nodes.Node]:
-    """Parse a claim, figure or table.
+    """Parse the tags of a claim, figure or table.
 
-    Its parts become blocks, and a call of the function ``claim``, ``figure`` or ``table``
-    prints it.
+    Its parts become blocks, and a call of the function ``claim``, ``figure`` or
+    ``table`` prints it.
     """
     tag = next(parser.stream)
     kind, name = tag.value, parser.stream.expect("name").value

@@ -152,8 +152,8 @@ class Record:
     def machine_for_speed(self) -> tuple[str | None, ...]:
         """Return the properties that must be the same before times are compared.
 
-        Hosts with the same kind of processor differ by a few percent, which the noise of
-        a time includes.
+        Hosts with the same kind of processor differ by a few percent, which the noise
+        of a time includes.
         """
         return self.processor, self.machine.get("device")
 
@@ -241,7 +241,7 @@ def write_record(
 
 
 def file_digest(path: Path) -> str:
-    """Return the digest of a record's file, or an empty string if it is not readable."""
+    """Return the digest of a record's file, or an empty string if it is unreadable."""
     try:
         return sha256(read_file(path, BYTE_LIMIT)).hexdigest()
     except RecordError:
@@ -267,8 +267,8 @@ class Basis:
         """Write a record; raise RecordError if the code or the old record changed."""
         if self.identify() != self.identity:
             raise RecordError(
-                f"the code of {self.section} changed in the meantime, so its record was "
-                "not written: run this command again"
+                f"the code of {self.section} changed in the meantime, so its record "
+                "was not written: run this command again"
             )
         write_record(self.path, record, traces, self.replacing)
 
@@ -309,8 +309,8 @@ def _rounded(cell: Any) -> Any:
 def sealed(text: str) -> str:
     """Return the text of a record with its seal and its last brace added.
 
-    The seal reveals changes by hand, but it does not prevent forgery: anyone can compute
-    a new one.
+    The seal reveals changes by hand, but it does not prevent forgery: anyone can
+    compute a new one.
     """
     return f'{text},\n "seal": "{sha256(text.encode()).hexdigest()}"\n}}\n'
 

@@ -47,7 +47,7 @@ def _sums(files: Mapping[str, bytes]) -> bytes:
 
 
 def read_replica(path: Path) -> Records:
-    """Return the records in a replica by section; raise RecordError if it is damaged."""
+    """Return a replica's records by section; raise RecordError if it is damaged."""
     files = {}
     try:
         with gzip.open(io.BytesIO(read_file(path, BYTE_LIMIT))) as file:
@@ -83,7 +83,7 @@ def read_replica(path: Path) -> Records:
 
 
 def mismatch(tracked: Record, replica: Record) -> str:
-    """Return why a record cannot be a replica of the tracked one, or an empty string."""
+    """Return why a record is not a replica of the tracked one, or an empty string."""
     old, new = tracked.identity, replica.identity
     if old.packages != new.packages:
         return "other packages"
