@@ -41,12 +41,12 @@ ORIGIN = re.compile(
 
 def environment(**settings: str) -> dict[str, str]:
     """Return the environment for git and for programs that call it."""
-    kept = {
+    variables = {
         name: value
         for name, value in os.environ.items()
         if name in KEPT_VARIABLES or not name.startswith("GIT_")
     }
-    return kept | QUIET | settings
+    return variables | QUIET | settings
 
 
 def run_git(folder: Path, *command: str, **settings: str) -> str:

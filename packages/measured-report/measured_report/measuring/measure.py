@@ -120,8 +120,8 @@ def measure_headline(
     with TemporaryDirectory() as folder:
         path = Path(folder) / "headline.json"
         options = ("--json", str(path))
-        done = _run(project, python, program, device, *options, beside=beside)
-        return done, json.loads(path.read_text(encoding="utf-8"))
+        result = _run(project, python, program, device, *options, beside=beside)
+        return result, json.loads(path.read_text(encoding="utf-8"))
 
 
 def _run(
@@ -144,7 +144,7 @@ def _run(
         start_new_session=True,
     )
     try:
-        done = beside() if beside else None
+        result = beside() if beside else None
         status = process.wait()
     except BaseException:
         process.kill()
@@ -158,7 +158,7 @@ def _run(
             f"measuring ended with exit status {status}: run it again (existing "
             "records are kept)"
         )
-    return done
+    return result
 
 
 def project_of(project: Project, machine: str) -> Project:
@@ -166,17 +166,17 @@ def project_of(project: Project, machine: str) -> Project:
 
     It is a separate project if other machines have results of this edition.
     """
-    named = project.named
+    release = project.named
     option = f"{project.settings.option}={project.release}"
-    if named.machine not in ("", machine):
+    if release.machine not in ("", machine):
         raise UsageError(
-            f"{option} has the results of {named.machine}, and this machine is "
+            f"{option} has the results of {release.machine}, and this machine is "
             f"{machine}: name the edition without the machine"
         )
     machines = dict.fromkeys(other_machines(project, machine))
-    if named.machine or not machines:
+    if release.machine or not machines:
         return project
-    edition = project.of(str(replace(named, machine=machine)))
+    edition = project.of(str(replace(release, machine=machine)))
     print(
         f"{option} has results of {', '.join(machines)}; the results of this "
         f"machine are kept as {edition.release}"

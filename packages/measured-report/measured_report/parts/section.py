@@ -24,7 +24,9 @@ if TYPE_CHECKING:
     import pandas as pd
     from matplotlib.figure import Figure as Drawing
 
-UNDRAWN = "This cannot be drawn from what was measured"  # shown in place of a figure
+UNDRAWN = (
+    "This figure cannot be drawn from the measured data"  # shown in place of a figure
+)
 FIGURE_SPACE, POINT_SPACE = "\u2007", "\u2008"
 """Spaces as wide as a digit and a point, with which the style sheet aligns numbers."""
 SIZE = re.compile(r'viewBox="0 0 ([\d.]+) ([\d.]+)"')
