@@ -33,7 +33,7 @@ from jinja2 import Environment, TemplateSyntaxError, nodes
 from jinja2.parser import Parser
 from markupsafe import Markup
 
-# The parts of each kind. `caption` follows the opening tag; all others have a tag each.
+# The parts of each kind. The caption follows the opening tag; each other part has a tag.
 PARTS = {
     "claim": ("holds", "fails", "opposite", "asks", "because"),
     "figure": ("caption", "alt"),
