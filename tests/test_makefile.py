@@ -12,7 +12,7 @@ from measured_report.commands.command_line import variables_of
 from measured_report.files.root import ROOT
 
 NAMES = ["SECTION", "NEWTON", "CLAIM", "FAST"]
-OF_THE_MAKEFILES = ["name", "TYPED", "READY", "ASKED", "GOAL", "OWN", "PYTHON"]
+OF_THE_MAKEFILES = ["name", "TYPED", "READY", "GOALS", "GOAL", "OWN", "PYTHON"]
 WORDS = ["$(shell touch {})", "$$(touch {})", "`touch {}`", "'; touch {}; '"]
 
 

@@ -32,7 +32,7 @@ WORDS = {
 
 def run(project: Project, arguments: argparse.Namespace) -> int:
     """Print both and whether they agree; 1 when they differ."""
-    refuse_unmeasured(project, arguments.release.asked)
+    refuse_unmeasured(project, arguments.release.spec)
     accelerators = project.report.accelerator.accelerators
     device = measuring_device(
         arguments.device or ("cuda" if accelerators() else "cpu"),

@@ -157,4 +157,4 @@ def test_a_search_finds_what_stands_on_another_page(tab, address):
     link.click()
     tab.wait_for_selector(f"#{place}:target")
     tab.fill(".search input", "xyzzy")
-    tab.wait_for_selector("text=Nothing is found")
+    tab.wait_for_selector("text=No results")

@@ -129,7 +129,7 @@ def test_claims_that_turned_are_said_as_other_releases_say_them(upgraded):
         .partition('class="turns"')[2]
     )
     assert ">toy</a></dt>" in said and "It helps" not in said
-    assert "<b>1.8.0:</b> It does not" in said and "So too: 1.6.0, 1.7.0." in said
+    assert "<b>1.8.0:</b> It does not" in said and "The same for 1.6.0, 1.7.0." in said
     assert 'data-src="newton-1.8.0/values.json#/toy/gain"' in said
 
 

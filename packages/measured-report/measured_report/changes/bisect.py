@@ -128,8 +128,8 @@ def points_between(project: Project, first: Release, last: Release) -> list[str]
 
     They are the commits of a local repository, or else the releases in between.
     """
-    path, _, old = first.asked.rpartition("@")
-    new_path, _, new = last.asked.rpartition("@")
+    path, _, old = first.spec.rpartition("@")
+    new_path, _, new = last.spec.rpartition("@")
     folder = folder_at(path, project.report.root)
     if path and path == new_path and folder.is_dir():
         order = ("--reverse", "--first-parent")
@@ -137,7 +137,7 @@ def points_between(project: Project, first: Release, last: Release) -> list[str]
         points = [f"{path}@{commit}" for commit in commits[:-1]]
     else:
         points = [str(release) for release in releases_between(first, last)]
-    return [first.asked, *points, last.asked]
+    return [first.spec, *points, last.spec]
 
 
 def bisect(search: Bisection, first: Release, last: Release) -> str:
@@ -210,7 +210,7 @@ def _which_package(
             groups.append(names)
             pins += [f"{name}=={new[name]}" for name in names]
             pinned = release_of(
-                before.asked, " ".join(pins), report=search.project.report
+                before.spec, " ".join(pins), report=search.project.report
             )
             steps.append(pinned)
     steps.append(after)

@@ -8,7 +8,7 @@ from itertools import chain
 
 from measured_report.changes.moves import CHOSEN_SHARE
 from measured_report.changes.query import Query
-from measured_report.files.columns import columns_of, unbelieved
+from measured_report.files.columns import columns_of, implausible_cells
 from measured_report.files.config import FILE
 from measured_report.files.errors import ReportError, suggestion
 from measured_report.findings.editions import Edition
@@ -122,7 +122,7 @@ def gaps(edition: Edition) -> list[str]:
                 f"{name}: case {case} has several rows that cannot be distinguished"
             )
         for row in rows:
-            for column, reason in unbelieved(row).items():
+            for column, reason in implausible_cells(row).items():
                 lines.append(f"{name}: {row['case']} has no {column}: {reason}")
         for key, figure in chapter.section.figures.items():
             if not figure.sources:

@@ -9,7 +9,7 @@ from typing import Any
 from markupsafe import Markup
 
 from measured_report.changes.moves import Move, cost_terms, moves_between
-from measured_report.files.columns import unbelieved
+from measured_report.files.columns import implausible_cells
 from measured_report.files.config import Config, Page, Report
 from measured_report.files.groups import grouped
 from measured_report.findings.chapters import Chapter, Chapters, Releases
@@ -343,5 +343,5 @@ def _faults_between(before: Edition, after: Edition) -> Iterator[Fault]:
 
 def _breakdown(row: Mapping[str, Any]) -> str:
     """Return which run it is and why it cannot be trusted; empty if nothing says so."""
-    reason = row.get("failure") or next(iter(unbelieved(row).values()), "")
+    reason = row.get("failure") or next(iter(implausible_cells(row).values()), "")
     return reason and f"{row['case']}: {reason}"

@@ -17,7 +17,7 @@ OPTIONS = {**shared("edition", "profile", "format"), "strict": STRICT}
 
 def run(project: Project, arguments: Arguments) -> int:
     """Print the claims; 1 if anything cannot be read or shown."""
-    refuse_unmeasured(project, arguments.release.asked)
+    refuse_unmeasured(project, arguments.release.spec)
     editions = editions_of(project)
     edition = editions[project.release]
     print(check_text(edition, arguments.format, sentences_of(project)))

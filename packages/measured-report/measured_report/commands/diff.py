@@ -22,7 +22,7 @@ def run(project: Project, arguments: Arguments) -> int:
     """
     refuse_itself(project, str(arguments.a), str(arguments.b))
     for release in (arguments.a, arguments.b):
-        refuse_unmeasured(project.of(str(release)), release.asked)
+        refuse_unmeasured(project.of(str(release)), release.spec)
     names = [str(arguments.a), str(arguments.b)]
     # Derive each edition alone, without the evidence of the other one.
     before, after = (derive_edition(project.of(name)) for name in names)

@@ -15,7 +15,7 @@ OPTIONS = shared("edition", "profile", "address")
 
 def run(project: Project, arguments: Arguments) -> int:
     """Build the site; 1 if anything cannot be read or shown."""
-    refuse_unmeasured(project, arguments.release.asked)
+    refuse_unmeasured(project, arguments.release.spec)
     return int(build_site(project, arguments.address)[0])
 
 

@@ -31,7 +31,7 @@ OPTIONS = {"file": FILE, **shared("edition", "device", "cluster")}
 
 
 def run(project: Project, arguments: Arguments) -> int:
-    refuse_unmeasured(project, arguments.release.asked)
+    refuse_unmeasured(project, arguments.release.spec)
     if arguments.file:
         _keep(project, read_replica(Path(arguments.file)), arguments.file)
         return 0

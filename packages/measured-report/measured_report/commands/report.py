@@ -5,7 +5,7 @@ from measured_report.commands.page import build_site
 from measured_report.editions.project import Project
 from measured_report.editions.status import Kind, states_of
 from measured_report.measuring.machine import lacks, measuring_device
-from measured_report.measuring.measure import measure_what_can
+from measured_report.measuring.measure import measure_available
 
 OPTIONS = shared("edition", "device", "cluster", "profile", "address")
 
@@ -14,12 +14,12 @@ def run(project: Project, arguments: Arguments) -> int:
     cluster = arguments.cluster
     device = measuring_device(arguments.device, project.profile, cluster)
     if not device:
-        refuse_unmeasured(project, arguments.release.asked)
+        refuse_unmeasured(project, arguments.release.spec)
     states = states_of(project) if device else []
     names = [state.section for state in states if state.kind != Kind.FRESH]
     is_done = True
     if names and device:
-        project, is_done = measure_what_can(
+        project, is_done = measure_available(
             project, arguments.release, names, device, cluster
         )
     damaged, lacking = build_site(project, arguments.address)

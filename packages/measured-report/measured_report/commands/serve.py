@@ -22,14 +22,14 @@ OPTIONS = {"port": PORT, **shared("edition", "profile")}
 
 
 def run(project: Project, arguments: Arguments) -> int:
-    refuse_unmeasured(project, arguments.release.asked)
+    refuse_unmeasured(project, arguments.release.spec)
     server = server_of(project.site, arguments.port)
     print(
         f"serving {project.site.name}/ at http://127.0.0.1:{arguments.port}", flush=True
     )
     # Build in another process, because the change may be in the generator itself.
     command = [sys.executable, "build.py", "page", "--profile", project.profile]
-    command += [f"--{project.settings.flag}", arguments.release.asked]
+    command += [f"--{project.settings.flag}", arguments.release.spec]
     build = partial(subprocess.run, command, cwd=project.root, check=False)
     follow(server, [project.root / name for name in INPUTS], build)
     return 0

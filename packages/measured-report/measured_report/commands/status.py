@@ -18,7 +18,7 @@ OPTIONS = shared("edition", "profile")
 
 def run(project: Project, arguments: Arguments) -> int:
     """Print the state of each section of each edition; 1 if anything cannot be read."""
-    refuse_unmeasured(project, arguments.release.asked)
+    refuse_unmeasured(project, arguments.release.spec)
     states = states_by_release(project)
     print(_matrix(project, states))
     for line in replicas_text(project):

@@ -34,7 +34,7 @@ PLACES = re.compile(' id="([^"]+)"| data-src="([^"]+)"')
 
 
 def run(project: Project, arguments: Arguments) -> int:
-    refuse_unmeasured(project, arguments.release.asked)
+    refuse_unmeasured(project, arguments.release.spec)
     print(provenance(project, editions_of(project), arguments.value))
     return 0
 

@@ -29,7 +29,7 @@ from measured_report.files.atomic import write_file
 from measured_report.files.errors import UsageError
 from measured_report.findings.editions import Edition, derive_edition, editions_of
 from measured_report.measuring.machine import lacks, measuring_device
-from measured_report.measuring.measure import measure_what_can
+from measured_report.measuring.measure import measure_available
 from measured_report.pages.wording import sentences_of
 from measured_report.parts.claim import HOLDS
 from measured_report.records.identity import package_changes, sections
@@ -81,7 +81,7 @@ def run(project: Project, arguments: Arguments) -> int:
         if wanted and device:
             label = f"{report.settings.edition} {releases[index]}"
             print(f"{label}: measuring {', '.join(wanted)}", flush=True)
-            sides[index], _ = measure_what_can(
+            sides[index], _ = measure_available(
                 sides[index], releases[index], wanted, device
             )
     after, before = sides
@@ -141,7 +141,7 @@ def timed_in_turn(
                 "turn",
                 flush=True,
             )
-            timed[index], is_done = measure_what_can(
+            timed[index], is_done = measure_available(
                 timed[index], release, names, device
             )
             if not is_done:
@@ -253,7 +253,7 @@ def _advice(comparison: Comparison, before: Project, after: Project) -> str:
     # A number that no longer exists cannot be followed between the editions.
     values = [f"VALUE={move.name}" for move in comparison.alarms if not move.is_gone]
     if queries := [*(f"CLAIM={flip.claim}" for flip in comparison.flips), *values]:
-        asked = shlex.join([f"A={before.asked}", f"B={after.asked}"])
+        asked = shlex.join([f"A={before.spec}", f"B={after.spec}"])
         return (
             f"make bisect {queries[0]} {asked} finds the change that caused it; {lists}"
         )

@@ -44,8 +44,9 @@ def add_group(name: str, root: Path, python: Path = Path(sys.executable)) -> Non
         _run(["pip", "install", "--python", str(python), "--group", group], name)
         return
     with locked(root):
-        wanted = ["--frozen", "--inexact", "--group", name]
-        _run(["sync", *wanted, "--project", str(root)], name)
+        # --inexact keeps packages that other groups need.
+        options = ["--frozen", "--inexact", "--group", name]
+        _run(["sync", *options, "--project", str(root)], name)
 
 
 def python_of(release: Release, packages: Mapping[str, str], root: Path) -> Path:
@@ -66,17 +67,18 @@ def python_of(release: Release, packages: Mapping[str, str], root: Path) -> Path
     label = replace(release, machine="")
     folder = root / f".venv-{settings.edition_folder(str(label))}"
     if not (folder / READY).exists():
-        wanted = {**packages, package: MISSING, **dict(release.pins)}
+        # The release itself is added below, because it may be a commit.
+        versions = {**packages, package: MISSING, **dict(release.pins)}
         pins = [f"{name}=={version}" for name, version in release.pins]
-        installs = requirements(root, wanted, settings)
-        asked = f"{settings.option}={release.asked}"
-        day = _of_its_day(release, asked, installs)
-        _make(folder, asked, [*day, *installs, release.requirement], pins)
-    _lend(folder)
+        installs = requirements(root, versions, settings)
+        name = f"{settings.option}={release.spec}"
+        options = _date_options(release, name, installs)
+        _make(folder, name, [*options, *installs, release.requirement], pins)
+    _link_generator(folder)
     return folder / "bin" / "python"
 
 
-def _lend(folder: Path) -> None:
+def _link_generator(folder: Path) -> None:
     """Link the packages that measuring imports from the generator into an environment.
 
     The environment itself contains only the measured packages.
@@ -127,11 +129,15 @@ def requirements(
     replaced = {*pinned, settings.edition}.union(*settings.changes.package_groups)
     project = read_toml(root / "pyproject.toml").get("project", {})
     dependencies = project.get("dependencies", ())
-    others = [each for each in dependencies if NAME.sub("", each) not in replaced]
+    others = [
+        dependency
+        for dependency in dependencies
+        if NAME.sub("", dependency) not in replaced
+    ]
     return [*others, *pinned.values()]
 
 
-def _of_its_day(release: Release, asked: str, installs: Sequence[str]) -> list[str]:
+def _date_options(release: Release, name: str, installs: Sequence[str]) -> list[str]:
     """Return uv's options for the newest packages on the release date.
 
     They do not apply to requirements with a version.
@@ -140,15 +146,15 @@ def _of_its_day(release: Release, asked: str, installs: Sequence[str]) -> list[s
     if os.environ.get(FILTER) or not day:
         return []
     print(
-        f"{asked} was released on {day}, so packages of that day are installed; "
+        f"{name} was released on {day}, so packages of that day are installed; "
         f"{FILTER}={date.today()} allows later ones"
     )
     next_day = date.fromisoformat(day) + timedelta(days=1)
     options = ["--exclude-newer", next_day.isoformat()]
     for requirement in installs:
-        name, is_named, _ = requirement.partition("==")
-        if is_named:
-            options += ["--exclude-newer-package", f"{name}=2100-01-01"]
+        package, has_version, _ = requirement.partition("==")
+        if has_version:
+            options += ["--exclude-newer-package", f"{package}=2100-01-01"]
     return options
 
 

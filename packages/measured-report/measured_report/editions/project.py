@@ -36,13 +36,13 @@ INPUTS = (
     "results",
 )
 MANIFEST = "edition.toml"
-BYTE_LIMIT = 1 << 20
+BYTE_LIMIT = 1 << 20  # of a manifest
 
 
 class Manifest(Struct, frozen=True, forbid_unknown_fields=True):
     """Hold the contents of ``edition.toml``, which describes an edition."""
 
-    asked: str  # the release or address that was measured, as the command named it
+    spec: str  # the release or address that was measured, as the command named it
     date: str
     sections: tuple[str, ...]
 
@@ -61,8 +61,8 @@ def read_manifest(results: Path) -> Manifest | None:
         for text in (*fields.values(), *fields.get("sections", ())):
             if name_problem(str(text)):
                 raise ValueError("it contains text that cannot be printed")
-        asked = fields.pop(current().settings.edition)
-        return convert({"asked": asked, **fields}, Manifest)
+        spec = fields.pop(current().settings.edition)
+        return convert({"spec": spec, **fields}, Manifest)
     except (KeyError, ValueError, RecursionError) as error:
         message = " ".join(str(error).split())
         raise RecordError(
@@ -72,7 +72,7 @@ def read_manifest(results: Path) -> Manifest | None:
 
 def write_manifest(results: Path, manifest: Manifest) -> None:
     fields = {
-        current().settings.edition: manifest.asked,
+        current().settings.edition: manifest.spec,
         "date": manifest.date,
         "sections": manifest.sections,
     }
@@ -108,8 +108,8 @@ class Project:
     def report(self) -> Report:
         """Return the report in the project's folder.
 
-        Return the current report if the folder has no ``report.toml``, or a link to the
-        same.
+        If ``report.toml`` is a link, it is the report that the link leads to. Without
+        ``report.toml`` it is the current report.
         """
         file = (self.root / FILE).resolve()
         return report_in(file.parent) if file.is_file() else current()
@@ -153,7 +153,8 @@ class Project:
     def releases(self) -> list[str]:
         """Return this edition and those that have results, by version and date.
 
-        One whose folder cannot be read is among them, so that it is named.
+        An edition whose folder cannot be read is included, so that messages can name
+        it.
         """
         folders = [
             folder
@@ -162,8 +163,10 @@ class Project:
         ]
         labels = {self.settings.edition_in(folder.name) for folder in folders}
         releases = {label for label in labels if read_label(label, self.settings)}
-        sides = [self.of(release) for release in {self.release, *releases}]
-        return [side.release for side in sorted(sides, key=attrgetter("order"))]
+        editions = [self.of(release) for release in {self.release, *releases}]
+        return [
+            edition.release for edition in sorted(editions, key=attrgetter("order"))
+        ]
 
     @property
     def order(self) -> tuple[Any, ...]:
@@ -195,17 +198,17 @@ class Project:
         options = {
             "SECTION": section,
             "DEVICE": device or ("cpu" if self.named.machine == "cpu" else ""),
-            self.settings.option: "" if self.is_own else self.asked,
+            self.settings.option: "" if self.is_own else self.spec,
             "PROFILE": "" if self.profile == "full" else self.profile,
         }
         set_options = [f"{name}={value}" for name, value in options.items() if value]
         return shlex.join(["make", "rerun", *set_options])
 
     @property
-    def asked(self) -> str:
+    def spec(self) -> str:
         """Return the edition's name in commands: its label or a commit's address."""
         manifest = self.manifest if self.named.source else None
-        return manifest.asked if manifest else self.release
+        return manifest.spec if manifest else self.release
 
 
 def own_release(root: Path | None = None, report: Report | None = None) -> str:

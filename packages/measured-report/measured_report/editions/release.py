@@ -46,11 +46,11 @@ class Release:
     version: str
     source: str = ""  # `g` and the first digits of the commit; empty for a release
     pins: tuple[tuple[str, str], ...] = ()
-    # The machine that measured it, if results without this label are of another machine
+    # The machine that measured the results, if another machine has the plain label.
     machine: str = ""
     # The requirement to install; empty if only results are available.
     requirement: str = ""
-    asked: str = ""  # the name in commands
+    spec: str = ""  # the name in commands
     date: str = ""  # of a commit, such as 2026-11-11
     settings: Config = field(default_factory=Config, repr=False, compare=False)
 
@@ -109,7 +109,7 @@ def read_label(text: str, settings: Config | None = None) -> Release | None:
         tuple(sorted(pins.items())),
         machine,
         requirement="" if source else requirement,
-        asked=text,
+        spec=text,
         settings=settings,
     )
 
@@ -141,7 +141,7 @@ def folder_at(text: str, root: Path) -> Path:
     return (root / os.path.expanduser(text)).resolve()  # noqa: PTH111
 
 
-def _shown(path: Path, root: Path) -> str:
+def _short_path(path: Path, root: Path) -> str:
     """Return a path relative to the report or to ~, without the user's name."""
     root = root.resolve()
     home = folder_at("~", root)
@@ -160,13 +160,13 @@ def _commit(spec: str, option: str, report: Report) -> Release:
         )
     address, _, reference = spec.removeprefix("git+").rpartition("@")
     repository = folder_at(address.removeprefix("file://"), report.root)
-    asked = f"git+{address}@{reference}"
+    stored_spec = f"git+{address}@{reference}"
     commit = reference
     if address and repository.is_dir():
         address = repository.as_uri()
-        asked = f"{_shown(repository, report.root)}@{reference}"
-        found = git(repository, "rev-parse", f"{reference}^{{commit}}")
-        commit = found or reference
+        stored_spec = f"{_short_path(repository, report.root)}@{reference}"
+        # git fetch accepts branches and full commits, but not HEAD~1 or short commits.
+        commit = git(repository, "rev-parse", f"{reference}^{{commit}}") or reference
     if not (ADDRESS.fullmatch(address) and REFERENCE.fullmatch(reference)):
         kinds = "a release number, git+https://HOST/NAME.git@COMMIT or FOLDER@COMMIT"
         raise UsageError(f"{option}={spec} does not name a release: use {kinds}")
@@ -194,7 +194,7 @@ def _commit(spec: str, option: str, report: Report) -> Release:
         full_version(version[1]),
         f"g{commit[:SHORT_COMMIT]}",
         requirement=f"{requirement} @ git+{address}@{commit}",
-        asked=asked,
+        spec=stored_spec,
         date=date,
         settings=settings,
     )
@@ -209,13 +209,15 @@ def release_date(release: Release) -> str:
 
 def releases_between(older: Release, newer: Release) -> list[Release]:
     releases = releases_of(older.settings.edition, older.settings)
-    return [each for each in releases if older.order < each.order < newer.order]
+    return [
+        release for release in releases if older.order < release.order < newer.order
+    ]
 
 
 def releases_of(package: str, settings: Config | None = None) -> list[Release]:
     """Return the final releases of a package in the index, oldest first."""
     versions = _index_dates(package)
-    finals = [each for each in versions if each.replace(".", "").isdigit()]
+    finals = [version for version in versions if version.replace(".", "").isdigit()]
     releases = filter(None, (read_label(version, settings) for version in finals))
     return sorted(releases, key=attrgetter("order"))
 
@@ -226,7 +228,7 @@ def _index_dates(package: str) -> Mapping[str, str]:
 
     Return no dates if the index cannot be reached.
     """
-    # Slow to import, and few commands ask the index.
+    # This import is slow, and few commands need it.
     import urllib.request
 
     variables = ("UV_DEFAULT_INDEX", "UV_INDEX_URL", "PIP_INDEX_URL")
@@ -236,8 +238,8 @@ def _index_dates(package: str) -> Mapping[str, str]:
         headers={"Accept": "application/vnd.pypi.simple.v1+json"},
     )
     try:
-        with urllib.request.urlopen(request, timeout=30) as answer:
-            files = json.load(answer)["files"]
+        with urllib.request.urlopen(request, timeout=30) as response:
+            files = json.load(response)["files"]
     except (OSError, ValueError, KeyError):
         return {}
     dates = {}

@@ -1,4 +1,4 @@
-"""Status: which sections of which releases are fresh, and what changed for the others."""
+"""Compare the records of an edition with the code that would measure them now."""
 
 import os
 from collections.abc import Iterator, Mapping, Sequence
@@ -22,20 +22,20 @@ from measured_report.records.replicas import FOLDER
 
 
 class Kind(str, Enum):
-    """Names how the record of a section stands to the code that would measure it now; it is its own text."""
+    """List the states of a section's record; each is printed as its value."""
 
     FRESH = "fresh"
     STALE = "stale"
     MISSING = "missing"
     DAMAGED = "damaged"
-    NOT_SHOWN = "not shown"  # the record is whole, and code or words cannot use it
+    NOT_SHOWN = "not shown"  # the record is valid, but the section cannot be derived
 
     __str__ = str.__str__
 
 
 @dataclass(frozen=True)
 class State:
-    """Compares a section's record with the code that would measure it now."""
+    """Hold the state of a section's record, compared with the current code."""
 
     section: str
     kind: str  # a `Kind`
@@ -44,7 +44,7 @@ class State:
 
     @property
     def summary(self) -> str:
-        """Return the state in a few words: of a stale record, which parts of its identity changed."""
+        """Return the state and, if it is stale, the changed parts of its identity."""
         if self.kind != Kind.STALE:
             return self.kind
         parts = dict.fromkeys(note.partition(":")[0] for note in self.notes)
@@ -52,7 +52,7 @@ class State:
 
     @property
     def words(self) -> str:
-        """Return its notes in one line, with each kind, as code, said once."""
+        """Return the notes in one line, grouped by their kind, such as ``code``."""
         kinds = grouped(note.partition(": ")[::2] for note in self.notes)
         texts = []
         for kind, subjects in kinds.items():
@@ -62,7 +62,10 @@ class State:
 
 
 def states_of(project: Project, code: Code | None = None) -> list[State]:
-    """Return the state of each section of an edition; ``code`` saves reading the files once more for each edition."""
+    """Return the state of each section of an edition.
+
+    With the same ``code`` for several editions, files are read only once.
+    """
     states = []
     code = code or Code(project.root)
     for section in sections(project.root):
@@ -77,15 +80,16 @@ def states_of(project: Project, code: Code | None = None) -> list[State]:
     packages = expected_packages(project, records)
     for index, state in enumerate(states):
         if state.record:
-            name, profile = state.section, project.profile
-            now = identity_of(name, profile, project.root, packages, code)
-            if changed := changes(state.record.identity, now):
-                states[index] = replace(state, kind=Kind.STALE, notes=tuple(changed))
+            identity = identity_of(
+                state.section, project.profile, project.root, packages, code
+            )
+            if notes := changes(state.record.identity, identity):
+                states[index] = replace(state, kind=Kind.STALE, notes=tuple(notes))
     return states
 
 
-def damage_beside(project: Project) -> Iterator[State]:
-    """Yield what cannot be read of an edition besides its records and replicas."""
+def other_damage(project: Project) -> Iterator[State]:
+    """Yield the folders and the manifest of an edition if they cannot be read."""
     for folder in (project.results, project.results / FOLDER):
         if fault := folder_fault(folder):
             yield State(folder.name, Kind.DAMAGED, notes=(fault,))
@@ -100,7 +104,7 @@ def expected_packages(
 ) -> Mapping[str, str]:
     """Return the versions that an edition's records should have been measured with.
 
-    Of an edition that is not installed here these are the versions of its newest record.
+    If the edition is not installed here, these are the versions of its newest record.
     """
     release = project.named
     installed = package_versions(project.settings)
@@ -123,5 +127,6 @@ def records_of(project: Project) -> Iterator[Record]:
 
 
 def aligned(lines: Sequence[Sequence[str]]) -> str:
+    """Return lines of cells as text in columns."""
     widths = [max(map(len, column)) for column in zip(*lines, strict=True)]
     return "\n".join("  ".join(map(str.ljust, line, widths)).rstrip() for line in lines)

@@ -42,13 +42,13 @@ def read_file(path: Path, byte_limit: int) -> bytes:
 
 
 def folder_fault(folder: Path) -> str:
-    """Say why a folder cannot be read; empty if it can, or is not there."""
+    """Return why a folder cannot be read; empty if it can, or if it does not exist."""
     try:
         if os.path.lexists(folder):
             for path in folder.iterdir():
                 path.lstat()
     except OSError as error:
-        return f"{short_path(folder)} can't be read: {error.strerror}"
+        return f"{short_path(folder)} cannot be read: {error.strerror}"
     return ""
 
 
@@ -67,8 +67,8 @@ def locked(folder: Path, *, alone: bool = True) -> Iterator[None]:
         try:
             fcntl.flock(descriptor, mode | fcntl.LOCK_NB)
         except BlockingIOError:
-            text = f"waiting for another process that uses {folder.name}/"
-            print(text, file=sys.stderr, flush=True)
+            message = f"waiting for another process that uses {folder.name}/"
+            print(message, file=sys.stderr, flush=True)
             fcntl.flock(descriptor, mode)
         yield
     finally:
@@ -84,7 +84,8 @@ def write_file(path: Path, content: str | bytes) -> None:
 def write_files(contents: Mapping[Path, bytes]) -> None:
     """Write several files, each in one step.
 
-    The first file is replaced last, and no file is replaced before all are on the disk.
+    The first file is replaced last, so it can name the others: when it is there, they
+    are too. No file is replaced before all are on the disk.
     """
     with ExitStack() as stack:
         for path, content in contents.items():
@@ -134,6 +135,7 @@ def digests_below(folder: Path) -> dict[str, str]:
     Links and other entries that are not files have an empty digest.
     """
     digests = {}
+    # A link to a folder counts as a file, because its target may lie elsewhere.
     for path in (
         path for path in folder.rglob("*") if path.is_symlink() or not path.is_dir()
     ):

@@ -20,8 +20,8 @@ def _is_ours(folder: Path) -> bool:
     info = folder.stat()
     if not (is_ours := info.st_uid == os.geteuid() and not info.st_mode & 0o022):
         print(
-            f"{folder.name}/ in the cache is writable for others, so it is not "
-            "used: remove it",
+            f"{folder.name}/ in the cache is not used, because other users can write "
+            "to it: remove it",
             file=sys.stderr,
         )
     return is_ours
@@ -29,6 +29,8 @@ def _is_ours(folder: Path) -> bool:
 
 @dataclass(frozen=True)
 class Cache:
+    """Store the results of one project by name, each with the key it was made from."""
+
     root: Path  # the folder of the project
 
     @property
@@ -54,7 +56,10 @@ class Cache:
         return None
 
     def put(self, name: str, key: Any, value: Any) -> None:
-        """Store ``value``, made from ``key``, if the cache can be written."""
+        """Store ``value``, made from ``key``; do nothing if the cache is not writable.
+
+        It is also not stored if other users can write to the cache.
+        """
         with suppress(OSError, RuntimeError):
             self.folder.mkdir(mode=0o700, parents=True, exist_ok=True)
             if not _is_ours(self.folder):

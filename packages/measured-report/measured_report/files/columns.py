@@ -84,9 +84,9 @@ NEVER_NEGATIVE = {
     "mm/cycle",
 }  # units of numbers that are never negative
 REASON = "_reason"
-# The start of the reason for a number that a record may not hold, such as infinity.
-UNBELIEVED = "the measurement gave "
-TEXT_LIMIT = 4096
+# The start of the reason for a number that a record must not contain, such as infinity.
+IMPLAUSIBLE = "the measurement gave "
+TEXT_LIMIT = 4096  # characters; a cell is printed on a page and in messages
 
 
 TRAITS = (
@@ -98,8 +98,7 @@ TRAITS = (
     "trials",
     "unless",
 )
-"""Properties of a column; each is taken from the first table that sets it.
-"""
+"""Properties of a column; each is taken from the first table that sets it."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -133,9 +132,8 @@ class Schema:
     """Describe the columns of a report: ``schema["depth_mm"]`` is a `Column`.
 
     Args:
-        settings: the settings of ``report.toml``, which complement the names of
-        columns. parameters: the parameters of a case with their defaults, or
-        ``MISSING``.
+        settings: the settings of ``report.toml``, which complement the columns' names.
+        parameters: the parameters of a case with their defaults, or ``MISSING``.
     """
 
     def __init__(self, settings: Config, parameters: Mapping[str, Any]):
@@ -152,8 +150,7 @@ class Schema:
                     "use another ending"
                 )
         self.units: Mapping[str, str] = known | dict(settings.units)
-        """The units by the end of a column's name; the longest end that matches counts.
-        """
+        """The units by the end of a column's name; the longest matching end counts."""
 
     def __getitem__(self, name: str) -> Column:
         if name not in self._columns:
@@ -275,28 +272,33 @@ class Schema:
         )
 
     def refuse_mixed(
-        self, rows: Sequence[Mapping[str, Any]], noted: Mapping[str, str]
+        self, rows: Sequence[Mapping[str, Any]], recorded: Mapping[str, str]
     ) -> None:
-        """Raise ValueError if a unit contradicts a column's name or kinds are mixed."""
+        """Raise ValueError if rows contradict their columns.
+
+        The ``recorded`` units must be those of the columns' names, a column must not
+        mix numbers, text and booleans, and numbers must be in the range of their
+        column.
+        """
         units = self.units_of(rows)
-        for name in sorted({*units, *noted}):
-            if noted.get(name) != units.get(name):
+        for name in sorted({*units, *recorded}):
+            if recorded.get(name) != units.get(name):
                 raise ValueError(
-                    f"the unit of {name} is {noted.get(name)}, but its name implies "
+                    f"the unit of {name} is {recorded.get(name)}, but its name implies "
                     f"{units.get(name)}"
                 )
         for name in columns_of(rows):
-            holding = [row for row in rows if name in row]
-            types = {type(row[name]) for row in holding} - {int, float, type(None)}
+            cells = [(row, row[name]) for row in rows if name in row]
+            types = {type(cell) for _, cell in cells} - {int, float, type(None)}
             if types and (name in units or self[name].unit != PLAIN):
                 raise ValueError(f"{name} contains values that are not numbers")
             if len(types) > 1:
-                raise ValueError(f"{name} contains both text and yes or no")
+                raise ValueError(f"{name} contains both text and booleans")
             if name not in units:
                 continue
-            if not all(row.get(name + REASON) for row in holding if row[name] is None):
+            if not all(row.get(name + REASON) for row, cell in cells if cell is None):
                 raise ValueError(f"{name} is null without a {name}{REASON}")
-            numbers = [row[name] for row in holding if row[name] is not None]
+            numbers = [cell for _, cell in cells if cell is not None]
             for number in (min(numbers), max(numbers)) if numbers else ():
                 if problem := self.number_problem(name, number):
                     raise ValueError(f"{name} {problem}")
@@ -331,8 +333,8 @@ def columns_of(rows: Sequence[Mapping[str, Any]]) -> list[str]:
     return list(dict.fromkeys(chain.from_iterable(rows)))
 
 
-def unbelieved(row: Mapping[str, Any]) -> dict[str, str]:
-    """Return the reasons for all numbers that a record may not hold, by column."""
+def implausible_cells(row: Mapping[str, Any]) -> dict[str, str]:
+    """Return the reasons for numbers that were too implausible to record, by column."""
     reasons = {
         name.removesuffix(REASON): str(cell)
         for name, cell in row.items()
@@ -341,7 +343,7 @@ def unbelieved(row: Mapping[str, Any]) -> dict[str, str]:
     return {
         name: reason
         for name, reason in reasons.items()
-        if reason.startswith(UNBELIEVED)
+        if reason.startswith(IMPLAUSIBLE)
     }
 
 
@@ -352,7 +354,7 @@ def is_number(value: Any) -> TypeGuard[int | float]:
 def plain(cell: Any, name: str) -> Any:
     """Return a cell as a plain Python value.
 
-    Raise ReportError for a value that a record may not hold.
+    Raise ReportError for a value that a record cannot contain, such as a list.
     """
     value = cell.item() if getattr(cell, "ndim", None) == 0 else cell
     if value is None or isinstance(value, bool | int | float | str):
@@ -363,7 +365,7 @@ def plain(cell: Any, name: str) -> Any:
 
 
 def name_problem(text: str) -> str:
-    """Return the problem with a text printed within a line, or an empty string."""
+    """Return the problem with a text that is printed in a line, or an empty string."""
     return text_problem(text) or (
         "contains a tab or a line break" if re.search(r"[\n\t]", text) else ""
     )

@@ -38,8 +38,8 @@ T = TypeVar("T")
 class Report:
     """Describe a report; ``with report:`` makes it the current one.
 
-    The current report provides the settings, the packages and the root of all code
-    here.
+    All code of this package takes its settings from the current report, and imports the
+    modules ``experiments`` and ``report`` of its folder.
     """
 
     root: Path
@@ -84,7 +84,7 @@ class Report:
         report()._follow(exited)
 
     def _follow(self, former: "Report") -> None:
-        """Replace the root and modules of the former report by this one's.
+        """Replace the root and the modules of the former report by those of this one.
 
         The former report keeps its modules for the next time it is entered.
         """
@@ -93,8 +93,8 @@ class Report:
         names = [name for name in sys.modules if name.partition(".")[0] in ROOMS]
         former._path = sys.path[:]
         former._modules = {name: sys.modules.pop(name) for name in names}
-        # Remove the other root: it would be found first if a package has no
-        # __init__.py.
+        # Remove the former root, because a package without an __init__.py would be
+        # found there first.
         paths = (path for path in sys.path if Path(path).resolve() != former.root)
         sys.path[:] = self._path or [
             str(self.root),

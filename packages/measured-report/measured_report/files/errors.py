@@ -27,7 +27,7 @@ UNPRINTABLE = re.compile(
     """,
     re.VERBOSE,
 )
-"""Characters that no text needs."""
+"""Characters that could hide or change the text around them, and that no text needs."""
 
 
 class ReportError(Exception):
@@ -56,7 +56,7 @@ def suggestion(name: str, names: Iterable[str]) -> str:
 
 
 def bug_of(error: BaseException) -> str:
-    """Return an error of a report's own code as a line: file, line, type and text."""
+    """Return an error of a report's code as one line: file, line, type and text."""
     frames = [
         (Path(frame.filename), frame.lineno)
         for frame in extract_tb(error.__traceback__)
@@ -81,7 +81,7 @@ def bug_of(error: BaseException) -> str:
     return text
 
 
-def _say(
+def _print_error(
     kind: type[BaseException], error: BaseException, trace: TracebackType | None
 ) -> None:
     if issubclass(kind, ReportError):
@@ -91,4 +91,4 @@ def _say(
 
 
 # An import reads report.toml before any command runs that could print an error.
-sys.excepthook = _say
+sys.excepthook = _print_error

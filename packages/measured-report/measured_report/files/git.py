@@ -10,18 +10,18 @@ from pathlib import Path
 
 from measured_report.files.errors import UsageError
 
-KEPT = (
+KEPT_VARIABLES = (
     "GIT_SSH",
     "GIT_SSH_COMMAND",
     "GIT_ASKPASS",
     "GIT_CONFIG_GLOBAL",
     "GIT_CONFIG_NOSYSTEM",
 )
-"""Variables for access to other hosts.
+"""Variables for access to other hosts, which git keeps.
 
 All other variables that begin with GIT_ may name a repository or its index.
 """
-ALONE = ("core.hooksPath=/dev/null", "core.fsmonitor=false")
+WITHOUT_HOOKS = ("core.hooksPath=/dev/null", "core.fsmonitor=false")
 QUIET = {"GIT_OPTIONAL_LOCKS": "0", "GIT_TERMINAL_PROMPT": "0", "LC_ALL": "C"}
 
 
@@ -41,12 +41,12 @@ ORIGIN = re.compile(
 
 def environment(**settings: str) -> dict[str, str]:
     """Return the environment for git and for programs that call it."""
-    kept = {
+    variables = {
         name: value
         for name, value in os.environ.items()
-        if name in KEPT or not name.startswith("GIT_")
+        if name in KEPT_VARIABLES or not name.startswith("GIT_")
     }
-    return kept | QUIET | settings
+    return variables | QUIET | settings
 
 
 def run_git(folder: Path, *command: str, **settings: str) -> str:
@@ -54,7 +54,7 @@ def run_git(folder: Path, *command: str, **settings: str) -> str:
 
     Raise UsageError with the first line of its message if it fails.
     """
-    options = [option for setting in ALONE for option in ("-c", setting)]
+    options = [option for setting in WITHOUT_HOOKS for option in ("-c", setting)]
     try:
         process = subprocess.run(
             ["git", "-C", folder, *options, *command],
@@ -75,7 +75,7 @@ def run_git(folder: Path, *command: str, **settings: str) -> str:
 
 
 def git(folder: Path, *command: str) -> str:
-    """Return the output of git in a folder, or nothing if it fails.
+    """Return the output of git in a folder, or an empty string if it fails.
 
     It fails, for example, outside of a repository.
     """
@@ -86,9 +86,6 @@ def git(folder: Path, *command: str) -> str:
 
 
 def web_address(folder: Path) -> str:
-    """Return the web address of a repository's origin, if it has one.
-
-    Credentials are removed.
-    """
+    """Return the web address of a repository's origin without credentials, if any."""
     origin = ORIGIN.fullmatch(git(folder, "remote", "get-url", "origin"))
     return f"https://{origin[1]}/{origin[2]}" if origin else ""

@@ -10,13 +10,13 @@ T = TypeVar("T")
 def grouped(pairs: Iterable[tuple[K, T]]) -> dict[K, list[T]]:
     """Return lists of the values with the same key, in order."""
     groups: dict[K, list[T]] = {}
-    for key, thing in pairs:
-        groups.setdefault(key, []).append(thing)
+    for key, value in pairs:
+        groups.setdefault(key, []).append(value)
     return groups
 
 
 def single(pairs: Iterable[tuple[K, T]]) -> dict[K, T]:
     """Return the values by key, without keys that have several values."""
     return {
-        key: things[0] for key, things in grouped(pairs).items() if len(things) == 1
+        key: values[0] for key, values in grouped(pairs).items() if len(values) == 1
     }

@@ -17,7 +17,7 @@ from measured_report.files.errors import ReportError
 T = TypeVar("T")
 KILLED = (
     "a process was killed, perhaps because memory ran out: free some memory and try "
-    "again (nothing was changed)"
+    "again (no file was changed)"
 )
 # From linux/prctl.h: sets the signal that a process receives when its parent ends.
 PR_SET_PDEATHSIG = 1
@@ -25,13 +25,14 @@ PR_SET_PDEATHSIG = 1
 
 @contextmanager
 def workers(
-    count: int, method: str, then: Callable[[], None] | None = None
+    count: int, method: str, prepare: Callable[[], None] | None = None
 ) -> Iterator[ProcessPoolExecutor]:
-    """Open a pool of ``count`` processes that call ``then`` first.
+    """Open a pool of ``count`` processes that call ``prepare`` first.
 
-    ``method`` is the way to start them. Raise ReportError if a process is killed.
+    ``method`` is the start method of ``multiprocessing``. Raise ReportError if a
+    process is killed.
     """
-    pool = ProcessPoolExecutor(count, get_context(method), begin, (then,))
+    pool = ProcessPoolExecutor(count, get_context(method), begin, (prepare,))
     try:
         yield pool
     except BaseException as error:
@@ -66,13 +67,13 @@ def _make(number: int) -> Any:
     return _task[0](number)
 
 
-def begin(then: Callable[[], None] | None) -> None:
+def begin(prepare: Callable[[], None] | None) -> None:
     """Prepare a process of a pool: it ends with its parent and ignores Ctrl-C."""
     end_with_parent()
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     signal.signal(signal.SIGTERM, signal.SIG_DFL)
-    if then:
-        then()
+    if prepare:
+        prepare()
 
 
 def end_with_parent() -> None:

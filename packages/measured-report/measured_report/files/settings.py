@@ -44,11 +44,9 @@ class Columns:
     better: Literal["", "less", "more"] = ""
     """Whether less or more is better; empty if neither is."""
     resolution: Annotated[float, Meta(ge=0.0)] = 0.0
-    """The smallest difference that counts, whatever the noise is."""
+    """The smallest difference that counts, even if the noise is smaller."""
     rate_of: str = ""
-    """The column of the time from which this rate is computed; both have the same
-    relative noise.
-    """
+    """The column with the time of this rate; both have the same relative noise."""
     known_within: str = ""
     """The column with the relative uncertainty, which replaces the measured noise
     unless it is 0.
@@ -58,8 +56,8 @@ class Columns:
     with it.
     """
     trials: str = ""
-    """The column with the number of trials of which this number (or share) succeeded;
-    the noise is then binomial.
+    """The column with the number of trials, if this one counts successes or is their
+    share; its noise is then binomial.
     """
     unless: str = ""
     """The column that marks a failed run, for which this number does not exist."""
@@ -165,7 +163,7 @@ class Config:
     """Columns that must be equal in two rows before their costs are compared."""
     columns: Sequence[Columns] = ()  # the tables ``columns``
     baseline: str = "the baseline"
-    """The name of the case from which all others differ."""
+    """The name of the case that has the default of every parameter."""
     changes: Changes = field(default_factory=Changes)  # the table ``changes``
     title: str = "A report"
     """The title of the data if there is no other title."""
@@ -272,12 +270,12 @@ def read_settings(root: Path) -> Config:
             raise ValueError(
                 "a table of columns has neither names nor a pattern: add one of them"
             )
-        if wrong := [
+        if invalid := [
             name for name, share in config.changes.thresholds.items() if not share > 0
         ]:
             raise ValueError(
-                f"changes.thresholds has {wrong[0]} not above 0: use a relative change "
-                "such as 0.1"
+                f"the threshold of {invalid[0]} in changes.thresholds is not above 0: "
+                "use a relative change such as 0.1"
             )
         if not 0 < len(config.pages) == len({page.name for page in config.pages}):
             raise ValueError(

@@ -7,7 +7,7 @@ from importlib import import_module
 from typing import Any
 
 from measured_report.editions.project import Project
-from measured_report.editions.status import Kind, State, damage_beside, states_of
+from measured_report.editions.status import Kind, State, other_damage, states_of
 from measured_report.files.atomic import RecordError, short_path
 from measured_report.files.config import Page, Report, module_named
 from measured_report.files.errors import ReportError, bug_of
@@ -349,7 +349,7 @@ def read_edition(project: Project, cache: DerivedCache) -> Edition:
     states = states_of(project, code)
     edition = Edition(project, cache)
     edition.left_out += [state for state in states if not state.record]
-    edition.left_out += damage_beside(project)
+    edition.left_out += other_damage(project)
     chapters = []
     for state in states:
         if record := state.record:

@@ -5,7 +5,7 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from measured_report.editions.project import Project
-from measured_report.editions.status import Kind, State, damage_beside, records_of
+from measured_report.editions.status import Kind, State, other_damage, records_of
 from measured_report.files.atomic import RecordError
 from measured_report.files.config import Report
 from measured_report.files.errors import ReportError
@@ -132,7 +132,7 @@ def damage_of(project: Project, states: Iterable[State]) -> Iterator[State]:
     ``states`` are those of its records.
     """
     yield from (state for state in states if state.kind == Kind.DAMAGED)
-    yield from damage_beside(project)
+    yield from other_damage(project)
     for fault in read_replicas(project)[1]:
         yield State(FOLDER, Kind.DAMAGED, notes=(fault,))
 

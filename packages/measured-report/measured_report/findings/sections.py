@@ -11,7 +11,7 @@ from measured_report.files.config import Page, Report
 from measured_report.files.config import report as current_report
 from measured_report.files.errors import ReportError, bug_of
 from measured_report.parts.section import Section
-from measured_report.records.code import WORKED_OUT, read_source
+from measured_report.records.code import COMPUTED, read_source
 from measured_report.values.results import Results, ResultsError
 
 PACKAGE = "report.sections"
@@ -57,7 +57,7 @@ def outline_of(section: str, report: Report | None = None) -> Outline:
     facts |= read_source(file, name).top
     for fact, (kind, words) in FACTS.items():
         value = facts.get(fact)
-        if value == WORKED_OUT or not isinstance(value, kind):
+        if value == COMPUTED or not isinstance(value, kind):
             raise ReportError(f"{name}: {fact} must be {words}, as a literal")
     if "derive" not in facts:
         raise ReportError(f"{name} has no function derive(results): add it")

@@ -78,7 +78,7 @@ def measure_batch(packed: bytes, device: str) -> Result:
     try:
         batch = pickle.loads(packed)
         description = machine(device)
-        gc.collect()  # leftover simulations make frames slower
+        gc.collect()  # simulations that are no longer used would make frames slower
         with device_lock(exclusive=batch.exclusive):
             started = now()
             start = time.perf_counter()

@@ -18,19 +18,19 @@ from measured_report.records.identity import package_versions
 def cluster_pools(cluster: str) -> Iterator[list[SimpleNamespace]]:
     """Open a pool for batches that share the workers and one for exclusive batches."""
     with connected(cluster) as client:
-        here = introduce()
+        own = introduce()
         for worker in client.run(introduce).values():
             for key in ("commit", "packages"):
-                if worker[key] != here[key] or worker[key].endswith("-dirty"):
+                if worker[key] != own[key] or worker[key].endswith("-dirty"):
                     raise ReportError(
                         f"CLUSTER={cluster}: a worker has {key} {worker[key]}, "
-                        f"but this machine has {here[key]}: commit your changes "
+                        f"but this machine has {own[key]}: commit your changes "
                         "and install the same packages on both"
                     )
         submit = client.get_executor(pure=False).submit
         limits = (sys.maxsize, 1)
         yield [
-            SimpleNamespace(submit=submit, lost=KilledWorker, limit=limit)
+            SimpleNamespace(submit=submit, killed=KilledWorker, limit=limit)
             for limit in limits
         ]
 
@@ -39,11 +39,11 @@ def cluster_pools(cluster: str) -> Iterator[list[SimpleNamespace]]:
 def connected(cluster: str) -> Iterator[Client]:
     """Connect to a scheduler; raise ReportError if no worker answers in 2 minutes."""
     if cluster.startswith("tcp:"):
-        message = (
+        warning = (
             "anyone who can reach this port can run code here and on the workers: see "
             "docs/cluster.md"
         )
-        print(f"CLUSTER={cluster}: {message}", file=sys.stderr, flush=True)
+        print(f"CLUSTER={cluster}: {warning}", file=sys.stderr, flush=True)
     for name in ("distributed", "distributed.client"):  # Dask sets the levels of both
         # This program prints the errors itself.
         logging.getLogger(name).setLevel(logging.CRITICAL)

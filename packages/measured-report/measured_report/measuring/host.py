@@ -13,7 +13,7 @@ from measured_report.measuring.measurement import Conditions as Conditions
 
 KIND = ""  # name of the accelerator in DEVICE=
 NOUN = ""  # name of the accelerator in sentences
-NONE: Mapping[str, str] = {}  # environment of a process without an accelerator
+NONE: Mapping[str, str] = {}  # environment that hides all accelerators from a process
 ALONE: Mapping[str, str] = {}
 """Environment of a process that measures times.
 
@@ -24,7 +24,7 @@ It turns off the settings with which processes share an accelerator.
 class Accelerator(NamedTuple):
     name: str
     memory_mib: int
-    settings: Mapping[str, str]  # environment of a process that uses this one only
+    settings: Mapping[str, str]  # environment of a process that uses only this one
 
 
 def accelerators() -> list[Accelerator]:

@@ -42,7 +42,10 @@ def machine(kind: str) -> dict[str, str | None]:
 
 
 def host_digest(edition: str) -> str | None:
-    """Return a digest of the host's random number, because names can be guessed."""
+    """Return a digest of the host's random number.
+
+    A digest of the host's name would not hide it, because names can be guessed.
+    """
     for name in ("/etc/machine-id", "/proc/sys/kernel/random/boot_id"):
         if os.access(name, os.R_OK):
             number = Path(name).read_text(encoding="utf-8").strip()
@@ -53,8 +56,8 @@ def host_digest(edition: str) -> str | None:
 def cpu_name() -> str:
     path = Path("/proc/cpuinfo")
     text = path.read_text(encoding="utf-8") if path.exists() else ""
-    named = re.search(r"^model name\s*:(.*)", text, re.MULTILINE)
-    return named[1].strip() if named else platform.processor() or platform.machine()
+    name = re.search(r"^model name\s*:(.*)", text, re.MULTILINE)
+    return name[1].strip() if name else platform.processor() or platform.machine()
 
 
 def commit() -> str | None:
@@ -73,7 +76,7 @@ def commit() -> str | None:
 
 
 def said(*command: str) -> str:
-    """Return the output of a command, or nothing if it fails or does not exist."""
+    """Return the output of a command, or an empty string if it cannot be run."""
     try:
         process = subprocess.run(command, capture_output=True, text=True, check=False)
     except OSError:

@@ -47,7 +47,7 @@ def measure(
 
     Results of another machine are kept in a separate project.
     """
-    edition, is_done = measure_what_can(
+    edition, is_done = measure_available(
         project, release, sections, device, cluster=cluster
     )
     if not is_done:
@@ -55,7 +55,7 @@ def measure(
     return edition
 
 
-def measure_what_can(
+def measure_available(
     project: Project,
     release: Release,
     sections: Sequence[str],
@@ -80,8 +80,8 @@ def measure_what_can(
                 "uv sync --inexact --extra cluster"
             ) from None
         machine = card_of(cluster)
-    needing = [name for name in sections if needs_device(name, project)]
-    edition = kept_by(project, machine) if needing else project
+    has_device_sections = any(needs_device(name, project) for name in sections)
+    edition = project_of(project, machine) if has_device_sections else project
     options += ["--edition", edition.release]
     edition.results.mkdir(parents=True, exist_ok=True)
     if not os.access(edition.results, os.W_OK):
@@ -111,16 +111,17 @@ def measure_headline(
     program: str,
     beside: Callable[[], T],
 ) -> tuple[T | None, Mapping[str, Any]]:
-    """Measure the headline without keeping it, while ``beside`` runs in this process.
+    """Run ``program``, which measures the headline, and ``beside`` at the same time.
 
-    Return the result of ``beside`` and the data that ``program`` writes.
+    ``beside`` runs in this process. Return its result and the data that ``program``
+    writes, which is not stored.
     """
     python = python_of(release, expected_packages(project), project.root)
     with TemporaryDirectory() as folder:
         path = Path(folder) / "headline.json"
         options = ("--json", str(path))
-        done = _run(project, python, program, device, *options, beside=beside)
-        return done, json.loads(path.read_text(encoding="utf-8"))
+        result = _run(project, python, program, device, *options, beside=beside)
+        return result, json.loads(path.read_text(encoding="utf-8"))
 
 
 def _run(
@@ -143,7 +144,7 @@ def _run(
         start_new_session=True,
     )
     try:
-        done = beside() if beside else None
+        result = beside() if beside else None
         status = process.wait()
     except BaseException:
         process.kill()
@@ -157,25 +158,25 @@ def _run(
             f"measuring ended with exit status {status}: run it again (existing "
             "records are kept)"
         )
-    return done
+    return result
 
 
-def kept_by(project: Project, machine: str) -> Project:
+def project_of(project: Project, machine: str) -> Project:
     """Return the project that keeps the results of ``machine``.
 
     It is a separate project if other machines have results of this edition.
     """
-    named = project.named
+    release = project.named
     option = f"{project.settings.option}={project.release}"
-    if named.machine not in ("", machine):
+    if release.machine not in ("", machine):
         raise UsageError(
-            f"{option} has the results of {named.machine}, and this machine is "
+            f"{option} has the results of {release.machine}, and this machine is "
             f"{machine}: name the edition without the machine"
         )
-    machines = dict.fromkeys(machines_besides(project, machine))
-    if named.machine or not machines:
+    machines = dict.fromkeys(other_machines(project, machine))
+    if release.machine or not machines:
         return project
-    edition = project.of(str(replace(named, machine=machine)))
+    edition = project.of(str(replace(release, machine=machine)))
     print(
         f"{option} has results of {', '.join(machines)}; the results of this "
         f"machine are kept as {edition.release}"
@@ -183,11 +184,8 @@ def kept_by(project: Project, machine: str) -> Project:
     return edition
 
 
-def machines_besides(project: Project, machine: str) -> Iterator[str]:
-    """Yield the other machines with results in a project.
-
-    The results of ``machine`` never replace theirs.
-    """
+def other_machines(project: Project, machine: str) -> Iterator[str]:
+    """Yield the machines other than ``machine`` that have results in a project."""
     for record in records_of(project):
         if needs_device(record.section, project) and machine_of(record) != machine:
             yield machine_of(record)
@@ -207,5 +205,5 @@ def _note_measured(project: Project, release: Release) -> None:
         }
         if names:
             day = manifest.date if manifest else release_date(release)
-            manifest = Manifest(release.asked, day, tuple(sorted(names)))
+            manifest = Manifest(release.spec, day, tuple(sorted(names)))
             write_manifest(project.results, manifest)

@@ -25,7 +25,7 @@ class HostPool:
     This process has loaded the simulator, but has not opened a device.
     """
 
-    lost: type[Exception] = BrokenProcessPool
+    killed: type[Exception] = BrokenProcessPool  # raised if a process was killed
 
     def __init__(self, environments: Sequence[Settings]):
         self.environments = environments  # one for each process
@@ -60,8 +60,8 @@ def host_pools(
         for process in active_children():
             process.kill()
         # The thread that manages the processes must end before the program does.
-        for each in opened:
-            each.pool.shutdown(cancel_futures=True)
+        for host_pool in opened:
+            host_pool.pool.shutdown(cancel_futures=True)
 
 
 def environments(device: str, profile: str, report: Report) -> list[Settings]:
@@ -76,18 +76,20 @@ def environments(device: str, profile: str, report: Report) -> list[Settings]:
         return [{}] * ((os.cpu_count() or 1) if is_light else 1)
     cards = accelerator.accelerators()
     counts = [accelerator.share_count(card, len(cards)) for card in cards]
-    found = []
+    # The first processes use different cards, so that few batches share a card.
+    settings = []
     for number in range(max(counts, default=0)):
         for card, count in zip(cards, counts, strict=True):
             if number < count:
-                found.append(card.settings)
-    return found or [{}]
+                settings.append(card.settings)
+    return settings or [{}]
 
 
 def processes(count: int) -> AbstractContextManager[Executor]:
     """Open a pool for ``count`` calls of module-level functions.
 
-    It has at most one process for each core. Don't measure times in it.
+    It has at most one process for each core. Do not measure times in it, because the
+    processes disturb each other.
     """
     return workers(max(1, min(count, os.cpu_count() or 1)), "spawn", _be_quiet)
 

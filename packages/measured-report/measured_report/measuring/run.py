@@ -28,7 +28,7 @@ from tqdm import tqdm
 from measured_report.editions.project import Project, own_release
 from measured_report.editions.release import read_label
 from measured_report.files.atomic import short_path
-from measured_report.files.columns import REASON, UNBELIEVED, Schema, is_number, plain
+from measured_report.files.columns import IMPLAUSIBLE, REASON, Schema, is_number, plain
 from measured_report.files.config import Report
 from measured_report.files.config import report as current
 from measured_report.files.errors import ReportError, bug_of
@@ -48,7 +48,7 @@ from measured_report.measuring.machine import (
     needs_device,
     read_device,
 )
-from measured_report.measuring.measure import UNFIT
+from measured_report.measuring.measure import FAILED, UNFIT
 from measured_report.measuring.measurement import Measurement
 from measured_report.measuring.pool import environments, gather, host_pools
 from measured_report.records.code import Code
@@ -65,15 +65,17 @@ GONE = (
 
 @dataclass
 class Section:
+    """Hold the progress of a section from its first batch to its record."""
+
     project: Project
     name: str
     device: str
     plan: Plan
     basis: Basis
-    stage: list[Batch] = field(default_factory=list)
-    waiting: list[Batch] = field(default_factory=list)
+    stage: list[Batch] = field(default_factory=list)  # yielded together
+    waiting: list[Batch] = field(default_factory=list)  # not submitted yet
     results: dict[str, Result] = field(default_factory=dict)
-    lost: set[str] = field(default_factory=set)
+    killed: set[str] = field(default_factory=set)  # batches whose process was killed
     is_over: bool = False
     has_failed: bool = False
 
@@ -82,7 +84,7 @@ class Section:
 
         A batch is also measured alone if it may have caused a process to be killed.
         """
-        return batch.exclusive or batch.name in self.lost
+        return batch.exclusive or batch.name in self.killed
 
     def advance(self) -> None:
         """Request the next batches after a stage; write the record at the end."""
@@ -112,19 +114,19 @@ class Section:
             # An error in this section must not stop the others.
             self.fail(reason_of(error, self.project.report))
 
-    def lose(self, batch: Batch) -> None:
+    def retry_alone(self, batch: Batch) -> None:
         """Measure a batch alone after its process was killed, but only once."""
-        if batch.name in self.lost:
+        if batch.name in self.killed:
             self.fail(
                 f"the process of {batch.name} was killed twice, the second time "
                 "alone: use less memory"
             )
         elif not self.is_over:
-            self.lost.add(batch.name)
+            self.killed.add(batch.name)
             self.waiting = [*self.waiting, batch]
             tqdm.write(
-                f"the process of {self.name}/{batch.name} was killed; it is tried "
-                "again alone",
+                f"the process of {self.name}/{batch.name} was killed; the batch is "
+                "measured again alone",
                 file=sys.stderr,
             )
 
@@ -145,7 +147,7 @@ class Section:
         path = self.project.record_path(self.name)
         results = list(self.results.values())
         try:
-            rows = [believable(row, report.columns) for row in measurement.rows]
+            rows = [plausible_row(row, report.columns) for row in measurement.rows]
             traces = {
                 case: packed(path, case, table, report.columns)
                 for case, table in measurement.traces.items()
@@ -162,13 +164,13 @@ class Section:
             )
         measured_on = {}
         for name in results[0].machine:
-            texts = {result.machine[name] for result in results}
-            if name in KIND and len(texts) > 1:
+            properties = {result.machine[name] for result in results}
+            if name in KIND and len(properties) > 1:
                 raise ReportError(
                     "batches were measured on different kinds of machines: use "
                     "machines of one kind"
                 )
-            measured_on[name] = ", ".join(sorted(filter(None, texts))) or None
+            measured_on[name] = ", ".join(sorted(filter(None, properties))) or None
         ended = max(result.ended for result in results)
         seconds = round(sum(result.seconds for result in results), 1)
         measured: dict[str, Any] = {
@@ -191,8 +193,8 @@ class Section:
         )
         self.basis.write(record, traces)
         self.is_over = True
-        shown = path.relative_to(self.project.root)
-        tqdm.write(f"{self.name}: {len(rows)} rows in {seconds:.0f} s → {shown}")
+        file = path.relative_to(self.project.root)
+        tqdm.write(f"{self.name}: {len(rows)} rows in {seconds:.0f} s → {file}")
 
 
 class Loop:
@@ -222,7 +224,7 @@ class Loop:
                     is_of_pool = section.is_exclusive(batch) == is_exclusive
                     if is_of_pool and self._has_room(pool, is_exclusive):
                         section.waiting = [
-                            each for each in section.waiting if each is not batch
+                            other for other in section.waiting if other is not batch
                         ]
                         self._start(pool, section, batch)
         return bool(self.running)
@@ -247,8 +249,8 @@ class Loop:
         try:
             result = future.result()
             value = pickle.loads(result.value)
-        except pool.lost:
-            section.lose(batch)
+        except pool.killed:
+            section.retry_alone(batch)
         except CancelledError:
             raise ReportError(GONE) from None
         except Exception as error:
@@ -281,25 +283,26 @@ def _as_one(batch: Batch) -> Plan:
     return measurement
 
 
-def believable(row: Mapping[str, object], columns: Schema) -> dict[str, object]:
+def plausible_row(row: Mapping[str, object], columns: Schema) -> dict[str, object]:
     """Return a row in plain Python numbers.
 
-    A number that a record may not hold becomes None, with a reason beside it.
+    A number outside of the range of its column becomes None, and the column with the
+    ending ``_reason`` contains the reason.
     """
     cells = {str(name): plain(value, str(name)) for name, value in row.items()}
-    lost = {}
+    implausible = {}
     for name, cell in cells.items():
         if not re.fullmatch(NAME, name):
             raise ReportError(
                 f"column {name!r} has an invalid name: use lower-case letters, "
                 "digits and _, as in rebound_mm"
             )
-        is_wrong = is_number(cell) and columns.number_problem(name, cell)
+        is_invalid = is_number(cell) and columns.number_problem(name, cell)
         is_absent = cell is None and columns[name].unit != "1"
-        if is_wrong or (is_absent and name + REASON not in cells):
-            lost[name] = f"{UNBELIEVED}{cell!s:.40}"
-    reasons = {name + REASON: reason for name, reason in lost.items()}
-    return {**cells, **dict.fromkeys(lost), **reasons}
+        if is_invalid or (is_absent and name + REASON not in cells):
+            implausible[name] = f"{IMPLAUSIBLE}{cell!s:.40}"
+    reasons = {name + REASON: reason for name, reason in implausible.items()}
+    return {**cells, **dict.fromkeys(implausible), **reasons}
 
 
 def main() -> int:
@@ -326,17 +329,17 @@ def main() -> int:
             own_release=own,
             aside=arguments.aside,
         )
-        asked = arguments.device or measuring_device(None, "quick") or "cpu"
-        requested = sections_asked(project, arguments.section, asked)
+        device = arguments.device or measuring_device(None, "quick") or "cpu"
+        requested = requested_sections(project, arguments.section, device)
         with pools(report, arguments.cluster, requested) as (shared, exclusive):
-            status = 1
+            status = FAILED
             return int(Loop(requested, shared, exclusive).run())
     except ReportError as error:
         print(error, file=sys.stderr)
         return status
 
 
-def sections_asked(
+def requested_sections(
     project: Project, names: Sequence[str], device: str
 ) -> Sequence[Section]:
     """Return the sections with these names.
@@ -359,13 +362,13 @@ def sections_asked(
     device = read_device(device)
     gc.disable()  # garbage collection doubles the time to load a simulator
     project.report.host.be_quiet()
-    found = [
+    requested = [
         section_of(project, basis, section_module(basis.section), device)
         for basis in bases
     ]
     gc.freeze()
     gc.enable()
-    return found
+    return requested
 
 
 @contextmanager
@@ -380,16 +383,17 @@ def pools(
         with cluster_pools(cluster) as opened:
             yield opened
         return
-    alone = {}
+    exclusive: Mapping[str, str] = {}
     shared = environments(devices[-1], requested[0].project.profile, report)
     if devices[-1] == "cpu":
         machine("cpu")  # once here, so that all forks inherit it
     else:
-        alone = {**shared[0], **report.accelerator.ALONE}
-    with host_pools(shared, alone) as opened:
+        exclusive = {**shared[0], **report.accelerator.ALONE}
+    with host_pools(shared, exclusive) as opened:
         prepare = report.host.prepare
         try:
-            gather([opened[0].submit(prepare, each) for each in devices], "kernels")
+            calls = [opened[0].submit(prepare, device) for device in devices]
+            gather(calls, "kernels")
         except BrokenProcessPool:
             raise ReportError(KILLED) from None
         yield opened
@@ -419,12 +423,12 @@ def edition_of(requested: str | None, report: Report | None = None) -> str:
     """
     settings = (report or current()).settings
     installed = package_versions(settings)
-    asked = requested or installed[settings.edition]
-    label = read_label(asked, settings)
+    spec = requested or installed[settings.edition]
+    label = read_label(spec, settings)
     if label is None or not label.is_installed_with(installed):
-        have = ", ".join(f"{name} {version}" for name, version in installed.items())
+        packages = ", ".join(f"{name} {version}" for name, version in installed.items())
         raise ReportError(
-            f"{settings.option}={asked} is not installed here ({have}): measure it "
+            f"{settings.option}={spec} is not installed here ({packages}): measure it "
             "with make report or make upgrade"
         )
     return str(label)

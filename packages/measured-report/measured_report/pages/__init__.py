@@ -1,1 +1,1 @@
-"""Pages: from records to the text of a page."""
+"""Turn findings and templates into the HTML of pages."""

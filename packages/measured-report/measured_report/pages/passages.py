@@ -1,15 +1,18 @@
-"""Passages: paragraphs for the data that there is, which stand only while the claims that they rest on do.
+"""Print passages: paragraphs that are shown only while the claims that they need hold.
 
     {% passage needs="tower.leans, ground.is_soft" %}
-    The tower leans by {{ tower.leans.angle }}, for the ground is soft on one side.
+    The tower leans by {{ tower.leans.angle }}, because the ground is soft on one side.
     {% otherwise %}
     {% passage needs="tower.leans fails" %} The tower stands upright. {% endpassage %}
     {% endpassage %}
 
-A need is a claim that holds, or one with an outcome behind it: ``fails``, or ``opposite``. A passage may print numbers
-of the claims that it needs, by ``section.claim.number``, and those that the template around it can name.
-Where a need is not met, what is under ``otherwise`` is said, or else what these claims say themselves. On one line a
-passage is a part of a paragraph, on several it is whole ones. ``answer="why"`` behind needs is its ``data-answer``.
+A need is the name of a claim, which must hold, or its name and another required
+outcome: ``fails`` or ``opposite``. A passage can print the numbers of these claims as
+``section.claim.number``, and every name of the template around it. If a need is not
+met, the text after ``otherwise`` is shown, or without one the sentences of the claims.
+
+A passage on one line is a part of a paragraph. On several lines it contains whole
+paragraphs. ``answer="why"`` after ``needs`` sets the attribute ``data-answer``.
 """
 
 import re
@@ -28,11 +31,11 @@ from measured_report.parts.prose import token
 from measured_report.values.quantities import lost_reason
 
 NEED = re.compile(r"(\w+)\.(\w+)( holds| fails| opposite)?")
-Need = tuple[str, str, str]  # a section, its claim, and the outcome that is needed
+Need = tuple[str, str, str]  # a section, its claim and the required outcome
 
 
 def needs_of(text: str) -> list[Need]:
-    """Read what a passage needs; ValueError for what is none."""
+    """Return the needs of a passage; raise ValueError if one is invalid."""
     needs = []
     for entry in map(str.strip, text.split(",")):
         if not (need := NEED.fullmatch(entry)):
@@ -42,7 +45,7 @@ def needs_of(text: str) -> list[Need]:
 
 
 def is_met(need: Need, claim: Claim | None) -> bool:
-    """Tell whether the claim, None where there is none, has the outcome that is needed."""
+    """Return whether a claim exists and has the required outcome."""
     if claim is None:
         return False
     if need[2] == "opposite":
@@ -51,7 +54,7 @@ def is_met(need: Need, claim: Claim | None) -> bool:
 
 
 def parse_passage(parser: Parser, environment: Environment) -> list[nodes.Node]:
-    """Parse a passage into a call of ``passage``, which decides what of it is said."""
+    """Parse a passage into a call of ``passage``, which selects the text to show."""
     line = next(parser.stream).lineno
     text = _attribute(parser, "needs")
     has_answer = parser.stream.current.test("name:answer")
@@ -80,7 +83,10 @@ def _attribute(parser: Parser, name: str) -> str:
 
 
 def passages(find: Callable[[str, str], Claim | None]) -> Callable[..., str]:
-    """Return what says passages, by claims that ``find`` finds by section and name."""
+    """Return the function that prints passages.
+
+    ``find`` returns the claim with a section and a name.
+    """
 
     @pass_context
     def passage(
@@ -99,33 +105,37 @@ def passages(find: Callable[[str, str], Claim | None]) -> Callable[..., str]:
         is_measured = len(measured) == len(claims)
         body = ""
         if is_measured:
-            # Said where it falls as well: with other numbers it stands, and must not err.
+            # It is rendered even if it is not shown, so that an error in it is found
+            # now and not with other data.
             body = caller(True, *_numbers(measured))
         stands = all(is_met(need, claim) for need, claim in claims.items())
         stands &= not any(map(lost_reason, printed[start:]))
         if not stands:
-            # Tokens are counted: what nobody sees may not stand among them.
+            # Remove the values of the hidden text, because tokens are indices of this
+            # list.
             del printed[start:]
             if has_other:
                 return caller(False)
-            if not is_measured:  # the page lists what was not measured
+            if not is_measured:  # the page lists the missing sections
                 return Markup("")
-            said = [claim.html(need[0]) for need, claim in measured.items()]
-            body = token(printed, Markup(" ").join([*said, macros().other_data()]))
+            sentences = [claim.html(need[0]) for need, claim in measured.items()]
+            body = token(printed, Markup(" ").join([*sentences, macros().other_data()]))
         if not body:
             return Markup("")
         element, edge = ("span", "") if is_inline else ("div", "\n\n")
-        text = ", ".join(f"{section}.{name} {end}" for section, name, end in needs)
-        before = token(printed, macros().passage(element, text, stands, answer))
-        behind = token(printed, Markup(f"</{element}>"))
+        text = ", ".join(
+            f"{section}.{name} {outcome}" for section, name, outcome in needs
+        )
+        start_tag = token(printed, macros().passage(element, text, stands, answer))
+        end_tag = token(printed, Markup(f"</{element}>"))
         last = "" if is_inline else "\n"
-        return Markup(edge.join(["", before, body.strip(), behind, last]))
+        return Markup(edge.join(["", start_tag, body.strip(), end_tag, last]))
 
     return passage
 
 
 def _numbers(claims: Mapping[Need, Claim]) -> list[SimpleNamespace]:
-    """Return what a passage can name of each section, by claim and number."""
+    """Return the numbers that a passage can print, one namespace for each section."""
     numbers: dict[str, dict[str, Any]] = {}
     for (section, name, _), claim in claims.items():
         numbers.setdefault(section, {})[name] = SimpleNamespace(**claim.numbers)

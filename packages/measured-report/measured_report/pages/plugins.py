@@ -1,4 +1,8 @@
-"""Plugins: what a report shows besides sections and pages, where ``report.toml`` names a module with the same names."""
+"""Define the plugins of a report that does not add any content.
+
+``report.toml`` can name a module with the same names, which adds content to the pages
+and files to the site.
+"""
 
 from collections.abc import Mapping, Sequence
 from pathlib import Path
@@ -6,37 +10,44 @@ from typing import Any
 
 
 class Plugins:
-    """Show what one edition has besides."""
+    """Provide the further content of one edition."""
 
-    picture = ""  # address of the picture that others show with a link to its pages, seen from them; empty: none
+    picture = ""
+    """The address, relative to the site, of the preview picture that other sites show
+    with a link to a page; empty if there is none.
+    """
 
-    def __init__(self, edition: Any):  # an Edition, whose module reads this one
+    def __init__(self, edition: Any):
+        # An Edition; its module imports this one, so the type cannot be imported here.
         self.edition = edition
 
     def names(self, section: Any) -> Mapping[str, Any]:
-        """Return what texts of pages can name; ``section`` is what the report's ``story`` derived for this one."""
+        """Return further names for the template of a page.
+
+        ``section`` is the section that the report derived for this template.
+        """
         return {}
 
     @property
     def left_out(self) -> Sequence[Any]:
-        """Say what of it can't be shown, since it is damaged."""
+        """Return the states of content that cannot be shown because it is damaged."""
         return ()
 
     @property
     def data(self) -> Sequence[Path]:
-        """Name further files for the site to have beside the edition's records."""
+        """Return further files for the folder of the edition's records on the site."""
         return ()
 
     @property
     def files(self) -> Mapping[str, Path | bytes]:
-        """Return further files of the site, by their names below it; editions may have the same."""
+        """Return further files of the site by name; several editions can share one."""
         return {}
 
     def pages(self, templates: Any) -> Mapping[str, str]:
-        """Return further pages, as HTML by their file, to lie beside the edition's own."""
+        """Return the HTML of further pages of the edition by file name."""
         return {}
 
 
 def scripts() -> Sequence[str]:
-    """Return the texts of the scripts that a page may have in it; ``page.js`` lies beside the pages."""
+    """Return the texts of the scripts that pages can run in addition to ``page.js``."""
     return ()

@@ -1,4 +1,4 @@
-"""Templates of Markdown and of layouts: parsed once, and rendered with names."""
+"""Parse the templates of a report, for Markdown and for layouts, and render them."""
 
 import re
 from collections.abc import Iterator, Mapping
@@ -34,14 +34,17 @@ from measured_report.values.results import ResultsError
 
 GENERATOR = Path(__file__).resolve().parents[1]
 LAYOUT = GENERATOR / "pages" / "layout"
-"""Templates of HTML, and what else lies beside every page; a report's own may extend ``layout/NAME``."""
+"""The folder of the layouts, style sheets and script of all pages.
+
+A layout of a report can extend ``layout/NAME``.
+"""
 TITLE = re.compile(r"\A<h[12].*?</h[12]>\n?")
 HEADING = re.compile(r'<(h[2-6]) id="([^"]+)">(.*?)</\1>')
 SELF = (
     r'<\1 id="\2">\3 '
     r'<a aria-hidden="true" class="anchor" href="#\2" tabindex="-1">#</a></\1>'
 )
-"""A heading with a link to itself, at which the keyboard does not stop."""
+"""A heading with a link to itself, which the Tab key skips."""
 PARSERS = {
     **dict.fromkeys(PARTS, parse_words),
     "passage": parse_passage,
@@ -50,9 +53,9 @@ Words = Mapping[tuple[str, str], Wording]
 
 
 class Tags(Extension):
-    """Add the tags of prose to an environment."""
+    """Add the tags for claims, figures, tables and passages to an environment."""
 
-    tags = {*PARSERS}  # noqa: RUF012, as Jinja has it
+    tags = {*PARSERS}  # noqa: RUF012, because Jinja declares it as an attribute
 
     def preprocess(
         self, source: str, name: str | None, filename: str | None = None
@@ -65,12 +68,13 @@ class Tags(Extension):
 
 
 class Templates:
-    """Find the templates of one project; ReportError for what is wrong with one."""
+    """Load and render a project's templates; raise ReportError for invalid ones."""
 
     def __init__(self, folder: Path, report: Report | None = None):
         own, base = map(jinja2.FileSystemLoader, (folder, LAYOUT))
         layouts = jinja2.PrefixLoader({"layout": base})
-        # Compiling all templates takes a second; they are kept while this code is the same.
+        # Compiling all templates takes a second, so the result is cached until the code
+        # in pages/ or parts/ changes.
         digest = files_digest([*GENERATOR.glob("pa*/*.py")], GENERATOR)[:16]
         layout_cache, prose_cache = (
             jinja2.FileSystemBytecodeCache(pattern=f"{kind}-{digest}-%s")
@@ -95,11 +99,13 @@ class Templates:
     def prose(
         self, name: str, anchor: str, names: Mapping[str, Any], level: int = 2
     ) -> Prose:
-        """Render Markdown: its first line is its title, of that ``level``.
+        """Render a template of Markdown, whose first line is its title.
 
-        Ids of further headings begin with ``anchor``.
+        The title becomes a heading of ``level``. The ids of other headings begin with
+        ``anchor``.
         """
-        from markdown import Markdown  # takes long, and not every command says anything
+        # This import takes long, and many commands do not render Markdown.
+        from markdown import Markdown
         from markdown.extensions.toc import slugify
 
         printed: list[Any] = []
@@ -115,12 +121,12 @@ class Templates:
             extension_configs={"toc": {"baselevel": level, "slugify": id_of}},
         )
         body = HEADING.sub(SELF, TITLE.sub("", markdown.convert(text)))
-        # A block that may be wider than the page is scrolled with the keyboard too.
+        # A block may be wider than the page; the focus allows scrolling by keyboard.
         body = body.replace("<pre>", '<pre tabindex="0">')
         if len(markdown.toc_tokens) != 1 or not text.lstrip().startswith("# "):
             raise ReportError(
-                f"templates/{name} must begin with its one title, "
-                "a line with a single #"
+                f"templates/{name} does not begin with its title or has two titles: "
+                "begin exactly one line with a single #"
             )
         top = markdown.toc_tokens[0]
         headings = [
@@ -135,7 +141,7 @@ class Templates:
             return self._layout.get_template(template).render(names)
 
     def _words(self, name: str) -> Words:
-        """Return what a template says of claims, figures and tables, by kind and name."""
+        """Return the wordings in a template by kind and name."""
         with _named(name):
             template = self._prose.get_template(name)
 
@@ -150,7 +156,7 @@ class Templates:
 
 
 def stylesheet(root: Path) -> str:
-    """Return the styles of pages: first those that drawings have as files, last the report's own."""
+    """Return the style sheet of the pages; the styles of the report come last."""
     own = root / "static" / "style.css"
     paths = (LAYOUT / "theme.css", LAYOUT / "style.css", own)
     return "\n".join(
@@ -160,17 +166,20 @@ def stylesheet(root: Path) -> str:
 
 @contextmanager
 def _named(name: str, code: jinja2.Template | None = None) -> Iterator[None]:
-    """Add template and line to errors; of a block, called by itself, ``code`` has the line."""
+    """Add the template and the line to the message of an error.
+
+    ``code`` is the template of a block that is rendered by itself.
+    """
     kind: type[ReportError] = ReportError
     try:
         yield
         return
     except jinja2.TemplateNotFound as error:
-        message = f"there is no templates/{error.name}"
+        message = f"templates/{error.name} does not exist: create it"
     except UnicodeDecodeError as error:
         message = f"templates/{name}: {error}"
     except jinja2.TemplateSyntaxError as error:
-        # The name is a path, or of code that only looks for names.
+        # Jinja's name can also be an absolute path or <unknown>.
         place = name if (error.name or "<")[0] in "/<" else error.name
         message = f"templates/{place}:{error.lineno}: {error.message}"
     except (jinja2.TemplateError, ReportError) as error:
@@ -178,23 +187,25 @@ def _named(name: str, code: jinja2.Template | None = None) -> Iterator[None]:
             raise
         kind = ResultsError if isinstance(error, ResultsError) else ReportError
         frames = extract_tb(error.__traceback__)
-        lines = [each.lineno or 1 for each in frames if each.filename.endswith(name)]
+        lines = [frame.lineno or 1 for frame in frames if frame.filename.endswith(name)]
         line = lines[-1] if lines else None
         if line and code:
             line = code.get_corresponding_lineno(line)
         message = f"templates/{name}{f':{line}' if line else ''}: {error}"
-    placed = kind(message)
-    vars(placed)["place"] = name
-    raise placed
+    error_with_place = kind(message)
+    # This attribute marks the error, so that an outer template does not add its name.
+    vars(error_with_place)["place"] = name
+    raise error_with_place
 
 
 @jinja2.pass_context
 def _as_token(context: Context, value: Any) -> Markup:
+    """Return the token for a printed value; raise ReportError for a plain number."""
     if isinstance(value, Markup) and OPEN in value:
-        return value  # what a macro returns has passed here already
+        return value  # the result of a macro, which already contains tokens
     if isinstance(value, int | float):
         raise ReportError(
-            f"it prints {value}, which says nothing of where it comes from"
+            f"it prints {value}, which does not have a source: use a Quantity"
         )
     html = value.__html__() if hasattr(value, "__html__") else escape(value)
     return token(context["printed"], html)

@@ -1,4 +1,4 @@
-"""Words: what an edition's sections and pages say, as their templates have it."""
+"""Render the texts of an edition's sections and pages from their templates."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import replace
@@ -28,19 +28,21 @@ Names = Mapping[str, Any]
 
 
 def worded_editions(project: Project, templates: Templates) -> dict[str, Edition]:
-    """Derive what the results of every release make, drawn, and put it into words."""
+    """Return all editions of a project with drawn figures and rendered texts."""
     editions = editions_of(project, draws=True)
     give_words(editions, templates)
-    releases = {release: dict(each.chapters) for release, each in editions.items()}
+    releases = {
+        release: dict(edition.chapters) for release, edition in editions.items()
+    }
     for edition in editions.values():
-        edition.update(partial(_say, edition, releases, templates))
+        edition.update(partial(_rendered, edition, releases, templates))
     return editions
 
 
 def give_words(editions: Mapping[str, Edition], templates: Templates) -> None:
-    """Give claims, figures and tables their words, which are not yet said.
+    """Give the claims, figures and tables of all editions their wordings.
 
-    What only other editions derive of a section is lost in this one.
+    Parts of a section that only other editions derive become ``lost``.
     """
     derived: dict[str, set[tuple[str, str]]] = {}
     for edition in editions.values():
@@ -65,37 +67,44 @@ def template_of(section: str) -> str:
 
 
 def sentences_of(project: Project) -> Callable[[str, Claim], str]:
-    """Return what says a claim of a section; templates are parsed when one is said."""
+    """Return a function that puts a claim of a section into words.
+
+    The templates are parsed when it is called first.
+    """
     templates = cache(lambda: Templates(project.templates, project.report))
 
-    def say(section: str, claim: Claim) -> str:
+    def sentence(section: str, claim: Claim) -> str:
         template = template_of(section)
         if ("claim", claim.name) not in (words := templates().words(template)):
             raise ReportError(
-                f"templates/{template} says nothing of the claim {claim.name}"
+                f"templates/{template} does not contain the claim {claim.name}: add "
+                f"{{% claim {claim.name} %}}"
             )
         return replace(claim, wording=words["claim", claim.name]).text
 
-    return say
+    return sentence
 
 
-def _say(
+def _rendered(
     edition: Edition, releases: Releases, templates: Templates, chapter: Chapter
 ) -> Chapter:
-    """Say a section, which may rest on claims of all sections, or of all releases."""
+    """Return a chapter with its text.
+
+    The text can depend on claims of all sections, and its tables on all releases.
+    """
     name, results = chapter.name, chapter.results
     tables = {
         key: table.of(releases) if hasattr(table, "of") else table
         for key, table in chapter.section.tables.items()
     }
     section = replace(chapter.section, tables=tables)
-    others = {key: other.section for key, other in edition.chapters.items()}
+    sections = {key: other.section for key, other in edition.chapters.items()}
     names = {
         "release": results.record.origin.release,
         "row": results.row,
         "rows": results.rows,
         "value": results.derived,
-        **_names_of(edition, name, section, {**others, name: section}),
+        **_names_of(edition, name, section, {**sections, name: section}),
     }
     prose = templates.prose(template_of(name), name, names)
     return replace(chapter, section=section, names=names, prose=prose)
@@ -108,51 +117,56 @@ def texts_of(
     templates: Templates,
     names: Names,
 ) -> list[Prose]:
-    """Say a page's own texts; one that can't be said is said as if nothing was measured."""
+    """Return the texts of a page that do not belong to a section.
+
+    If a text cannot be rendered because results are missing or damaged, it is rendered
+    as if no section had been measured.
+    """
     files = {file.rpartition("/")[2].partition(".")[0]: file for file in page.texts}
     for anchor, file in files.items():
         story = edition.story(anchor, releases)
         edition.stories[anchor] = _worded(edition, anchor, file, story, templates)
 
-    def say(edition: Edition, anchor: str, level: int) -> Prose:
+    def render(edition: Edition, anchor: str, level: int) -> Prose:
         stories = {name: edition.stories[name] for name in files}
-        told = {**_text_names(edition, anchor, stories), **names}
-        return templates.prose(files[anchor], anchor, told, level)
+        text_names = {**_text_names(edition, anchor, stories), **names}
+        return templates.prose(files[anchor], anchor, text_names, level)
 
     texts: list[Prose] = []
     for anchor, file in files.items():
         level = 2 if texts else 1
         try:
-            prose = say(edition, anchor, level)
+            prose = render(edition, anchor, level)
         except ReportError as error:
             if not (edition.left_out or isinstance(error, ResultsError)):
                 raise
             if all(state.section != anchor for state in edition.left_out):
                 state = State(anchor, Kind.NOT_SHOWN, notes=(str(error),))
                 edition.left_out.append(state)
-            untold = _worded(edition, anchor, file, Section(), templates)
-            stories = {**edition.stories, anchor: untold}
-            prose = say(replace(edition, chapters={}, stories=stories), anchor, level)
+            empty = _worded(edition, anchor, file, Section(), templates)
+            stories = {**edition.stories, anchor: empty}
+            unmeasured = replace(edition, chapters={}, stories=stories)
+            prose = render(unmeasured, anchor, level)
         texts.append(prose)
     return texts
 
 
 def _text_names(edition: Edition, anchor: str, stories: Sections) -> Names:
-    """Return what a text can name: its own story, sections, and what plugins have."""
+    """Return the names for the template of a text: its story, sections and plugins."""
     story = stories[anchor]
     chapters = edition.chapters
-    # A text that tells nothing of its own is no stand-in for the section of its name.
+    # A story without claims must not hide the section with the same name.
     sections = {
         name: section
         for name, section in stories.items()
         if section.claims or section.unmeasured
     }
     sections |= {name: chapter.section for name, chapter in chapters.items()}
-    # What was not measured says nothing.
+    # The parts of a section that was not measured are empty.
     kinds = ("claim", "table", "figure", "download")
-    nothing = dict.fromkeys(kinds, lambda thing: Markup(""))
-    unmeasured = dict.fromkeys(sections_of(edition.project.root), nothing)
-    measured = {name: each.names for name, each in chapters.items()}
+    empty_parts = dict.fromkeys(kinds, lambda name: Markup(""))
+    unmeasured = dict.fromkeys(sections_of(edition.project.root), empty_parts)
+    measured = {name: chapter.names for name, chapter in chapters.items()}
     return {
         "release": edition.project.release,
         "measured": list(chapters),
@@ -165,7 +179,7 @@ def _text_names(edition: Edition, anchor: str, stories: Sections) -> Names:
 def _worded(
     edition: Edition, anchor: str, template: str, section: Section, templates: Templates
 ) -> Section:
-    """Give what a text tells its words; where nothing was measured it tells nothing."""
+    """Return the section of a text with its wordings; all are empty without claims."""
     words = templates.words(template)
     if not section.claims:
         section = replace(section, unmeasured=[name for _, name in words])
@@ -175,29 +189,32 @@ def _worded(
 def _names_of(
     edition: Edition, anchor: str, section: Section, sections: Sections
 ) -> Names:
-    """Return what finds the parts of a section, and says what rests on claims of others."""
-    # Words that only another record has are said as nothing.
-    nothing = dict.fromkeys(section.unmeasured, Markup(""))
+    """Return the functions that a template calls to print parts and passages."""
+    # Parts whose numbers are missing from this edition's record are empty.
+    empty = dict.fromkeys(section.unmeasured, Markup(""))
     claims = {claim.name: claim.html(anchor) for claim in section.claims}
     downloads = {name: macros().download(name) for name in section.downloads}
     parts: Mapping[str, Mapping[str, Any]] = {
-        "claim": {**nothing, **claims},
-        "table": {**nothing, **section.tables},
-        "figure": {**nothing, **section.figures},
+        "claim": {**empty, **claims},
+        "table": {**empty, **section.tables},
+        "figure": {**empty, **section.figures},
         "download": downloads,
     }
 
     def find(name: str, claim: str) -> Claim | None:
         if name not in sections:
-            outline_of(name)  # refuses a name that no section has
+            outline_of(name)  # raises an error if there is no such section
             return None
-        claims = {item.name: item for item in sections[name].claims}
+        claims_by_name = {item.name: item for item in sections[name].claims}
         is_lost = ("claim", claim) in sections[name].lost
-        is_unsaid = is_lost or claim in sections[name].unmeasured
-        if claim not in claims and not is_unsaid:
-            present = ", ".join(claims) or "none"
-            raise ReportError(f"{name} has no claim {claim!r}; it has: {present}")
-        return claims.get(claim)
+        is_expected = is_lost or claim in sections[name].unmeasured
+        if claim not in claims_by_name and not is_expected:
+            present = ", ".join(claims_by_name) or "none"
+            raise ReportError(
+                f"section {name} does not have a claim {claim!r}: use one of its "
+                f"claims ({present})"
+            )
+        return claims_by_name.get(claim)
 
     def holds(query: str) -> bool:
         name, _, claim = query.rpartition(".")
@@ -206,13 +223,15 @@ def _names_of(
 
     def find_part(kind: str, name: str) -> Any:
         if (kind, name) in section.lost:
-            reason = "it cannot be derived from what was measured"
-            again = edition.project.rerun(anchor)
-            what = f"The {kind} {name} is left out here"
-            return macros().left_out(what, f"{reason}; {again} measures it")
+            reason = "it cannot be derived from the record of this edition"
+            command = edition.project.rerun(anchor)
+            title = f"The {kind} {name} is left out here"
+            return macros().left_out(title, f"{reason}; {command} measures it")
         if name not in parts[kind]:
             present = ", ".join(parts[kind]) or "none"
-            raise ReportError(f"{anchor} has no {kind} {name!r}; it has: {present}")
+            raise ReportError(
+                f"{anchor} does not have a {kind} {name!r}: use one of {present}"
+            )
         return parts[kind][name]
 
     finders = {kind: partial(find_part, kind) for kind in parts}

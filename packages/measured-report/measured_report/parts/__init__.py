@@ -1,1 +1,1 @@
-"""Parts of a section: claims, figures and tables, and their words."""
+"""Define the parts of a section: claims, figures, tables and their wordings."""

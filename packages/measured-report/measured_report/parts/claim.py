@@ -1,4 +1,7 @@
-"""Test what the data shows: a claim is a test here, and a wording for every outcome in a template."""
+"""Test statements about the data: a claim has a test, and a wording for each outcome.
+
+The test is Python code in a section; the wordings are in its template.
+"""
 
 import math
 import operator
@@ -21,36 +24,37 @@ from measured_report.values.quantities import (
     mixed,
 )
 
-Number = (
-    Quantity | float
-)  # a test compares quantities, and numbers that were chosen in their unit, `why` in words
+Number = Quantity | float
+"""A number that a test compares.
+
+A plain number is a bound that was chosen, in the unit of the quantities that it is
+compared with. The argument ``why`` gives the reason for it in words.
+"""
 
 
 @dataclass(frozen=True)
 class Outcome:
-    """Tell what a test finds: ``holds``, ``fails`` or ``unknown``, and what it looked at for that."""
+    """Hold the outcome of a test and the numbers that it depends on."""
 
-    name: str
-    reason: str = ""
-    is_inconclusive: bool = False  # unknown for being near the noise, so that the same measured again may be decided
-    is_opposite: bool = field(
-        default=False, compare=False
-    )  # fails because the opposite is shown
-    reads: frozenset[str] = field(
-        default=frozenset(), compare=False, repr=False
-    )  # pointers to all that it stands on
-    bounds: tuple[str, ...] = field(
-        default=(), compare=False, repr=False
-    )  # chosen for it alone, with unit and why
+    name: str  # `holds`, `fails` or `unknown`
+    reason: str = ""  # why it is unknown
+    is_inconclusive: bool = False
+    """Whether it is unknown because of noise; then a second measurement may decide."""
+    is_opposite: bool = field(default=False, compare=False)
+    """Whether it fails because the opposite is shown."""
+    reads: frozenset[str] = field(default=frozenset(), compare=False, repr=False)
+    """Pointers to all numbers that it depends on."""
+    bounds: tuple[str, ...] = field(default=(), compare=False, repr=False)
+    """Bounds that were chosen for this test, each with its unit and its reason."""
 
     def having_read(self, *quantities: Quantity) -> "Outcome":
-        """Return the same, for a test that looked at these as well."""
+        """Return the outcome with these quantities added to ``reads``."""
         reads = self.reads.union(*(quantity.reads for quantity in quantities))
         return replace(self, reads=reads)
 
     @property
     def answer(self) -> str:
-        """Say one of four: holds, the opposite, fails, cannot tell."""
+        """Return one of four answers: holds, the opposite, fails or cannot tell."""
         return {"unknown": "cannot tell"}.get(
             self.name, "the opposite" if self.is_opposite else self.name
         )
@@ -64,19 +68,28 @@ WITHIN = Outcome("unknown", "the difference is within its noise", is_inconclusiv
 
 @dataclass(frozen=True)
 class Claim:
-    """Check a sentence: its test's outcome, and what its wording can name."""
+    """Hold a statement: the outcome of its test, its wording, and numbers for both."""
 
     name: str
     outcome: Outcome
     numbers: Mapping[str, Any] = field(default_factory=dict)
-    """Quantities, which must all be there for it to tell, and texts and flags; "" for one that it does without."""
+    """Quantities, texts and flags that the wording can name.
+
+    If a quantity is missing, the outcome is unknown. Use "" instead of a quantity that
+    the claim can do without.
+    """
     wording: Wording | None = None
-    confirmed: str = ""  # says how many measurements agree, where there are several
-    effect: Outcome = HOLDS  # whether there is what its `because` explains; where that fails it is not explained
+    confirmed: str = ""  # how many of several measurements agree
+    effect: Outcome = HOLDS
+    """Whether the effect exists that `because` explains; `because` needs it to hold."""
 
     @cached_property
     def sentence(self) -> Markup:
-        """Word the outcome; one that is unknown, or fails without words for that, by what the claim asks."""
+        """Return the sentence for the outcome.
+
+        If the template has no sentence for it, this is the question with a verdict,
+        such as "Whether the tower leans cannot be told".
+        """
         outcome = self.outcome
         parts = ["opposite", "fails"] if outcome.is_opposite else [outcome.name]
         for sentence in filter(None, map(self.render, parts)):
@@ -88,19 +101,24 @@ class Claim:
         return sentence + reason + "."
 
     def checked(self) -> "Claim":
-        """Return the same; where a number that its sentence names is not there, it can't tell, and says why."""
-        lost = _absent(
-            *(each for each in self.numbers.values() if isinstance(each, Quantity))
-        )
-        if not lost or self.outcome.name == "unknown":
+        """Return the claim; its outcome is unknown if any of its numbers is missing."""
+        quantities = [
+            number for number in self.numbers.values() if isinstance(number, Quantity)
+        ]
+        absent = _absent(*quantities)
+        if not absent or self.outcome.name == "unknown":
             return self
         outcome = replace(
-            self.outcome, name="unknown", reason=lost.reason, is_opposite=False
+            self.outcome, name="unknown", reason=absent.reason, is_opposite=False
         )
         return replace(self, outcome=outcome)
 
     def unread(self, columns: Schema) -> Iterator[str]:
-        """Yield the numbers it may print of which its test read neither themselves nor all that makes them."""
+        """Yield the names of numbers that the claim may print, but did not test.
+
+        A number counts as tested if the test depends on it, or on all measured numbers
+        that it is computed from.
+        """
         if self.outcome.name == "unknown":
             return
         for name, number in self.numbers.items():
@@ -124,33 +142,43 @@ class Claim:
         )
 
     def render(self, part: str) -> Markup:
-        """Render one part of its wording."""
-        assert self.wording, f"the claim {self.name} has no words yet"
+        """Return one part of the claim's wording with its numbers."""
+        assert self.wording, f"the claim {self.name} does not have a wording yet"
         return self.wording(part, self.numbers)
 
 
 def decided(is_so: bool, *quantities: Quantity) -> Outcome:
-    """Hold or fail by a condition that was computed from these; cannot tell where one of them is missing."""
+    """Test a condition that was computed from quantities.
+
+    The outcome is unknown if any of them is missing.
+    """
     assert not (is_so and isinstance(is_so, Quantity | str)), (
-        f"{is_so} is no yes or no: test it, as x.value == 0"
+        f"decided() got {is_so} instead of True or False: compare it, as in "
+        "x.value == 0"
     )
     return _judged(lambda *_: HOLDS if is_so else FAILS, *quantities, compares=False)
 
 
 def at_least(a: Quantity, bound: Number, why: str = "") -> Outcome:
-    """Test whether a bound is reached; cannot tell if the interval of ``a`` has the bound in it."""
+    """Test whether ``a`` is at least ``bound``.
+
+    The outcome is unknown if the interval of ``a`` contains the bound.
+    """
     return _bounded(a, bound, why, operator.ge)
 
 
 def at_most(a: Quantity, bound: Number, why: str = "") -> Outcome:
-    """Test whether a bound is kept; cannot tell if the interval of ``a`` has the bound in it."""
+    """Test whether ``a`` is at most ``bound``.
+
+    The outcome is unknown if the interval of ``a`` contains the bound.
+    """
     return _bounded(a, bound, why, operator.le)
 
 
 def negligible(change: Quantity, bound: Number, why: str = "") -> Outcome:
-    """Test whether a change is too small to matter; one above the bound is the opposite.
+    """Test whether a change is at most a bound; a larger change is the opposite.
 
-    For a change in either direction it takes the size, ``negligible(abs(a - b), bound)``.
+    For a change in either direction, use its size: ``negligible(abs(a - b), bound)``.
     """
     outcome = at_most(change, bound, why)
     return replace(outcome, is_opposite=outcome == FAILS)
@@ -163,25 +191,28 @@ def _bounded(
         noise = math.hypot(a.noise or 0.0, bound.noise or 0.0)
         if abs(a.number - bound.number) < noise:
             reason = Markup("the bound of {} lies within the interval {}")
-            said = reason.format(
-                _said(bound), a.interval if a.source else f"±{noise:.2g}"
-            )
-            return Outcome("unknown", said, is_inconclusive=True)
+            interval = a.interval if a.source else f"±{noise:.2g}"
+            text = reason.format(_printable(bound), interval)
+            return Outcome("unknown", text, is_inconclusive=True)
         return HOLDS if keeps(a.number, bound.number) else FAILS
 
     return _judged(judge, a, bound, why=why)
 
 
 def greater(a: Number, b: Number, why: str = "") -> Outcome:
-    """Test whether ``a`` is greater than ``b``; less is the opposite, and cannot tell if their
-    difference is within its own noise."""
+    """Test whether ``a`` is greater than ``b``; if it is less, that is the opposite.
+
+    The outcome is unknown if their difference is within its noise.
+    """
     if a is b:
-        raise ReportError(f"a test compares {a} with itself")
+        raise ReportError(
+            f"a test compares {a} with itself: compare it with another number"
+        )
 
     def judge(a: Quantity, b: Quantity) -> Outcome:
         difference = a - b
         if difference.noise is None:
-            return Outcome("unknown", "nobody measured its noise")
+            return Outcome("unknown", "its noise was not measured")
         if abs(difference.number) <= difference.noise:
             return WITHIN
         return HOLDS if difference.number > 0 else OPPOSITE
@@ -190,21 +221,26 @@ def greater(a: Number, b: Number, why: str = "") -> Outcome:
 
 
 def decreases(sequence: Sequence[Number], *, by: Number, why: str = "") -> Outcome:
-    """Test whether a sequence falls by more than ``by``, and nowhere rises by more.
+    """Test whether a sequence falls by more than ``by`` and never rises by more.
 
-    A sequence that rises so is the opposite. It cannot tell if the whole change is not surely
-    larger than ``by``.
+    The opposite is a sequence that rises by more than ``by`` and never falls by more.
+    The outcome is unknown if the change from the first to the last number may be
+    smaller than ``by``, given its noise.
     """
 
     def judge(*quantities: Quantity) -> Outcome:
         *cells, bound = quantities
-        assert bound.number >= 0, f"{bound} is no bound of a change: it is below 0"
+        assert bound.number >= 0, (
+            f"{bound} cannot bound a change: use a positive number"
+        )
         if len(cells) < 2:
-            return Outcome("unknown", "it takes two values to see a trend")
+            return Outcome("unknown", "a trend needs at least two values")
         change = cells[-1] - cells[0]
         if abs(change.number) - (change.noise or 0.0) <= bound.number:
-            reason = Markup("the change is not surely larger than {}")
-            return Outcome("unknown", reason.format(_said(bound)), is_inconclusive=True)
+            reason = Markup("the change may be smaller than {}").format(
+                _printable(bound)
+            )
+            return Outcome("unknown", reason, is_inconclusive=True)
         values = [cell.number for cell in cells]
         if _rises(values[::-1], bound.number):
             return HOLDS
@@ -214,6 +250,7 @@ def decreases(sequence: Sequence[Number], *, by: Number, why: str = "") -> Outco
 
 
 def _rises(values: Sequence[float], bound: float) -> bool:
+    """Return whether values rise by more than ``bound`` and never fall by more."""
     falls = [
         top - value for top, value in zip(accumulate(values, max), values, strict=True)
     ]
@@ -226,7 +263,10 @@ def _judged(
     why: str = "",
     compares: bool = True,
 ) -> Outcome:
-    """Return what ``judge`` says of them where all may be compared; a plain number was chosen for ``why``."""
+    """Return the outcome of ``judge``, or unknown if the numbers cannot be compared.
+
+    Each plain number must have the reason ``why``.
+    """
     measured = [number for number in numbers if isinstance(number, Quantity)]
     unit = measured[0].unit if measured else "1"
     quantities = []
@@ -235,14 +275,14 @@ def _judged(
         if not isinstance(number, Quantity):
             if not (why.strip() and hasattr(number, "__float__")):
                 raise ReportError(
-                    f"{number!r:.80} was not measured: "
-                    'a chosen number takes why="…", or a name by chosen(…)'
+                    f"{number!r:.80} was not measured: give the reason for a chosen "
+                    'number as why="…", or name it with results.chosen(…)'
                 )
             number = Quantity(number, unit, "", noise=0.0)
             bounds.append(f"{number} ({why})")
         quantities.append(number)
     if compares:
-        _refuse_units(*quantities)
+        _refuse_mixed_units(*quantities)
     reason = mixed(*(quantity.origins for quantity in quantities))
     if not (outcome := _absent(*quantities)):
         outcome = Outcome("unknown", reason) if reason else judge(*quantities)
@@ -250,12 +290,12 @@ def _judged(
     return replace(outcome.having_read(*quantities), bounds=tuple(bounds))
 
 
-def _said(bound: Quantity) -> Quantity | str:
-    """Return a bound as a reason prints it: one that was chosen has no source."""
+def _printable(bound: Quantity) -> Quantity | str:
+    """Return a bound as a reason prints it: as text if it does not have a source."""
     return bound if bound.source or isinstance(bound, Value) else str(bound)
 
 
-def _refuse_units(*quantities: Quantity) -> None:
+def _refuse_mixed_units(*quantities: Quantity) -> None:
     measured = [quantity for quantity in quantities if quantity.value is not None]
     if differing := next(
         (quantity for quantity in measured if quantity.unit != measured[0].unit), None
@@ -266,6 +306,7 @@ def _refuse_units(*quantities: Quantity) -> None:
 
 
 def _absent(*quantities: Quantity) -> Outcome | None:
+    """Return the outcome of a test with a missing quantity, or None if all exist."""
     return next(
         (
             Outcome("unknown", quantity.reason)
@@ -277,7 +318,10 @@ def _absent(*quantities: Quantity) -> Outcome | None:
 
 
 def all_of(*outcomes: Outcome) -> Outcome:
-    """Hold when all hold; one that is not shown decides, then one whose opposite is, then one that can't tell."""
+    """Return the outcome that decides whether all hold.
+
+    This is the first of these that occurs: fails, the opposite, cannot tell, holds.
+    """
     reads: frozenset[str] = frozenset().union(*(outcome.reads for outcome in outcomes))
     bounds = tuple(
         dict.fromkeys(bound for outcome in outcomes for bound in outcome.bounds)

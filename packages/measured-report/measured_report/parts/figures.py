@@ -1,4 +1,4 @@
-"""Figures: one look for all of them, drawn as SVG files that take their colours from the page."""
+"""Draw figures in one style, as SVG files that take their colours from the page."""
 
 import io
 import math
@@ -19,7 +19,8 @@ from measured_report.values.format import format_number, format_power
 
 INK = "#1b1f24"
 FAINT = "#c9ced4"
-# Colours that are told apart by colour-blind readers; the stylesheet has a lighter set for dark pages.
+# Colour-blind readers can distinguish these colours. The stylesheet has a lighter set
+# for dark pages.
 SERIES = ("#0b62a8", "#b8480c", "#0a7a5c", "#8b3d91", "#8a6400", "#4a5560")
 PAGE_COLOURS = {
     colour: f"var(--series-{number})" for number, colour in enumerate(SERIES, start=1)
@@ -42,41 +43,53 @@ STYLE: dict[str, Any] = {
         ("axes.grid", "axes.axisbelow", "figure.constrained_layout.use"), True
     ),
     **dict.fromkeys(("axes.titlesize", "font.size"), 10),
-    "axes.formatter.limits": (
-        -99,
-        99,
-    ),  # a factor aside of an axis is read as a number of its own
-    "axes.titley": 1.0,  # otherwise all that stands above the axes is laid out to find the title's place
+    # Never put a factor such as 1e6 at the end of an axis: readers take it for a
+    # number.
+    "axes.formatter.limits": (-99, 99),
+    # Without a fixed place, Matplotlib lays out everything above the axes to find one.
+    "axes.titley": 1.0,
     "axes.titlelocation": "left",
     "grid.color": FAINT,
     "grid.linewidth": 0.6,
     "lines.linewidth": 1.6,
     "lines.markersize": 4.5,
-    # Line and mark differ as well as colour, so that a series is found without seeing colours.
+    # Line style and marker differ as well as the colour, for readers who cannot see it.
     "axes.prop_cycle": cycler(color=SERIES)
     + cycler(linestyle=("-", "--", "-.", ":", (0, (6, 1, 1, 1, 1, 1)), (0, (8, 3))))
     + cycler(marker=("o", "s", "^", "D", "v", "P"))
     + cycler(markevery=(0.1,) * len(SERIES)),
 }
 
-NARROW_WIDTH = 3.6  # width of a figure on a narrow screen [in]; at 390 px a point of it is more than 1.3 px
-LEAST_SIZE = 7.0  # size of the smallest text of a narrow figure [pt], which is 9 px on a screen of 390 px
-LONGEST_NAME = 18  # characters of a name beside a narrow figure before it is folded
-LONGEST_LINE = 36  # characters along a narrow figure before a text is folded
-PLACES = re.compile(r'(?<= )(?:d|x|y)="[^"]*"')
+# The width of a figure on a narrow screen [in]; a point is more than 1.3 px at 390 px.
+NARROW_WIDTH = 3.6
+# The smallest text of a narrow figure [pt]; it is 9 px on a screen of 390 px.
+LEAST_SIZE = 7.0
+LONGEST_NAME = 18  # longer names beside a narrow figure are folded [characters]
+LONGEST_LINE = 36  # longer texts along a narrow figure are folded [characters]
+COORDINATES = re.compile(r'(?<= )(?:d|x|y)="[^"]*"')
 DECIMALS = re.compile(r"(\.\d\d)\d+")
-"""Digits beyond a hundredth of a point, which nobody sees."""
+"""Matches decimals after the second; a hundredth of a point is invisible."""
 UNWANTED = re.compile(
-    r'(?s)<metadata>.*?</metadata>|<style.*?</style>|^.*?(?=<svg )|<!--.*?-->| font-family: [^;"]*;'
+    r"""
+    <metadata>.*?</metadata>
+    | <style.*?</style>
+    | ^.*?(?=<svg\ )  # the header
+    | <!--.*?-->
+    | \ font-family:\ [^;"]*;  # the page determines the font
+    """,
+    re.VERBOSE | re.DOTALL,
 )
 
-_kind = ContextVar("kind", default="broad")  # of the screen that is drawn for
+_kind = ContextVar("kind", default="broad")  # `broad` or `narrow`: the kind of screen
 
 
 def new_figure(
     width: float = 7.2, height: float = 3.4, **subplots: Any
 ) -> tuple[Drawing, Any]:
-    """Make a figure of ``width`` × ``height`` inches and its axes; for a narrow screen panels stand on each other."""
+    """Return a figure of ``width`` × ``height`` inches and its axes.
+
+    For a narrow screen, all panels are in one column.
+    """
     if not is_narrow():
         drawing = Drawing(figsize=(width, height))
         return drawing, drawing.subplots(**subplots)
@@ -92,12 +105,12 @@ def new_figure(
 
 
 def is_narrow() -> bool:
-    """Tell whether the figure is drawn for a narrow screen."""
+    """Return whether the figure is drawn for a narrow screen."""
     return _kind.get() == "narrow"
 
 
 def _fit_narrow(drawing: Drawing) -> None:
-    """Make texts large enough to be read and short enough to leave room, and no more ticks than help."""
+    """Adapt a figure to a narrow screen: enlarge and fold texts, and reduce ticks."""
     for legend in [*drawing.legends]:
         names = [text.get_text() for text in legend.get_texts()]
         is_long = max(map(len, names), default=0) > LONGEST_NAME
@@ -111,12 +124,12 @@ def _fit_narrow(drawing: Drawing) -> None:
             columnspacing=1.0,
         )
     for axes in drawing.axes:
-        # To ask for labels lays the axis out, which takes long; those of numbers are never long.
-        is_named = not isinstance(
+        # get_yticklabels lays out the axis, which takes long. Numbers are always short.
+        has_names = not isinstance(
             axes.yaxis.get_major_formatter(), ticker.ScalarFormatter
         )
         names = (
-            [label.get_text() for label in axes.get_yticklabels()] if is_named else []
+            [label.get_text() for label in axes.get_yticklabels()] if has_names else []
         )
         if is_long := any(len(name) > LONGEST_NAME for name in names):
             axes.set_yticks(
@@ -137,20 +150,26 @@ def _fit_narrow(drawing: Drawing) -> None:
 
 
 def fold(text: str, longest: int = LONGEST_LINE) -> str:
-    """Fold a text for a narrow figure: its own breaks stay, and a number stays with the word before it."""
+    """Return a text with line breaks for a narrow figure.
+
+    Line breaks of the text are kept. A number stays on the line of the word before it.
+    """
     unbroken = re.sub(r" (?=\d)", "\u00a0", text)
     lines = (textwrap.fill(line, longest) for line in unbroken.split("\n"))
     return "\n".join(lines).replace("\u00a0", " ")
 
 
 def draw_svgs(draw: Callable[[], Drawing], *, name: str) -> list[str]:
-    """Draw a figure as SVG for broad and for narrow screens; the same ``name`` makes the same bytes."""
+    """Return a figure as SVG for broad and for narrow screens.
+
+    ``name`` determines the ids in the SVG, so that the same figure has the same bytes.
+    """
     return [copy_context().run(_svg, draw, kind, name) for kind in ("broad", "narrow")]
 
 
 def _svg(draw: Callable[[], Drawing], kind: str, name: str) -> str:
     _kind.set(kind)
-    # The user's own style counts for nothing.
+    # "default" removes the settings of the user's matplotlibrc.
     with style.context(["default", {**STYLE, "svg.hashsalt": name}]):
         drawing = draw()
         for axes in drawing.axes:
@@ -160,17 +179,20 @@ def _svg(draw: Callable[[], Drawing], kind: str, name: str) -> str:
         if is_narrow():
             _fit_narrow(drawing)
         buffer = io.StringIO()
-        # ``savefig`` would draw every figure twice, the first time in order to lay it out.
+        # ``savefig`` would draw each figure twice, the first time for its layout.
         FigureCanvasSVG(drawing).print_svg(buffer, metadata={"Date": None})
     svg = UNWANTED.sub("", buffer.getvalue())
-    svg = PLACES.sub(lambda match: DECIMALS.sub(r"\1", match[0]), svg)
+    svg = COORDINATES.sub(lambda match: DECIMALS.sub(r"\1", match[0]), svg)
     for colour, replacement in PAGE_COLOURS.items():
         svg = svg.replace(colour, replacement)
     return re.sub(r' (?:width|height)="[\d.]+pt"', "", svg, count=2)
 
 
 def _label_decades(axis: Axis) -> None:
-    """Label a logarithmic axis in text; Matplotlib's own labels are formulas, which take long to typeset."""
+    """Label a logarithmic axis with text.
+
+    Matplotlib's own labels are formulas, and typesetting them takes long.
+    """
     low, high = axis.get_view_interval()
     has_powers = low < 1e-4 or high > 1e5
 
@@ -180,7 +202,7 @@ def _label_decades(axis: Axis) -> None:
         return format_number(value, noise=0.0)
 
     axis.set_major_formatter(label)
-    if high > 10 * low:  # of less than a decade the others have labels too
+    if high > 10 * low:  # a range below one decade needs the minor labels
         axis.set_minor_locator(ticker.NullLocator())
     else:
         axis.set_minor_formatter(label)

@@ -1,4 +1,4 @@
-"""Macros: the HTML of what a section prints, ``pages/layout/parts.html.j2``."""
+"""Compile ``pages/layout/parts.html.j2``: macros for the HTML of a section's parts."""
 
 from functools import cache, partial
 from pathlib import Path
@@ -13,9 +13,11 @@ FILE = Path(__file__).parents[1] / "pages" / "layout" / "parts.html.j2"
 
 
 class Undefined(jinja2.StrictUndefined):
-    """Raise ResultsError for an attribute of a text or of nothing, as of a number.
+    """Raise an error if a template uses an undefined name.
 
-    A record then has it otherwise than was thought; any other name is a mistake.
+    It is a ResultsError if the name is an attribute of None, a text or a number,
+    because then a record contains one of them instead of a quantity. Other names are
+    mistakes in the template.
     """
 
     def __init__(
@@ -40,6 +42,6 @@ environment = partial(
 
 @cache
 def macros(file: Path = FILE) -> Any:
-    """Compile the macros of a template, which are the names of what is returned."""
+    """Return an object with the macros of a template as its methods."""
     loader = jinja2.FileSystemLoader(file.parent)
     return environment(loader=loader).get_template(file.name).module

@@ -1,6 +1,7 @@
-"""Prose: rendered Markdown, in which each thing that is printed was a token until it was rendered.
+"""Render Markdown with printed values that are never taken for Markdown.
 
-So nothing that is printed is ever taken for Markdown.
+A template first prints a token for each value. After Markdown is rendered, the tokens
+are replaced by the values.
 """
 
 import re
@@ -10,11 +11,11 @@ from typing import Any
 
 from markupsafe import Markup, escape
 
-# The token has a part that nobody can know before, so that no text of a record can be one.
+# The token contains a random number, so that a text in a record cannot imitate it.
 OPEN, CLOSE = f"\ue000{secrets.token_hex(16)}n", "\ue001"
 NUMBER = re.compile(f"{OPEN}([0-9]+){CLOSE}")
 TOKEN = re.compile(f"(<p>)?{NUMBER.pattern}(?(1)</p>)")
-"""Alone in its paragraph it may be a block."""
+"""Matches a token, and its paragraph if the token is alone in it: it may be a block."""
 PARAGRAPH = re.compile(r'<p(?: (?!class="left-out")[^>]*)?>(.+?)</p>', re.DOTALL)
 BLOCK = ("<figure", "<p", "<div", "</div")
 
@@ -25,29 +26,29 @@ class Prose:
 
     title: Markup
     body: Markup
-    printed: list[Any]  # numbers, claims, figures and so on, in their order
+    printed: list[Any]  # the printed numbers, claims, figures and so on, in order
     anchor: str
-    headings: list[tuple[str, Markup]]  # id and text of each below the title
+    headings: list[tuple[str, Markup]]  # the id and the text of each heading
 
     @property
     def summary(self) -> Markup:
-        """Return its first paragraph."""
+        """Return the content of the first paragraph, or an empty text."""
         paragraph = PARAGRAPH.search(self.body)
         return Markup(paragraph[1] if paragraph else "")
 
 
-def token(printed: list[Any], item: Any) -> Markup:
-    """Return the token that stands for a thing until Markdown has been rendered."""
-    printed.append(item)
+def token(printed: list[Any], value: Any) -> Markup:
+    """Add a value to ``printed`` and return the token that stands for it."""
+    printed.append(value)
     return Markup(f"{OPEN}{len(printed) - 1}{CLOSE}")
 
 
 def put_back(text: str, printed: list[Any]) -> Markup:
-    """Put what is printed in the place of its tokens."""
+    """Return a text in which the tokens are replaced by the printed values."""
 
     def html(token: re.Match[str]) -> str:
         content = escape(printed[int(token[2])])
-        is_words = token[1] and not content.startswith(BLOCK)
-        return f"<p>{content}</p>" if is_words else content
+        is_paragraph = token[1] and not content.startswith(BLOCK)
+        return f"<p>{content}</p>" if is_paragraph else content
 
     return Markup(TOKEN.sub(html, text))

@@ -1,4 +1,7 @@
-"""A section as its module derives it from results: claims, figures, tables; their words are in its template."""
+"""Define a section with its claims, figures and tables, as ``derive`` returns it.
+
+Their wordings are in the template of the section.
+"""
 
 import re
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
@@ -16,30 +19,36 @@ from measured_report.values.format import ABSENT, unit_label
 from measured_report.values.quantities import VALUES_FILE, Quantity
 from measured_report.values.results import ResultsError, Series
 
-if TYPE_CHECKING:  # these take long to import, and what is kept needs none of them
+# These imports take long, and sections from the cache do not need them.
+if TYPE_CHECKING:
     import pandas as pd
     from matplotlib.figure import Figure as Drawing
 
-UNDRAWN = "This cannot be drawn from what was measured"  # shown in place of a figure
+UNDRAWN = (
+    "This figure cannot be drawn from the measured data"  # shown in place of a figure
+)
 FIGURE_SPACE, POINT_SPACE = "\u2007", "\u2008"
-"""As wide as a digit and as a point; the stylesheet puts them there."""
+"""Spaces as wide as a digit and a point, with which the style sheet aligns numbers."""
 SIZE = re.compile(r'viewBox="0 0 ([\d.]+) ([\d.]+)"')
 """The width and the height of a drawing in SVG."""
 
 
 @dataclass(frozen=True)
 class Table:
-    """Show a table whose cells are Quantities, text, or yes and no; the index names the rows."""
+    """Hold a table whose cells are quantities, texts or booleans.
 
-    frame: "pd.DataFrame | Markup"  # HTML where it is kept
-    numbers: Mapping[str, Any] = field(default_factory=dict)  # named by its caption
+    The index of its frame contains the names of the rows.
+    """
+
+    frame: "pd.DataFrame | Markup"  # HTML if it is already rendered
+    numbers: Mapping[str, Any] = field(default_factory=dict)  # for its caption
     wording: Wording | None = None
 
     def __html__(self) -> Markup:
         return macros().captioned_table(self)
 
     def rendered(self) -> "Table":
-        """Return the same as HTML: a unit for each column, and points below each other."""
+        """Return the table as HTML, with one unit and aligned points in each column."""
         if isinstance(self.frame, Markup):
             return self
         index = self.frame.index
@@ -50,7 +59,7 @@ class Table:
 
 
 def _column(name: str, values: "pd.Series") -> dict[str, Any]:
-    """Return what the head of a column says, and the text and the filling of its cells."""
+    """Return the name and unit of a column, and the text and padding of its cells."""
     numbers = [cell for cell in values if isinstance(cell, Quantity)]
     units = {cell.unit for cell in numbers}
     if clash := unlike(sorted(units)):
@@ -76,7 +85,7 @@ def _column(name: str, values: "pd.Series") -> dict[str, Any]:
             return ABSENT, ""
         if isinstance(value, int | float):
             raise ResultsError(
-                f"the number {value} in a table says nothing of where it comes from"
+                f"the number {value} in a table does not have a source: use a Quantity"
             )
         return value, ""
 
@@ -89,34 +98,35 @@ def _column(name: str, values: "pd.Series") -> dict[str, Any]:
 
 
 def _place_count(number: Quantity) -> int:
-    """Count the digits behind the point of a number that has a source."""
+    """Return the count of printed decimals; 0 for a number without a source."""
     match = re.search(r"\.(\d*)$", number.written if number.source else "")
     return len(match[1]) if match else 0
 
 
 @dataclass(frozen=True)
 class Figure:
-    """Show a figure, which is drawn once its section is derived."""
+    """Hold a figure, which is drawn after its section is derived."""
 
-    draw: "Callable[[], Drawing] | None"  # None where it is kept as it was drawn
-    sources: Sequence[
-        Quantity | Series
-    ]  # all that it draws; when none of it exists the page says why in its place
-    numbers: Mapping[str, Any] = field(
-        default_factory=dict
-    )  # named by its caption and its alternative text
+    draw: "Callable[[], Drawing] | None"  # None if it is already drawn
+    sources: Sequence[Quantity | Series]
+    """All data that it draws; if they are all missing, the page prints the reason."""
+    numbers: Mapping[str, Any] = field(default_factory=dict)
+    """Numbers for its caption and its alternative text."""
     wording: Wording | None = None
     anchor: str = ""
-    root: str = ""  # the way from the page to the root of the site
-    pictures: Sequence[str] = ()  # in SVG, for broad screens and for narrow ones
-    fault: str = ""  # why there are none, though something of it exists
+    root: str = ""  # the relative path from the page to the root of the site
+    pictures: Sequence[str] = ()  # SVG for broad and for narrow screens
+    fault: str = ""  # why it could not be drawn although some of its sources exist
 
     @property
     def is_there(self) -> bool:
         return any(source.value is not None for source in self.sources)
 
     def drawn(self, anchor: str) -> "Figure":
-        """Return the same drawn: of its series it keeps only whether they are there."""
+        """Return the figure as SVG, and without the numbers of its series.
+
+        Raise ReportError if it cannot be drawn although all of its sources exist.
+        """
         pictures: Sequence[str] = ()
         fault = ""
         if self.is_there:
@@ -129,7 +139,7 @@ class Figure:
                 if all(source.value is not None for source in self.sources):
                     bug = bug_of(error)
                     raise ReportError(
-                        f"the figure {anchor} can't be drawn: {bug}"
+                        f"the figure {anchor} cannot be drawn: {bug}"
                     ) from None
                 fault = " ".join(str(error).split())
         sources = [
@@ -148,8 +158,10 @@ class Figure:
         )
 
     def __html__(self) -> Markup:
-        """Show it, with links to the data that it draws, if anything of it exists."""
-        pointers = [each.source for each in self.sources if each.value is not None]
+        """Return the HTML with links to the data, or the reason why it is left out."""
+        pointers = [
+            source.source for source in self.sources if source.value is not None
+        ]
         if not pointers:
             reasons = [source.reason for source in self.sources]
             reason = reasons[0] if reasons else "there is nothing to draw"
@@ -158,58 +170,56 @@ class Figure:
         for file in (pointer.partition("#")[0] for pointer in pointers):
             files[file] = None
             if file.endswith(".json") and not file.endswith(VALUES_FILE):
-                files[file.removesuffix("json") + "csv"] = None  # a record's rows
+                # The same rows as a table.
+                files[file.removesuffix("json") + "csv"] = None
         names = [file.rpartition("/")[2] for file in files]
-        # The same file of several releases is told apart by its folder.
+        # Files of several releases have the same name, so their folder is added.
         links = [
             (file, name if names.count(name) == 1 else file)
             for file, name in zip(files, names, strict=True)
         ]
         if self.fault:
-            shown = macros().left_out(UNDRAWN, self.fault)
+            content = macros().left_out(UNDRAWN, self.fault)
         else:
-            assert self.wording, f"the figure {self.anchor} has no words yet"
+            assert self.wording, f"the figure {self.anchor} does not have a wording yet"
             alt = self.wording("alt", self.numbers).striptags().replace("\xa0", " ")
             sizes = [
                 match.groups() for match in map(SIZE.search, self.pictures) if match
             ]
-            shown = macros().picture(self.anchor, *sizes, alt)
-        return macros().figure(self, shown, links)
+            content = macros().picture(self.anchor, *sizes, alt)
+        return macros().figure(self, content, links)
 
 
 @dataclass(frozen=True)
 class Section:
-    """Hold all that a section's template can name, besides what all of them can."""
+    """Hold the tables, figures, claims and downloads for the template of a section."""
 
-    tables: Mapping[str, Any] = field(
-        default_factory=dict
-    )  # tables, and other things that print themselves
+    tables: Mapping[str, Any] = field(default_factory=dict)
+    """Tables, and other objects with a method ``__html__``."""
     figures: Mapping[str, Figure] = field(default_factory=dict)
     claims: Sequence[Claim] = ()
     downloads: Mapping[str, str] = field(default_factory=dict)
-    """Texts of files by name, which lie on the site below ``download/``."""
-    unmeasured: Collection[
-        str
-    ] = ()  # names that only other records have, so that the words for them stay unsaid
-    lost: Collection[
-        tuple[str, str]
-    ] = ()  # kinds and names that other editions derive, and this one does not
+    """Contents of files by name; the site has them in its folder ``download/``."""
+    unmeasured: Collection[str] = ()
+    """Names of parts whose numbers are not in this record; they are not printed."""
+    lost: Collection[tuple[str, str]] = ()
+    """Kinds and names that only other editions derive."""
 
     def __post_init__(self) -> None:
         names = [claim.name for claim in self.claims]
         assert len(set(names)) == len(names), (
-            f"two claims have one name: {', '.join(names)}"
+            f"two claims have the same name: {', '.join(names)}"
         )
 
     @property
     def names(self) -> set[tuple[str, str]]:
-        """Return the kind and the name of each of its claims, figures and tables."""
+        """Return the kind and the name of each claim, figure and table."""
         claims = {("claim", claim.name) for claim in self.claims}
         figures = {("figure", name) for name in self.figures}
         return claims | figures | {("table", name) for name in self.tables}
 
     def drawn(self, anchor: str) -> "Section":
-        """Return the same with its tables as HTML and its figures drawn."""
+        """Return the section with its tables as HTML and its figures as SVG."""
         tables = {
             name: table.rendered() if isinstance(table, Table) else table
             for name, table in self.tables.items()
@@ -227,8 +237,12 @@ class Section:
         wordings: Mapping[tuple[str, str], Wording],
         root: str = "",
     ) -> "Section":
-        """Give it the words of the ``template``; ReportError unless items and wordings match."""
-        items: Mapping[str, Mapping[str, Any]] = {
+        """Return the section with the wordings of ``template``.
+
+        Raise ReportError if a wording does not belong to any part of the section, or if
+        a part does not have a wording.
+        """
+        parts: Mapping[str, Mapping[str, Any]] = {
             "claim": {claim.name: claim for claim in self.claims},
             "figure": {
                 name: replace(figure, anchor=f"{anchor}-{name}", root=root)
@@ -238,29 +252,31 @@ class Section:
         }
         for kind, name in wordings:
             is_known = name in self.unmeasured or (kind, name) in self.lost
-            if name not in items[kind] and not is_known:
-                names = ", ".join(items[kind])
+            if name not in parts[kind] and not is_known:
+                names = ", ".join(parts[kind]) or "none"
                 raise ReportError(
-                    f"templates/{template}: there is no {kind} {name}; "
-                    f"there are: {names}"
+                    f"templates/{template}: the section does not have a {kind} {name}: "
+                    f"derive it or use one of {names}"
                 )
 
-        def with_words(kind: str) -> Iterator[tuple[str, Any]]:
-            for name, item in items[kind].items():
+        def with_wordings(kind: str) -> Iterator[tuple[str, Any]]:
+            for name, part in parts[kind].items():
                 if (kind, name) not in wordings:
                     raise ReportError(
-                        f"templates/{template} says nothing of the {kind} {name}"
+                        f"templates/{template} does not contain the {kind} {name}: add "
+                        f"{{% {kind} {name} %}}"
                     )
-                if hasattr(item, "wording"):
+                if hasattr(part, "wording"):
                     wording = wordings[kind, name]
-                    for part in wording.parts:  # with other numbers another one is said
-                        wording(part, item.numbers)
-                    item = replace(item, wording=wording)
-                yield name, item
+                    # Render all texts now, because other numbers may need another one.
+                    for text in wording.parts:
+                        wording(text, part.numbers)
+                    part = replace(part, wording=wording)
+                yield name, part
 
         return replace(
             self,
-            claims=[claim for _, claim in with_words("claim")],
-            figures=dict(with_words("figure")),
-            tables=dict(with_words("table")),
+            claims=[claim for _, claim in with_wordings("claim")],
+            figures=dict(with_wordings("figure")),
+            tables=dict(with_wordings("table")),
         )

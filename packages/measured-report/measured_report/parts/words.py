@@ -1,4 +1,4 @@
-"""Words: what a template says of claims, figures and tables, found before anything is rendered.
+"""Parse the wordings of claims, figures and tables in a template.
 
     {% claim leans %}
     {% holds %} The tower leans by {{ angle }}.
@@ -7,15 +7,21 @@
     {% because %} The ground is soft on one side.
     {% endclaim %}
 
-    {% figure tower %} The tower from the south. {% alt %} It leans by {{ angle }}. {% endfigure %}
+    {% figure tower %}
+    This is the tower from the south. {% alt %} It leans by {{ angle }}.
+    {% endfigure %}
     {% table cases %} All cases. {% endtable %}
 
-``{% opposite %}`` may stand beside ``{% fails %}``, or in its place. Parts name what Python hands over, nothing else; a
-number behind *at most* or *up to* is ``{{ angle.most }}``, behind *at least* ``{{ angle.least }}``. Around them the
-template of a section has ``row["north"].lean_mm``, ``rows``, ``value.lean`` as it was derived, ``release``,
-``table(name)``, ``figure(name)``, ``download(name)`` and ``holds("section.claim")``; the texts of pages have
-``sections.tower.claim("leans")`` and the same of its tables and figures, and ``measured``, the names of the sections
-that have a record.
+``{% opposite %}`` can be used in addition to ``{% fails %}``, or instead of it. These
+parts can name only the numbers that Python passes to the claim, figure or table. After
+*at most* or *up to*, write ``{{ angle.most }}``. After *at least*, write
+``{{ angle.least }}``.
+
+Outside of these parts, the template of a section can name ``row["north"].lean_mm``,
+``rows``, the derived ``value.lean``, ``release``, ``table(name)``, ``figure(name)``,
+``download(name)`` and ``holds("section.claim")``. The template of a page can name
+``sections.tower.claim("leans")``, its tables and figures in the same form, and
+``measured``, the names of the sections that have a record.
 """
 
 import re
@@ -27,7 +33,7 @@ from jinja2 import Environment, TemplateSyntaxError, nodes
 from jinja2.parser import Parser
 from markupsafe import Markup
 
-# The parts of each kind; `caption` follows the opening tag, the others have a tag each.
+# The parts of each kind. The caption follows the opening tag; each other part has a tag.
 PARTS = {
     "claim": ("holds", "fails", "opposite", "asks", "because"),
     "figure": ("caption", "alt"),
@@ -44,19 +50,19 @@ TYPED = re.compile(
     """,
     re.VERBOSE,
 )
-"""A number with a unit, as one that was measured has it."""
+"""Matches a typed number with a unit, which should be a measured number instead."""
 BOUNDS = {
     "at most|within|no more than|not more than|up to|as much as": (".most",),
     "at least|no less than|not less than": (".least",),
-    # Which of them depends on what the sentence denies.
+    # The direction depends on whether the sentence contains a negation.
     "more than|less than": (".most", ".least"),
 }
-"""Words that bound the number behind them, and how it is rounded there."""
+"""Words that bound the number after them, and the attributes that round it safely."""
 
 
 @dataclass(frozen=True)
 class Wording:
-    """Hold what a template says of one claim, figure or table."""
+    """Hold the texts of one claim, figure or table in a template."""
 
     parts: Mapping[str, str]  # names of the template's blocks
     render: Callable[[str, Mapping[str, Any]], Markup]  # renders a block
@@ -71,27 +77,34 @@ class Wording:
 def wordings_of(
     blocks: Iterable[str], render: Callable[[str, Mapping[str, Any]], Markup]
 ) -> dict[tuple[str, str], Wording]:
-    """Return what the blocks of a template say, by kind and name of the item."""
-    parts: dict[tuple[str, str], dict[str, str]] = {}
+    """Return the wordings in the blocks of a template, by kind and name."""
+    wordings: dict[tuple[str, str], dict[str, str]] = {}
     for block in blocks:
         kind, name, part = block.split("__")
-        parts.setdefault((kind, name), {})[part] = block
-    return {item: Wording(named, render) for item, named in parts.items()}
+        wordings.setdefault((kind, name), {})[part] = block
+    return {key: Wording(parts, render) for key, parts in wordings.items()}
 
 
 def parse_words(parser: Parser, environment: Environment) -> list[nodes.Node]:
-    """Parse a claim, figure or table: its parts become blocks, and the whole a call."""
+    """Parse the tags of a claim, figure or table.
+
+    Its parts become blocks, and a call of the function ``claim``, ``figure`` or
+    ``table`` prints it.
+    """
     tag = next(parser.stream)
     kind, name = tag.value, parser.stream.expect("name").value
     blocks = _parse_parts(parser, kind, name, tag.lineno)
     optional = {"opposite", "because"} | ({"fails"} if "opposite" in blocks else set())
     for part in PARTS[kind]:
         if part not in optional | blocks.keys():
-            parser.fail(f"{kind} {name} has no {{% {part} %}}", tag.lineno)
+            parser.fail(
+                f"{kind} {name} does not have {{% {part} %}}: add it", tag.lineno
+            )
     call = nodes.Call(nodes.Name(kind, "load"), [nodes.Const(name)], [], None, None)
-    # The line behind the last tag ends there, and no sentence runs into the next.
+    # Jinja removes the line break after the end tag; without one, the next sentence
+    # would follow without a space.
     output = nodes.Output([call, nodes.TemplateData("\n")], lineno=tag.lineno)
-    # Jinja keeps every block of a template, those as well that are never reached.
+    # Jinja keeps the blocks of a template even if they are never reached.
     never = nodes.If(nodes.Const(False), [*blocks.values()], [], [], lineno=tag.lineno)
     return [never, output]
 
@@ -99,7 +112,7 @@ def parse_words(parser: Parser, environment: Environment) -> list[nodes.Node]:
 def _parse_parts(
     parser: Parser, kind: str, name: str, line: int
 ) -> dict[str, nodes.Block]:
-    """Parse all up to the end tag into a block for each part."""
+    """Return a block for each part before the end tag."""
     parts, end = PARTS[kind], f"end{kind}"
     tags = [f"name:{tag}" for tag in (*parts, end) if tag != "caption"]
     blocks: dict[str, nodes.Block] = {}
@@ -107,13 +120,16 @@ def _parse_parts(
     while part != end:
         body = parser.parse_statements(tuple(tags))
         if part in blocks:
-            parser.fail(f"{kind} {name} is worded twice", line)
+            parser.fail(
+                f"{kind} {name} has two texts for {part}: remove one of them", line
+            )
         if part in parts:
             block = f"{kind}__{name}__{part}"
             blocks[part] = nodes.Block(block, body, False, False, lineno=line)
         elif not _is_blank(body):
             parser.fail(
-                f"{kind} {name}: what it says belongs behind one of its tags", line
+                f"{kind} {name} has text before its first tag: move it behind a tag",
+                line,
             )
         tag = next(parser.stream)
         part, line = tag.value, tag.lineno
@@ -121,12 +137,15 @@ def _parse_parts(
 
 
 def refuse_numbers(source: str) -> None:
-    """Refuse numbers that are typed, and bounds that rounding could move past theirs."""
+    """Raise TemplateSyntaxError for typed numbers, and for bounds that are not rounded.
+
+    Rounding to the nearest digit could move a number past its bound.
+    """
     prose = TAGS.sub(lambda tag: re.sub(r"[^\n]", " ", tag[0]), source)
     if match := TYPED.search(prose):
         number = " ".join(match[0].split())
         raise TemplateSyntaxError(
-            f"{number} is typed; name one that was measured, or of results.chosen(…)",
+            f"{number} is typed: use a measured number or results.chosen(…)",
             _line_of(match),
         )
     for words, ends in BOUNDS.items():
@@ -136,7 +155,8 @@ def refuse_numbers(source: str) -> None:
             if not match[1].endswith(ends):
                 bound = " ".join(match[0].split())
                 raise TemplateSyntaxError(
-                    f"{bound} takes {' or '.join(ends)}", _line_of(match)
+                    f"{bound} may be rounded past its bound: add {' or '.join(ends)}",
+                    _line_of(match),
                 )
 
 

@@ -1,1 +1,1 @@
-"""Records: what was measured, by which code, and how it is read."""
+"""Read and write records and traces, and find the code that they depend on."""

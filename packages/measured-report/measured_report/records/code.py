@@ -16,12 +16,13 @@ from typing import Any
 from measured_report.files.cache import Cache
 from measured_report.files.errors import ReportError
 
-# This package passes calls on; it does not change the rows that they return.
+# Identities leave out the files of this package, because it only passes calls on and
+# does not change the rows that they return.
 GENERATOR = "measured_report"
 HERE = str(Path(__file__).resolve().parents[2])
 ASSETS = ("assets/", "experiments/", "packages/")
 """Folders of files that a program opens or starts by path."""
-WORKED_OUT = ...  # stands for a value that is computed at import
+COMPUTED = ...  # stands for a value that is computed at import
 LAYOUT = ("ctx", "kind", "type_comment")
 """Fields of a syntax tree that follow from others or have no meaning."""
 
@@ -72,7 +73,7 @@ class Code:
         files = (
             file for stem in stems for file in (f"{stem}/__init__.py", f"{stem}.py")
         )
-        # Path.is_file would take ten times as long.
+        # os.path.isfile is used, because Path.is_file would take ten times as long.
         return next(filter(os.path.isfile, files), "")
 
     def _roots_that_have(self, package: str) -> list[str]:
@@ -117,7 +118,7 @@ class Code:
         return hashlib.sha256(path.read_bytes()).hexdigest()
 
 
-_known: dict[str, Source] = {}  # by a digest of the file's text and package
+_sources: dict[str, Source] = {}  # by a digest of the file's text and package
 
 
 def read_source(path: Path, name: str) -> Source:
@@ -129,9 +130,9 @@ def read_source(path: Path, name: str) -> Source:
     try:
         text = path.read_bytes()
         key = hashlib.sha256(f"{package}\0".encode() + text).hexdigest()
-        if key not in _known:
-            _known[key] = _source_of(ast.parse(text, filename=name), package)
-        return _known[key]
+        if key not in _sources:
+            _sources[key] = _source_of(ast.parse(text, filename=name), package)
+        return _sources[key]
     except (OSError, SyntaxError, ValueError) as error:
         raise ReportError(
             f"{name} cannot be read or parsed: {' '.join(str(error).split())}"
@@ -140,16 +141,20 @@ def read_source(path: Path, name: str) -> Source:
 
 @contextmanager
 def cached_sources() -> Iterator[None]:
-    """Keep the parsed files for later processes, because parsing all takes seconds."""
+    """Keep the facts of parsed files for later processes.
+
+    Parsing all files takes seconds.
+    """
     store = Cache(Path(HERE))
     made_by = (sys.version, hashlib.sha256(Path(__file__).read_bytes()).hexdigest())
-    _known.update(store.get("sources", made_by) or {})
-    count_before = len(_known)
+    _sources.update(store.get("sources", made_by) or {})
+    count_before = len(_sources)
     try:
         yield
     finally:
-        if len(_known) > count_before:
-            newest = list(_known.items())[-2000:]
+        if len(_sources) > count_before:
+            # A limit keeps the cache from growing with each change of a file.
+            newest = list(_sources.items())[-2000:]
             store.put("sources", made_by, dict(newest))
 
 
@@ -188,11 +193,12 @@ def imported_names(
 
 
 def _top(tree: ast.Module) -> Iterator[tuple[str, Any]]:
+    """Yield the names that a module defines at its top level, as `Source.top` does."""
     for node in tree.body:
         if isinstance(node, ast.FunctionDef):
             yield node.name, len(node.args.args)
         elif isinstance(node, ast.Assign):
-            value: Any = WORKED_OUT
+            value: Any = COMPUTED
             with suppress(ValueError):
                 value = ast.literal_eval(node.value)
             yield from (

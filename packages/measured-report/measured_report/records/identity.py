@@ -44,7 +44,7 @@ class Identity:
     packages: Mapping[str, Version]
     profile: Annotated[str, Meta(pattern=r"\A(full|quick)\Z")] = "full"
     files: Mapping[FileName, Digest] = field(default_factory=dict)
-    """The digest of each file, so that a change can be named."""
+    """The digest of each file, so that messages can name the files that changed."""
 
 
 def identity_of(
@@ -83,9 +83,9 @@ def identity_at(
         code.name_of(path): code.source(path) for path in code.closure(file, GENERATOR)
     }
     digests = {name: source.digest for name, source in sorted(sources.items())}
-    named = sorted({asset for source in sources.values() for asset in source.assets})
+    names = sorted({asset for source in sources.values() for asset in source.assets})
     assets = {
-        asset: code.digest(root / asset) for asset in named if (root / asset).is_file()
+        name: code.digest(root / name) for name in names if (root / name).is_file()
     }
     versions = package_versions() if packages is None else packages
     return Identity(
@@ -122,24 +122,24 @@ def changes(recorded: Identity, current: Identity) -> list[str]:
 def sections(root: Path | None = None) -> list[str]:
     """Return the names of the sections: modules or folders in ``report/sections``.
 
-    A name that begins with _ marks a draft, which is left out.
+    A module whose name begins with _ is a draft and is left out.
     """
     folder = (root or current().root) / "report" / "sections"
     names = {path.stem for path in folder.glob("*.py")} | {
         path.parent.name for path in folder.glob("*/__init__.py")
     }
-    shown = sorted(name for name in names if not name.startswith(("_", ".")))
-    if wrong := [name for name in shown if not name.isidentifier()]:
+    finished = sorted(name for name in names if not name.startswith(("_", ".")))
+    if invalid := [name for name in finished if not name.isidentifier()]:
         raise UsageError(
-            f"report/sections/{wrong[0]}.py has an invalid name: use a Python name "
+            f"report/sections/{invalid[0]}.py has an invalid name: use a Python name "
             "such as my_ball"
         )
-    return shown
+    return finished
 
 
 SHORT_COMMIT = 7
 MISSING = "missing"  # version of a package that is not installed
-UNNAMED = "unnamed"  # stands in a version for code without a commit
+UNNAMED = "unnamed"  # replaces the commit in the version of code without one
 BYTE_LIMIT = 1 << 30  # largest file that is digested; wheels have hundreds of MiB
 
 
@@ -200,7 +200,8 @@ def files_digest(paths: Iterable[Path], root: Path) -> str:
         with suppress(OSError):
             info = path.stat()
             if stat.S_ISREG(info.st_mode):
-                # Files of size 0 may be endless, and no command reads larger files.
+                # Some devices and files of /proc report the size 0 but never end. No
+                # command reads files above the limit.
                 content = path.read_bytes() if 0 < info.st_size <= BYTE_LIMIT else b""
                 name = f"{path.relative_to(root).as_posix()}\0{info.st_size}\0"
                 digest.update(os.fsencode(name) + content)

@@ -1,4 +1,8 @@
-"""Records: what one section measured, as one JSON file that git can compare line by line, and each field is checked."""
+"""Read and write records: the measured rows of a section with their provenance.
+
+A record is a JSON file with one line for each row, so that git can compare records line
+by line. Each field is checked when it is read.
+"""
 
 import json
 import re
@@ -29,7 +33,7 @@ from measured_report.records.identity import MISSING, Digest, Identity, identity
 SCHEMA = 1
 BYTE_LIMIT = 32 << 20
 CASE = re.compile(r"[A-Za-z0-9][A-Za-z0-9._-]*")
-DIGITS = ".9g"  # as many digits as tell any two numbers of single precision apart
+DIGITS = ".9g"  # enough digits to distinguish all numbers of single precision
 Case = Annotated[str, Meta(pattern=rf"\A{CASE.pattern}\Z", max_length=200)]
 Key = Annotated[str, Meta(pattern=r"\A[A-Za-z0-9_.+-]{1,200}\Z")]
 NAME = r"\A[a-z][a-z0-9_]{0,79}\Z"  # of a column
@@ -43,12 +47,18 @@ else:
 Time = Annotated[
     str, Meta(pattern=r"\A20\d\d-\d\d-\d\dT\d\d:\d\d:\d\d(\.\d{6})?[+-]\d\d:\d\d\Z")
 ]
-"""As every Python reads it, in a year of a clock that goes."""
+"""A time in the format that all supported versions of Python can parse.
+
+A year before 2000 comes from a clock that was not set.
+"""
 
 
 @dataclass(frozen=True, order=True)
 class Origin:
-    """Say what a number was measured with, as far as others must share it to be compared with it."""
+    """Describe the release and the processor with which a number was measured.
+
+    Only numbers with the same origin can be compared.
+    """
 
     release: str
     processor: str
@@ -58,27 +68,27 @@ class Origin:
 
 
 class Seal(Struct, frozen=True, forbid_unknown_fields=True):
+    """Hold the digest of a trace's file, which shows whether the file was changed."""
+
     digest: Digest
     row_count: Annotated[int, Meta(ge=1, le=10_000_000)]
 
 
 class Carried(Struct, frozen=True, forbid_unknown_fields=True):
-    """Describes a change of code over which a record was carried."""
+    """Describe a change of code over which a record was carried."""
 
-    code: Digest  # of the identity that the record had before
-    old: Line = renamed(
-        name="from"
-    )  # the commit with that code, as the next with the code of the identity after it
-    new: Line = renamed(name="to")
+    code: Digest  # the digest of the old code, as in the identity before the change
+    old: Line = renamed(name="from")  # the commit with the old code
+    new: Line = renamed(name="to")  # the commit with the new code
     date: Time
-    cells: Annotated[int, Meta(ge=1)]  # so many were compared
+    cells: Annotated[int, Meta(ge=1)]  # the number of compared cells
 
     def __str__(self) -> str:
         change = (
             f"from the code of {self.old} to that of {self.new} on {self.date[:10]}"
         )
-        same = f"{self.cells} cells, same bits in the quick profile"
-        return f"{change}: {same}; the full profile was not run again"
+        proof = f"{self.cells} cells, same bits in the quick profile"
+        return f"{change}: {proof}; the full profile was not run again"
 
 
 REQUIRED: Mapping[str, Mapping[str, Any]] = {
@@ -96,16 +106,16 @@ REQUIRED: Mapping[str, Mapping[str, Any]] = {
         "seconds": Annotated[float, Meta(ge=0.0, le=1e8)],
     },
 }
-"""The types of fields that a record has besides any others; so has each row a case."""
+"""The types of the fields that these tables must contain. They can contain others."""
 
 
 @dataclass(frozen=True)
 class Record:
-    """Keeps what one section measured, and where, when and by which code."""
+    """Hold the rows of a section, and where, when and by which code it was measured."""
 
     section: Line
     identity: Identity
-    machine: Mapping[Key, Noted]  # None where there is none
+    machine: Mapping[Key, Noted]  # None if the machine lacks the part, such as a GPU
     measured: Mapping[Key, Noted]  # `date`, `commit`, `command` and `seconds`
     units: Mapping[Name, Line]
     rows: Annotated[Sequence[Mapping[Name, Cell]], Meta(min_length=1)]
@@ -114,7 +124,7 @@ class Record:
 
     @property
     def codes(self) -> frozenset[str]:
-        """Return digests of the codes that are known to measure the same."""
+        """Return the digests of all codes that are proven to measure the same rows."""
         return frozenset(
             {self.identity.code, *(carried.code for carried in self.carried)}
         )
@@ -131,7 +141,7 @@ class Record:
 
     @property
     def machine_in_full(self) -> str:
-        """Name all that must be the same for two times to be compared."""
+        """Return a description of the machine with its core count and its CPU."""
         count = self.machine.get("cores") or "an unknown number of"
         text = f"{self.machine_text}, {count} cores"
         if self.machine.get("device") == "cpu":
@@ -140,10 +150,10 @@ class Record:
 
     @property
     def machine_for_speed(self) -> tuple[str | None, ...]:
-        """Return what two machines must share for their times to be compared.
+        """Return the properties that must be the same before times are compared.
 
-        Hosts with the same kind of processor differ by a few percent, which the noise of
-        a time includes.
+        Hosts with the same kind of processor differ by a few percent, which the noise
+        of a time includes.
         """
         return self.processor, self.machine.get("device")
 
@@ -153,7 +163,10 @@ class Record:
 
     @property
     def card(self) -> str:
-        """Name the one card, or else the host, that it was measured on, as far as its record tells."""
+        """Return an identifier of the card or, without one, of the host that measured.
+
+        Older records contain neither; then only the kind of processor is known.
+        """
         return str(
             self.machine.get("gpu_uuid") or (self.machine.get("host"), self.processor)
         )
@@ -176,7 +189,8 @@ class Record:
 def trace_path(record: Path, case: str) -> Path:
     if not CASE.fullmatch(str(case)):
         raise RecordError(
-            f"a trace needs a case name that can be part of a file name, not {case!r}"
+            f"case {case!r} of a trace cannot be part of a file name: use letters, "
+            "digits, '.', '_' and '-'"
         )
     return record.with_name(f"{record.stem}.{case}.csv.gz")
 
@@ -191,9 +205,13 @@ def write_record(
     traces: Mapping[str, tuple[Seal, bytes]] | None = None,
     replacing: str | None = None,
 ) -> None:
-    """Write a record and its traces, by case, at ``path``; None: the traces there stay.
+    """Write a record and its traces at ``path``.
 
-    ``replacing`` is the digest of the file that may be replaced, as ``file_digest`` gives it; None: any file.
+    Args:
+        traces: the seals and contents of the new traces by case; None keeps the traces
+            that exist.
+        replacing: the ``file_digest`` of the only file that may be replaced; None
+            replaces any file.
     """
     if traces is not None:
         record = replace(
@@ -211,18 +229,19 @@ def write_record(
     with locked(path.parent.parent):
         if replacing not in (None, file_digest(path)):
             raise RecordError(
-                f"{short_path(path)} was written by another command meanwhile: nothing was changed"
+                f"{short_path(path)} was changed by another command in the meantime, "
+                "and was kept: run this command again"
             )
         write_files({path: content, **packed})
         for trace in (
             path.parent.glob(f"{path.stem}.*.csv.gz") if traces is not None else ()
         ):
-            if trace not in packed:  # of a case that is gone
+            if trace not in packed:  # its case no longer exists
                 trace.unlink()
 
 
 def file_digest(path: Path) -> str:
-    """Return the digest of a record's file; empty if there is none that can be read."""
+    """Return the digest of a record's file, or an empty string if it is unreadable."""
     try:
         return sha256(read_file(path, BYTE_LIMIT)).hexdigest()
     except RecordError:
@@ -231,21 +250,25 @@ def file_digest(path: Path) -> str:
 
 @dataclass(frozen=True)
 class Basis:
-    """Holds the code, and the record that is to be replaced, as they were before a section was measured."""
+    """Hold the state of the code and of the record before a section is measured.
+
+    A new record is written only if neither of them changed during the measurement.
+    """
 
     section: str
     path: Path  # of the record
-    identify: Callable[[], Identity]
+    identify: Callable[[], Identity]  # returns the identity of the current code
     identity: Identity
-    replacing: str  # digest of the record's file; empty if there was none
+    replacing: str  # digest of the record's file; empty if it did not exist
 
     def write(
         self, record: Record, traces: Mapping[str, tuple[Seal, bytes]] | None = None
     ) -> None:
-        """Write a record; raise RecordError if the code or the record changed meanwhile."""
+        """Write a record; raise RecordError if the code or the old record changed."""
         if self.identify() != self.identity:
             raise RecordError(
-                f"the code of {self.section} changed meanwhile: nothing was written"
+                f"the code of {self.section} changed in the meantime, so its record "
+                "was not written: run this command again"
             )
         write_record(self.path, record, traces, self.replacing)
 
@@ -257,14 +280,15 @@ def basis_of(
     root: Path,
     packages: Mapping[str, str] | None = None,
 ) -> Basis:
-    """Return the basis of a measurement, whose modules may be imported after this."""
+    """Return the basis of a measurement; call this before its modules are imported."""
     identify = partial(identity_of, section, profile, root, packages)
     return Basis(section, path, identify, identify(), file_digest(path))
 
 
 def record_text(record: Record) -> str:
+    # The rows are written below, because to_builtins would copy every cell.
     data = {"schema": SCHEMA, **to_builtins(replace(record, rows=[]))}
-    del data["rows"]  # to_builtins would copy every cell
+    del data["rows"]
     if not record.carried:
         del data["carried"]
     head = json.dumps(data, indent=1, ensure_ascii=False, allow_nan=False)
@@ -273,8 +297,7 @@ def record_text(record: Record) -> str:
     )
     lines = []
     for row in record.rows:
-        cells = row.items()
-        lines.append(write({name: _rounded(cell) for name, cell in cells}))
+        lines.append(write({name: _rounded(cell) for name, cell in row.items()}))
     rows = ",\n  ".join(lines)
     return sealed(head.removesuffix("\n}") + f',\n "rows": [\n  {rows}\n ]')
 
@@ -284,79 +307,88 @@ def _rounded(cell: Any) -> Any:
 
 
 def sealed(text: str) -> str:
-    """Return the text of a record, so far without its last brace, with its seal.
+    """Return the text of a record with its seal and its last brace added.
 
-    The seal shows a change by hand, unless somebody seals the text anew.
+    The seal reveals changes by hand, but it does not prevent forgery: anyone can
+    compute a new one.
     """
     return f'{text},\n "seal": "{sha256(text.encode()).hexdigest()}"\n}}\n'
 
 
 def load_record(path: Path, report: Report | None = None) -> Record:
-    """Read the record at ``path``; raise RecordError if it or a trace that it seals is damaged in any way."""
+    """Read the record at ``path``; raise RecordError if it or a trace is damaged."""
     record = read_record(read_file(path, BYTE_LIMIT), path, report)
     for case, seal in record.traces.items():
         trace = trace_path(path, case)
         if sha256(read_file(trace, BYTE_LIMIT)).hexdigest() != seal.digest:
             raise RecordError(
-                f"{short_path(trace)} is not the trace that was measured with {path.name}"
+                f"{short_path(trace)} is not the trace that was measured with "
+                f"{path.name}"
             )
     return record
 
 
 def read_record(content: bytes, path: Path, report: Report | None = None) -> Record:
-    """Return the record that a file holds; raise RecordError unless each field is as it should be."""
+    """Return the record in the content of a file.
+
+    Raise RecordError if any field is invalid.
+    """
     report = report or current()
     try:
         text = content.decode("utf-8")
         data = json.loads(text, object_pairs_hook=_plain, parse_constant=_refuse)
         if not isinstance(data, dict):
-            raise ValueError("it is no object")
+            raise ValueError("it is not a JSON object")
         schema = data.pop("schema", None)
         if type(schema) is not int or schema != SCHEMA:
             raise ValueError(f"it has schema {schema!r:.40}, not {SCHEMA}")
         if data.pop("seal", None) is None:
             raise ValueError("it has no seal")
         if text != sealed(text[: text.rfind(',\n "seal": ')]):
-            raise ValueError("it is not as it was sealed")
+            raise ValueError("it was changed after it was sealed")
         record = convert(data, Record)
         for table, types in REQUIRED.items():
             for name, kind in types.items():
                 convert(data[table].get(name, ...), kind)
         convert([row.get("case") for row in record.rows], list[Line])
         identity = data["identity"]
-        _refuse_others(data, Record.__match_args__)
-        _refuse_others(identity, Identity.__match_args__)
-        _refuse_others(identity["packages"], report.settings.packages)
+        _refuse_unknown(data, Record.__match_args__)
+        _refuse_unknown(identity, Identity.__match_args__)
+        _refuse_unknown(identity["packages"], report.settings.packages)
         date = record.measured["date"]
         texts = [record.measured.get(name) or date for name in ("started", "ended")]
         times = map(datetime.fromisoformat, convert([*texts, date], list[Time]))
         began, ended, written = times
         tomorrow = datetime.now(timezone.utc) + timedelta(days=1)
         if began > ended or max(ended, written) > tomorrow:
-            raise ValueError("it ended before it began, or will on a day to come")
+            raise ValueError("its end is before its start or in the future")
         if record.section != path.stem:
-            raise ValueError(f"it is one of {record.section!r}")
+            raise ValueError(f"it belongs to section {record.section!r}")
         report.columns.refuse_mixed(record.rows, record.units)
     except (ValueError, OverflowError, RecursionError) as error:
-        # In one line, without characters that could do anything to whoever reads it.
+        # One line, without characters that could control the terminal of the reader.
         message = UNPRINTABLE.sub("?", " ".join(str(error).split()))
         raise RecordError(
-            f"{short_path(path)} is no whole record: {message or type(error).__name__:.300}"
+            f"{short_path(path)} is not a valid record: "
+            f"{message or type(error).__name__:.300}"
         ) from None
     return record
 
 
-def _refuse_others(table: Mapping[str, Any], names: Collection[str]) -> None:
+def _refuse_unknown(table: Mapping[str, Any], names: Collection[str]) -> None:
     if unknown := table.keys() - set(names):
-        raise ValueError(f"nothing here is called {min(unknown)!r:.80}")
+        raise ValueError(f"{min(unknown)!r:.80} is not a known key")
 
 
 def _plain(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
-    """Return an object of JSON, in which each key stands once: of two, a reader would see either."""
+    """Return a JSON object as a dictionary; raise ValueError for a repeated key.
+
+    Programs differ in which of two values they read.
+    """
     fields = dict(pairs)
     if len(fields) < len(pairs):
         keys = [key for key, _ in pairs]
-        raise ValueError(f"{max(keys, key=keys.count)!r:.80} is there twice")
+        raise ValueError(f"it contains the key {max(keys, key=keys.count)!r:.80} twice")
     for key, value in pairs:
         if isinstance(value, str) and (problem := text_problem(value)):
             raise ValueError(f"{key!r:.80} {problem}")
@@ -364,4 +396,4 @@ def _plain(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
 
 
 def _refuse(constant: str) -> None:
-    raise ValueError(f"{constant} is no number")
+    raise ValueError(f"{constant} is not a finite number")

@@ -1,1 +1,1 @@
-"""The site: written and checked."""
+"""Write the site and check it."""

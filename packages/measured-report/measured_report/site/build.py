@@ -1,4 +1,4 @@
-"""The site: the pages of every release that has results, drawn, then all put in place as a whole."""
+"""Build the site: write the pages of all measured releases and replace the old site."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
@@ -28,15 +28,19 @@ from measured_report.site.pages import site_files
 from measured_report.values.quantities import lost_reason
 
 OTHER_INPUTS = ("CITATION.cff", "LICENSE", FILE)
-"""Files that the site is made from, besides the folders."""
-BUILT = "site"  # what is kept of the last build
+"""Files that the site depends on, besides the folders in ``INPUTS``."""
+BUILT = "site"  # the name of the cache entry with the result of the last build
 
 Built = tuple[Mapping[str, Sequence[State]], Sequence[str]]
 """The sections of each release that are not fresh, and notes on the own release."""
 
 
 def build(project: Project, address: str = "") -> Built:
-    """Write the site, which may be known to lie at ``address``, whole or not at all."""
+    """Write the site and return the sections that are not fresh, with notes.
+
+    The old site is replaced only if all files can be written. ``address`` is the web
+    address of the site, if it is known.
+    """
     cache = Cache(project.root)
     with project.report, atomic.staging_folder(project.site) as fresh:
         digest = inputs_digest(project, address)
@@ -46,9 +50,9 @@ def build(project: Project, address: str = "") -> Built:
             and SUMS not in digests
             and any(project.site.iterdir())
         ):
-            elsewhere = f"{project.site.name} is a link to {project.site.resolve()}"
             raise ReportError(
-                f"{elsewhere}, where something lies that no build made; it was left alone"
+                f"{project.site.name} is a link to {project.site.resolve()}, which "
+                "contains files that no build wrote: move them or remove the link"
             )
         if previous := cache.get(BUILT, (digest, digests)):
             return previous
@@ -63,7 +67,7 @@ def build(project: Project, address: str = "") -> Built:
             atomic.write_file(fresh / name, content)
         atomic.write_file(fresh / SUMS, atomic.sums(atomic.digests_below(fresh)))
         atomic.put_in_place(project.site, fresh)
-        states = {name: [*_not_fresh(each)] for name, each in editions.items()}
+        states = {name: [*_not_fresh(edition)] for name, edition in editions.items()}
         built = (states, _notes(own) if own else [])
         cache.put(BUILT, (digest, atomic.digests_below(project.site)), built)
     return built
@@ -79,19 +83,19 @@ def _not_fresh(edition: Edition) -> Iterator[State]:
 
 
 def _notes(edition: Edition) -> list[str]:
-    """Say what of an edition is no answer, and what can't be told or is not there."""
-    lost = [
-        f"{name}: its words print what is not there: {reason}"
+    """Return notes on missing numbers and claims, blind spots and unused settings."""
+    missing = [
+        f"{name}: its text prints a missing number: {reason}"
         for name, chapter in edition.chapters.items()
-        for item in (chapter.prose.printed if chapter.prose else ())
-        if (reason := lost_reason(item))
+        for value in (chapter.prose.printed if chapter.prose else ())
+        if (reason := lost_reason(value))
     ]
-    return gaps(edition) + lost + blind_spots(edition) + idle_settings(edition)
+    return gaps(edition) + missing + blind_spots(edition) + idle_settings(edition)
 
 
 def inputs_digest(project: Project, address: str = "") -> str:
-    """Digest all that the site is made from."""
-    # The last two are often the same, but for the results.
+    """Return a digest of everything that the site depends on."""
+    # The last two folders are often the same. Results are read from the second only.
     roots = {GENERATOR: ["."], project.report.root: INPUTS[:-1], project.root: INPUTS}
     digests = [
         files_digest([*_inputs(root, folders)], root) for root, folders in roots.items()
@@ -102,7 +106,7 @@ def inputs_digest(project: Project, address: str = "") -> str:
 
 
 def _inputs(root: Path, folders: Sequence[str]) -> Iterator[Path]:
-    """Yield the files of a report; larger ones are refused by their readers."""
+    """Yield the files of a report up to the size limit of their readers."""
     paths = [root / name for name in OTHER_INPUTS]
     for folder in folders:
         paths += (root / folder).rglob("*")

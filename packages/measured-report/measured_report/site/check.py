@@ -1,4 +1,7 @@
-"""Check of a built site: its numbers are those of the data, and it needs nothing from elsewhere."""
+"""Check a built site: its numbers must be those of its data, and its links must work.
+
+A page must also not run or fetch anything that is not a part of the site.
+"""
 
 import re
 from collections.abc import Collection, Iterator, Mapping, Sequence
@@ -11,15 +14,18 @@ from measured_report.files.config import report as current_report
 from measured_report.pages.prose import LAYOUT
 from measured_report.site.check_numbers import Data, Number, check_number
 
-SCRIPT = "page.js"  # the one script that pages run: the project's own, beside them
+SCRIPT = "page.js"  # the script of all pages
 SCHEMES = {"", "http", "https", "mailto"}
-"""Of addresses that a page may lead to; nothing that it leads to may run in it."""
+"""Schemes of addresses that a page may link to; others can run code: ``javascript``."""
 FETCHING = (
     "src srcset poster data xlink:href background action formaction ping manifest"
 )
-"""Attributes whose address a browser fetches or sends to, as it does every href but that of ``a``."""
+"""Attributes with an address that a browser fetches or sends data to.
+
+The attribute ``href`` is fetched, too, except in an element ``a``.
+"""
 ACTIVE = "iframe frame object embed applet base form portal set animate"
-"""Elements that run, hold another page, or change where links lead."""
+"""Elements that run code, contain another page, or change the targets of links."""
 OUTCOMES = {"holds", "fails", "unknown"}
 FETCHING_STYLE = re.compile(r"@import|url\(\s*['\"]?(?!#|data:)", re.IGNORECASE)
 UNREADABLE = (
@@ -34,7 +40,7 @@ UNREADABLE = (
 
 
 class PageReader(HTMLParser):
-    """Read a page or a drawing: its numbers, and what it leads to, fetches and runs."""
+    """Collect the numbers, claims, links, scripts and fetched files of a page."""
 
     def __init__(self, html: str):
         super().__init__()
@@ -46,7 +52,7 @@ class PageReader(HTMLParser):
         self.numbers: list[Number] = []
         self.scripts: list[tuple[Mapping[str, str], list[str]]] = []
         self.styles = ""
-        self._tag = ""  # the element that began last, while nothing ended behind it
+        self._tag = ""  # the last start tag; empty after an end tag
         self._attributes: Mapping[str, str] = {}
         self._text = ""
         self._is_code = False
@@ -98,12 +104,12 @@ Pages = Mapping[Path, PageReader]
 
 
 def check_site(site: Path, report: Report | None = None) -> list[str]:
-    """Say what is wrong with the site in folder ``site``, a line each; empty when nothing is."""
+    """Return the problems of the site in folder ``site``, one line for each."""
     try:
         return list(_problems_of(site.resolve(), report or current_report()))
     except UNREADABLE as error:
         text = " ".join(str(error).split())
-        return [f"it can't be read: {type(error).__name__}: {text:.200}"]
+        return [f"the site cannot be read: {type(error).__name__}: {text:.200}"]
 
 
 def _problems_of(site: Path, report: Report) -> Iterator[str]:
@@ -120,7 +126,9 @@ def _problems_of(site: Path, report: Report) -> Iterator[str]:
         ]
         for claim in page.claims:
             if claim.get("data-outcome") not in OUTCOMES:
-                problems.append(f"the claim {claim['data-claim']} has no outcome")
+                problems.append(
+                    f"the claim {claim['data-claim']} does not have an outcome"
+                )
         for number in page.numbers:
             problems += check_number(number, data)
         yield from (f"{path.relative_to(site)}: {problem}" for problem in problems)
@@ -132,32 +140,32 @@ def _problems_of(site: Path, report: Report) -> Iterator[str]:
     allowed = {(LAYOUT / SCRIPT).read_text(encoding="utf-8"), *scripts}
     for path in sorted(site.rglob("*.js")):
         if path.read_text(encoding="utf-8", errors="replace") not in allowed:
-            yield f"{path.relative_to(site)} is not the project's script"
+            yield f"{path.relative_to(site)} is not a script of the project"
     for path in sorted(site.rglob("*.css")):
         if FETCHING_STYLE.search(path.read_text(encoding="utf-8")):
-            yield f"{path.relative_to(site)} fetches something"
+            yield f"{path.relative_to(site)} fetches a file"
     if not (site / "index.html").is_file():
         yield "there is no index.html"
 
 
 def _check_safety(page: PageReader, scripts: Collection[str]) -> Iterator[str]:
-    """Say what runs on a page, or is fetched for it, that is not the report's own."""
+    """Yield the scripts and fetched files of a page that are not parts of the site."""
     yield from (f"<{tag}> runs a script" for tag in page.active)
     for attributes, texts in page.scripts:
         text = "".join(texts)
-        # A file's bytes are checked where they lie, so that it need only be one of the site.
+        # The contents of script files are checked by _problems_of.
         is_file = attributes.get("src", "").endswith(".js") and not text.strip()
         is_plain = is_file and attributes.keys() <= {"src", "defer"}
         if not is_plain and (attributes or text not in scripts):
-            yield "a script runs that is not the project's own"
+            yield "it runs a script that is not the project's own"
     for address in page.fetched:
         parts = _parts(address)
         is_data = parts.scheme == "data"
         is_image = is_data and parts.path.startswith((",", "image/", "font/"))
         if parts.netloc or (parts.scheme and not is_image):
-            yield f"{address} is fetched from elsewhere"
+            yield f"{address} is fetched from another site"
     if FETCHING_STYLE.search(page.styles):
-        yield "a style fetches something"
+        yield "a style fetches a file"
 
 
 def _check_links(
@@ -168,7 +176,7 @@ def _check_links(
             yield f"the id {name} is not unique"
     for address in page.links:
         if _parts(address).scheme not in SCHEMES:
-            yield f"{address} is no address that a page may lead to"
+            yield f"a link to {address} is not allowed"
     for address in page.links + page.fetched:
         parts = _parts(address)
         if parts.scheme or parts.netloc:
@@ -180,11 +188,11 @@ def _check_links(
         elif not target.exists() or (
             target in pages and fragment and fragment not in pages[target].ids
         ):
-            yield f"{address} leads nowhere"
+            yield f"{address} does not exist"
 
 
 def _parts(address: str) -> SplitResult:
-    """Read an address as browsers do, which pass over blanks and control characters, and take \\ for /."""
+    """Split an address as browsers do, without control characters and with / for \\."""
     try:
         return urlsplit(re.sub("[\x00-\x20\x7f-\x9f]", "", address).replace("\\", "/"))
     except ValueError:

@@ -1,4 +1,4 @@
-"""Check of the numbers on a page: each is the number that its source has."""
+"""Check that each number on a page is the number in its source."""
 
 import json
 from collections.abc import Iterator, Mapping
@@ -12,11 +12,11 @@ from measured_report.values.quantities import NOISE_FILE, VALUES_FILE
 
 UNRESOLVED = (OSError, ValueError, LookupError, TypeError)
 Number = tuple[Mapping[str, str], str, bool]
-"""Attributes and text of an element, and whether it is a part of code."""
+"""The attributes and the text of an element, and whether it is inside ``code``."""
 
 
 class Data:
-    """Read the data that a page's numbers point into."""
+    """Read the files of data to which the numbers of pages point."""
 
     def __init__(self, folder: Path, report: Report):
         self.folder = folder
@@ -27,10 +27,10 @@ class Data:
         return json.loads((self.folder / name).read_text(encoding="utf-8"))
 
     def number(self, source: str) -> tuple[float | int | None, float | None]:
-        """Return a number and its noise; raise an error if the pointer leads nowhere.
+        """Return a number and its noise; raise an error if the pointer is invalid.
 
-        The noise of a derived value stands beside it. That of a cell comes from all
-        measurements and stands in a file of its own.
+        The entry of a derived value contains its noise. The noise of a cell is computed
+        from all measurements, and is in a separate file.
         """
         name, _, pointer = source.partition("#")
         cell = _resolve(self.file(name), pointer)
@@ -45,7 +45,7 @@ class Data:
 
 
 def check_number(number: Number, data: Data) -> Iterator[str]:
-    """Say what is wrong with a number that a page shows."""
+    """Yield the problem with a number on a page, if there is one."""
     attributes, printed, is_code = number
     source = attributes.get("data-src", "")
     try:
@@ -53,11 +53,11 @@ def check_number(number: Number, data: Data) -> Iterator[str]:
         write = WRITES[attributes.get("data-as", "")]
         text = format_code(value) if is_code else write(value, noise=noise)
     except UNRESOLVED:
-        yield f"{source} resolves to nothing"
+        yield f"{source} does not point to a number"
         return
     stated = json.loads(attributes.get("value") or "null")
     if stated != value or printed != text:
-        yield f"{source} is {value}, but {printed} ({stated}) is shown"
+        yield f"{source} is {value}, but the page shows {printed} ({stated})"
 
 
 def _resolve(data: Any, pointer: str) -> Any:

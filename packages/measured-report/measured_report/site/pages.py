@@ -1,4 +1,4 @@
-"""The pages of a site, its figures, and the data beside them."""
+"""Return the files of a site: its pages, figures and data."""
 
 import csv
 import io
@@ -30,18 +30,16 @@ from measured_report.site.series import series_page
 from measured_report.values.quantities import NOISE_FILE, VALUES_FILE, local
 from measured_report.values.results import MEANS, Row
 
-FORMULA = (
-    *"=+-@\t\r\n",
-    *"＝＋－＠",
-)  # begins a formula in a spreadsheet, as OWASP has it
+FORMULA = (*"=+-@\t\r\n", *"＝＋－＠")
+"""First characters of a formula in a spreadsheet, by OWASP's page on CSV injection."""
 POINTERS = re.compile(' data-src="([^"]+)"')
 IDS = re.compile(r' id="([^"]+)"')
 LINK = re.compile(r'(?<= href=")#([\w-]+)(?=")')
-"""A link to an id on some page."""
+"""Matches a link to an id, which may be on another page."""
 CITED = re.compile(r'(?<=<sup class="cited">)(\w+)(?=</sup>)')
-"""The name of a source, whose number only the page knows."""
+"""Matches the name of a source, which each page replaces by its own number."""
 File = str | bytes | Path
-ICON = "favicon.svg"  # a report's own, in its ``assets/``, which need not be there
+ICON = "favicon.svg"  # an optional file in the report's folder ``assets/``
 LOGO = "static/logo.svg"
 AUTHOR = re.compile(
     r"""
@@ -53,7 +51,7 @@ AUTHOR = re.compile(
 
 
 def citation(report: Report) -> dict[str, Any]:
-    """Read how the report is cited, ``CITATION.cff``, with names as people write them."""
+    """Return the title, license and authors in ``CITATION.cff``, first names first."""
     text = (report.root / "CITATION.cff").read_text(encoding="utf-8")
     fields = dict(re.findall(r"(?m)^(title|license): *(.+)$", text))
     authors = [
@@ -69,7 +67,7 @@ def citation(report: Report) -> dict[str, Any]:
 
 @dataclass(frozen=True)
 class Content:
-    """Collect what one page of an edition shows."""
+    """Hold the texts and chapters of one page of an edition."""
 
     page: Page
     texts: list[Prose]  # the first has the title of the page
@@ -77,12 +75,12 @@ class Content:
 
     @property
     def parts(self) -> list[Prose]:
-        said = [chapter.prose for chapter in self.chapters if chapter.prose]
-        return [*self.texts, *said]
+        proses = [chapter.prose for chapter in self.chapters if chapter.prose]
+        return [*self.texts, *proses]
 
     @property
     def cited(self) -> list[str]:
-        """List the sources that its words cite, each once."""
+        """Return the names of all sources that the page cites, in order."""
         bodies = "".join(part.body for part in self.parts)
         return list(dict.fromkeys(CITED.findall(bodies)))
 
@@ -90,9 +88,9 @@ class Content:
 def contents_of(
     editions: Mapping[str, Edition], release: str, templates: Templates
 ) -> list[Content]:
-    """Put the pages of a release into words."""
+    """Return the contents of all pages of a release."""
     edition = editions[release]
-    releases = {other: side.uncompared for other, side in editions.items()}
+    releases = {label: other.uncompared for label, other in editions.items()}
     names = {
         "false_alarms": rate_values(edition),
         "calibration": calibration_values(edition),
@@ -106,20 +104,21 @@ def contents_of(
 def site_files(
     editions: Mapping[str, Edition], release: str, templates: Templates, address: str
 ) -> dict[str, File]:
-    """Return the files of a site by name; the pages of ``release`` are the first.
+    """Return the files of a site by name.
 
-    The site is known to lie at ``address``, unless that is empty.
+    The pages of ``release`` are at the root of the site. ``address`` is the web address
+    of the site, or empty if it is not known.
     """
-    shown = editions[release]
-    root, own = shown.project.root, shown.project.results.name
+    first = editions[release]
+    root, own = first.project.root, first.project.results.name
     contents = {name: contents_of(editions, name, templates) for name in editions}
     releases = {name: edition.chapters for name, edition in editions.items()}
     if history := series_page(releases, templates):
         contents[release].append(Content(SERIES, [history], []))
-    cited = citation(shown.report)
+    cited = citation(first.report)
     files: dict[str, File] = {".gitkeep": ""}
     layouts = {"404.html": "404.html.j2", "data/README.txt": "data.txt.j2"}
-    if address:  # a feed has whole addresses
+    if address:  # a feed needs absolute addresses
         layouts["feed.xml"] = "feed.xml.j2"
     shared = {"address": address, "editions": editions, "contents": contents, **cited}
     for name, template in layouts.items():
@@ -131,7 +130,7 @@ def site_files(
         "origins": json.dumps(_origins(editions), ensure_ascii=False),
         "site_address": address,
         "measurable": sections(root),
-        "derived": {name for each in editions.values() for name in each.chapters},
+        "derived": {name for edition in editions.values() for name in edition.chapters},
         "icon": ICON if (root / "assets" / ICON).is_file() else "",
         "logo": LOGO if (root / LOGO).is_file() else "",
     }
@@ -148,7 +147,7 @@ def site_files(
         for sources in POINTERS.findall(str(html))
         for pointer in sources.split()
     }
-    # As other releases have them.
+    # The pointers of the first release's derived values do not contain its folder.
     printed = {
         f"{own}/{pointer}" if pointer.startswith(VALUES_FILE) else pointer
         for pointer in pointers
@@ -159,13 +158,13 @@ def site_files(
         folder = f"data/{edition.project.results.name}"
         files[local(f"{folder}/{VALUES_FILE}", own)] = values
         files[f"{folder}/{NOISE_FILE}"] = _noises(edition, printed)
-    if (license_file := shown.report.root / "LICENSE").is_file():
+    if (license_file := first.report.root / "LICENSE").is_file():
         files["license.txt"] = license_file
     return files
 
 
 def _origins(editions: Mapping[str, Edition]) -> dict[str, str]:
-    """Say of each record where and when it was measured."""
+    """Return the release, the machine and the time of each record's measurement."""
     origins = {}
     for edition in editions.values():
         for chapter in edition.chapters.values():
@@ -184,17 +183,17 @@ def _pages(
 ) -> dict[str, str]:
     """Return the pages of an edition as HTML by file."""
     address = about["site_address"]
-    places = {
+    files = {
         anchor: content.page.file
         for content in reversed(contents)
         for number, prose in enumerate(content.parts)
-        # The first part is the page itself.
+        # The first part is the page itself, which does not have an id.
         for anchor in [*IDS.findall(prose.body), *([prose.anchor] if number else [])]
     }
     names = {
         **about,
         "edition": edition,
-        "contents": [_linked(content, places, edition) for content in contents],
+        "contents": [_linked(content, files, edition) for content in contents],
         "root": edition.root,
         "address": address and address + edition.folder,
     }
@@ -206,16 +205,16 @@ def _pages(
     return pages
 
 
-def _linked(content: Content, places: Mapping[str, str], edition: Edition) -> Content:
-    """Let links to ids lead to the page with the id, and number the citations.
+def _linked(content: Content, files: Mapping[str, str], edition: Edition) -> Content:
+    """Complete links to ids on other pages, and number the citations.
 
-    If the place was left out, a link leads to the front page, which says so.
+    A link to content that was left out leads to the front page, which gives the reason.
     """
     numbers = {name: number for number, name in enumerate(content.cited, 1)}
     front = edition.report.settings.front.file if edition.left_out else ""
 
     def link(match: re.Match[str]) -> str:
-        if not (file := places.get(match[1])):
+        if not (file := files.get(match[1])):
             return front or match[0]
         return match[0] if file == content.page.file else file + match[0]
 
@@ -227,30 +226,32 @@ def _linked(content: Content, places: Mapping[str, str], edition: Edition) -> Co
         )
         return replace(prose, body=Markup(body))
 
-    chapters = [replace(each, prose=linked(each.prose)) for each in content.chapters]
+    chapters = [
+        replace(chapter, prose=linked(chapter.prose)) for chapter in content.chapters
+    ]
     return Content(content.page, [*map(linked, content.texts)], chapters)
 
 
 def _files(edition: Edition) -> dict[str, File]:
-    """Return what lies beside the pages of an edition: styles, drawings, downloads and data."""
+    """Return the other files of an edition: styles, drawings, downloads and data."""
     root, project = edition.project.root, edition.project
     paths = {"page.js": LAYOUT / "page.js", ICON: root / "assets" / ICON}
     for path in (root / "static").rglob("*"):
         paths[path.relative_to(root).as_posix()] = path
-    beside: dict[str, File] = {
+    files: dict[str, File] = {
         name: path for name, path in paths.items() if path.is_file()
     }
-    beside["style.css"] = stylesheet(root)
+    files["style.css"] = stylesheet(root)
     style = f"><style>{(LAYOUT / 'theme.css').read_text(encoding='utf-8')}</style>"
-    said = [chapter.section for chapter in edition.chapters.values()]
-    for section in [*said, *edition.stories.values()]:
+    chapter_sections = [chapter.section for chapter in edition.chapters.values()]
+    for section in [*chapter_sections, *edition.stories.values()]:
         for figure in section.figures.values():
             for end, svg in zip(("", "-narrow"), figure.pictures, strict=False):
-                # A drawing has the colours and the font of the page.
+                # A drawing is a separate file, so it needs the colours and the font.
                 drawing = svg.replace(">", style, 1)
-                beside[f"figures/{figure.anchor}{end}.svg"] = drawing
+                files[f"figures/{figure.anchor}{end}.svg"] = drawing
         for name, text in section.downloads.items():
-            beside[f"download/{name}"] = text
+            files[f"download/{name}"] = text
     data: dict[str, File] = {path.name: path for path in edition.plugins.data}
     for chapter in edition.chapters.values():
         record, path = chapter.results.record, chapter.results.path
@@ -260,16 +261,18 @@ def _files(edition: Edition) -> dict[str, File]:
         if path.stem in edition.replicas:
             data[f"{FOLDER}/{path.name}"] = path
     return {
-        **{edition.folder + name: file for name, file in beside.items()},
+        **{edition.folder + name: file for name, file in files.items()},
         **{f"data/{project.results.name}/{name}": file for name, file in data.items()},
         **edition.plugins.files,
     }
 
 
 def _values(edition: Edition, printed: set[str]) -> str:
-    """Write derived values; of means of measurements those that are used somewhere."""
+    """Return the derived values and the used means of measurements as JSON."""
     chapters = edition.chapters
-    derived = {name: dict(each.results.derived) for name, each in chapters.items()}
+    derived = {
+        name: dict(chapter.results.derived) for name, chapter in chapters.items()
+    }
     used = printed.union(
         *(value.sources for values in derived.values() for value in values.values())
     )
@@ -291,7 +294,7 @@ def _values(edition: Edition, printed: set[str]) -> str:
 
 
 def _noises(edition: Edition, printed: set[str]) -> str:
-    """Write the noise of each cell of the edition's records that a page prints."""
+    """Return the noise of each cell that a page prints, as JSON."""
     noises = {}
     for chapter in edition.chapters.values():
         for index in range(len(chapter.results.record.rows)):
@@ -303,7 +306,11 @@ def _noises(edition: Edition, printed: set[str]) -> str:
 
 
 def rows_csv(rows: Sequence[Mapping[str, Any]]) -> str:
-    """Write rows as a table; what a row lacks is empty, and text like a formula is quoted."""
+    """Return rows as CSV.
+
+    Missing cells are empty. A text that a spreadsheet would take for a formula gets an
+    apostrophe in front.
+    """
     text = io.StringIO()
     columns = dict.fromkeys(chain.from_iterable(rows))
     table = csv.DictWriter(text, columns, lineterminator="\n")

@@ -1,4 +1,4 @@
-"""Series: the page that shows each headline in all editions, and where it changed."""
+"""Write the page History: all headlines in all editions, with marks for changes."""
 
 from measured_report.changes.query import Query, points, schema_of
 from measured_report.files.config import Page
@@ -12,7 +12,7 @@ PAGE = Page("history")
 
 
 def series_page(releases: Releases, templates: Templates) -> Prose | None:
-    """Return a page with each headline that two editions have, or more; None without."""
+    """Return a page with the headlines that at least two editions have, or None."""
     columns = next(filter(None, map(schema_of, releases.values())), None)
     if columns is None or PAGE.name in {page.name for page in columns.settings.pages}:
         return None
@@ -21,9 +21,11 @@ def series_page(releases: Releases, templates: Templates) -> Prose | None:
         query = Query(value, label=label)
         marks = {point.release: point.mark for point in points(releases, query)}
         if len(marks) > 1:
-            found = {name: query.quantity(releases[name]) for name in marks}
+            quantities = {name: query.quantity(releases[name]) for name in marks}
+            # The row has the unit, so the numbers are printed without it.
             numbers = {
-                name: getattr(each, "bare", each) for name, each in found.items()
+                name: getattr(quantity, "bare", quantity)
+                for name, quantity in quantities.items()
             }
             name = f"{label} [{unit_label(columns[query.column].unit)}]"
             rows.append((name, numbers, marks))

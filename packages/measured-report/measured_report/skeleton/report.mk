@@ -12,8 +12,8 @@ override export PYTHON := $(if $(READY),.venv/bin/python,$(value PYTHON))
 unexport PYTHONSAFEPATH PYTHONDONTWRITEBYTECODE MAKEFLAGS
 
 .DEFAULT_GOAL := report
-override ASKED := $(filter-out .venv/.ready $(OWN),$(or $(MAKECMDGOALS),$(.DEFAULT_GOAL)))
-.PHONY: $(ASKED)
+override GOALS := $(filter-out .venv/.ready $(OWN),$(or $(MAKECMDGOALS),$(.DEFAULT_GOAL)))
+.PHONY: $(GOALS)
 override export GOAL = $@
-$(ASKED): $(READY)
+$(GOALS): $(READY)
 	@"$$PYTHON" build.py "$$GOAL"

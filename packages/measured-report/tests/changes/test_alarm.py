@@ -74,7 +74,9 @@ def test_each_damaged_replica_is_said_by_itself(toy, form):
         folder.mkdir(exist_ok=True)
         (folder / f"{name}.tgz").write_bytes(b"")
     text = check_text(derive_edition(toy.project), form, say)
-    assert all(f"{name}.tgz is not as it was sealed" in text for name in ("a", "b"))
+    assert all(
+        f"{name}.tgz was changed after it was sealed" in text for name in ("a", "b")
+    )
 
 
 @pytest.mark.parametrize(

@@ -130,15 +130,15 @@ def test_between_two_commits_of_one_repository_its_commits_are_searched(toy, che
         release_of(f"{checkout}@{reference}") for reference in (commits[0], "main")
     )
     points = points_between(toy.project, first, last)
-    folder = first.asked.rpartition("@")[0]
+    folder = first.spec.rpartition("@")[0]
     assert points == [
-        first.asked,
+        first.spec,
         *(f"{folder}@{commit}" for commit in commits[1:3]),
-        last.asked,
+        last.spec,
     ]
     assert release_of(points[1]).source == f"g{commits[1][:7]}"
     assert points_between(toy.project, first, release_of("1.4.0")) == [
-        first.asked,
+        first.spec,
         "1.4.0",
     ]
 

@@ -377,7 +377,7 @@ def test_code_that_changes_while_it_runs_is_not_certified(simple, monkeypatch):
         monkeypatch,
         lambda: change(simple, {"one": BODY.format("x = x + 8.0")}, is_committed=False),
     )
-    assert "the code of one changed meanwhile" in carry_all(simple, "one")["one"]
+    assert "the code of one changed in the meantime" in carry_all(simple, "one")["one"]
     assert simple.record_path("one").read_bytes() == before
 
 
@@ -386,7 +386,7 @@ def test_a_newer_record_is_not_replaced(simple, monkeypatch):
     path = simple.record_path("one")
     newer = replace(load_record(path), rows=[{"case": "a", "value_mm": 5.0}])
     while_it_runs(monkeypatch, lambda: write_record(path, newer))
-    assert "was written by another command meanwhile" in carry_all(simple, "one")["one"]
+    assert "was changed by another command" in carry_all(simple, "one")["one"]
     assert load_record(path).rows == newer.rows
 
 

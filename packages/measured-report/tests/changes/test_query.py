@@ -8,7 +8,7 @@ from toys import EXPERIMENT, MODULE, ROWS
 from measured_report.files.config import report
 from measured_report.files.errors import ReportError
 from measured_report.files.settings import Changes, Columns
-from measured_report.measuring.run import believable
+from measured_report.measuring.run import plausible_row
 from measured_report.site.build import build
 
 RULES = Changes(
@@ -117,7 +117,7 @@ def gaps_of(toy) -> list[str]:
 def test_what_is_no_number_and_rows_that_nothing_tells_apart_are_said_when_the_site_is_built(
     toy,
 ):
-    nan = believable(
+    nan = plausible_row(
         {"case": "firm", "slip_mm": float("nan"), "dropped": False}, report().columns
     )
     toy.measure((ROWS[0], nan, ROWS[1], {**ROWS[1], "slip_mm": 0.4}))
@@ -125,7 +125,7 @@ def test_what_is_no_number_and_rows_that_nothing_tells_apart_are_said_when_the_s
         "toy: case stiff has several rows that cannot be distinguished",
         "toy: firm has no slip_mm: the measurement gave nan",
         "toy.helps cannot tell: there are 2 rows of case stiff",
-        "toy: its words print what is not there: there are 2 rows of case stiff",
+        "toy: its text prints a missing number: there are 2 rows of case stiff",
     ]
 
 

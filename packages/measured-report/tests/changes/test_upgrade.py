@@ -60,7 +60,7 @@ def test_what_was_asked_for_is_tried_before_a_base_is_measured_for_it(toy, monke
     def refuse(project, release, *others):
         raise UsageError(f"{release} cannot run the scene")
 
-    monkeypatch.setattr(upgrade, "measure_what_can", refuse)
+    monkeypatch.setattr(upgrade, "measure_available", refuse)
     asked = Namespace(
         device="cpu",
         since=release_of("1.8.0"),
@@ -119,7 +119,7 @@ def test_an_upgrade_says_first_what_it_measures_of_both(toy, monkeypatch, capsys
         replace(toy, project=project).measure()
         return project, True
 
-    monkeypatch.setattr(upgrade, "measure_what_can", measure)
+    monkeypatch.setattr(upgrade, "measure_available", measure)
     asked = Namespace(
         device="cpu",
         since=release_of("1.8.0"),

@@ -98,7 +98,7 @@ def test_what_is_kept_of_a_path_names_nobody(
     for spec, asked in specs.items():
         release = release_of(spec)
         assert (
-            release.asked == asked
+            release.spec == asked
             and release_of(asked).package_version == release.package_version
         )
     assert str(UsageError(f"{home}/x and file://{home}/x")) == "~/x and file://~/x"
@@ -119,7 +119,7 @@ def test_a_host_s_name_is_in_no_record(monkeypatch):
 def test_with_names_packages(tmp_path):
     release = release_of("1.8", "warp-lang==1.19.0 mujoco-warp==4.0.0")
     assert str(release) == "1.8.0+mujoco-warp-4.0.0+warp-1.19.0"
-    assert release_of(str(release)) == replace(release, asked=str(release))
+    assert release_of(str(release)) == replace(release, spec=str(release))
     for bad in ("warp", "numpy==1.0", "warp-lang>=1", "warp-lang==1.0;x"):
         with pytest.raises(UsageError, match="WITH="):
             release_of("1.8.0", bad)
@@ -137,8 +137,8 @@ def test_nothing_of_the_generator_is_installed_beside_what_is_measured_and_all_o
         "NUMPY=1.26.4",
         ["--requirement", os.devnull],
     )
-    environment._lend(folder)
-    environment._lend(folder)
+    environment._link_generator(folder)
+    environment._link_generator(folder)
     (tmp_path / "report.toml").write_text('edition = "numpy"\n')
     code = "import measured_report.measuring.run, measured_report.records.traces, sys; print('pandas' in sys.modules)"
     bare = {name: value for name, value in os.environ.items() if name != "PYTHONPATH"}
@@ -188,12 +188,12 @@ def test_a_measurement_refuses_what_is_not_installed():
 
 
 def test_one_machine_never_takes_the_place_of_another(toy, capsys):
-    assert measure.kept_by(toy.project, "cpu") == toy.project
-    assert measure.kept_by(toy.project, "nvidia-h200").release == "1.4.0@nvidia-h200"
+    assert measure.project_of(toy.project, "cpu") == toy.project
+    assert measure.project_of(toy.project, "nvidia-h200").release == "1.4.0@nvidia-h200"
     assert "1.4.0@nvidia-h200" in capsys.readouterr().out
     apart = toy.project.of("1.4.0@nvidia-h200")
-    assert measure.kept_by(apart, "nvidia-h200") == apart
+    assert measure.project_of(apart, "nvidia-h200") == apart
     with pytest.raises(UsageError, match="nvidia-h200"):
-        measure.kept_by(apart, "cpu")
+        measure.project_of(apart, "cpu")
     record = toy.record(machine={"device": "cuda", "gpu": "NVIDIA H100 80GB HBM3"})
     assert machine.machine_of(record) == "nvidia-h100-80gb-hbm3"

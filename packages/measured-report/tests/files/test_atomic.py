@@ -92,7 +92,7 @@ def test_damage_elsewhere_leaves_the_page_and_is_named(toy):
     ]
     left_out = editions_of(toy.project)["1.8.0"].left_out
     assert [(state.kind, state.notes) for state in left_out] == [
-        ("damaged", (f"newton-1.8.0/toy.json is no whole record: {line}",))
+        ("damaged", (f"newton-1.8.0/toy.json is not a valid record: {line}",))
     ]
 
 

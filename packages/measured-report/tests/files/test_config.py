@@ -70,7 +70,7 @@ TEXT = (SKELETON / "report.toml").read_text(encoding="utf-8")
         (
             'mj" = 0.05',
             'mj" = -0.05',
-            "changes.thresholds has pendulum.euler.energy_error_mj not above 0",
+            "the threshold of pendulum.euler.energy_error_mj in changes.thresholds is not above 0",
         ),
         ("title =", 'repository = "nowhere"\ntitle =', "Expected `str` matching regex"),
     ],

@@ -303,7 +303,10 @@ def test_what_others_may_write_is_no_cache(tmp_path, monkeypatch, capsys):
     assert mine.get("a", 1) == "value"
     mine.folder.chmod(0o777)
     _is_ours.cache_clear()
-    assert mine.get("a", 1) is None and "writable for others" in capsys.readouterr().err
+    assert (
+        mine.get("a", 1) is None
+        and "other users can write to it" in capsys.readouterr().err
+    )
     mine.folder.chmod(0o700)
     monkeypatch.setattr("os.geteuid", lambda: mine.folder.stat().st_uid + 1)
     _is_ours.cache_clear()

@@ -16,7 +16,7 @@ from measured_report.measuring.batch import Batch, Result
 from measured_report.measuring.host import Accelerator
 from measured_report.measuring.machine import measuring_device
 from measured_report.measuring.pool import environments, host_pools
-from measured_report.measuring.run import Loop, believable
+from measured_report.measuring.run import Loop, plausible_row
 from measured_report.records.record import load_record
 
 MACHINE = {
@@ -32,7 +32,7 @@ MACHINE = {
 class Pool:
     """Runs nothing by itself."""
 
-    lost = BrokenPipeError
+    killed = BrokenPipeError
 
     def __init__(self, limit: int):
         self.limit = limit
@@ -144,13 +144,13 @@ def test_a_number_that_no_record_may_hold_is_none_and_says_what_it_was():
     }
     lost = ("way_mm", "pause_s", "far_mm", "pull_n")
     reasons = {f"{name}_reason": f"the measurement gave {row[name]}" for name in lost}
-    assert believable(row, report().columns) == {
+    assert plausible_row(row, report().columns) == {
         **row,
         **dict.fromkeys(lost),
         **reasons,
     }
     with pytest.raises(ReportError, match=r"column 'Way \[mm\]' has an invalid name"):
-        believable({"Way [mm]": 1.0}, report().columns)
+        plausible_row({"Way [mm]": 1.0}, report().columns)
 
 
 def test_a_cpu_measures_where_there_is_nothing_else(toy, monkeypatch):

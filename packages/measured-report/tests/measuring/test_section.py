@@ -121,7 +121,10 @@ def test_a_killed_process_costs_nothing_but_what_it_measured(toy, log, capsys):
         capsys.readouterr().err,
         "the process of die was killed twice, the second time alone: use less memory",
     )
-    assert "the process of mortal/die was killed; it is tried again alone" in lines
+    assert (
+        "the process of mortal/die was killed; the batch is measured again alone"
+        in lines
+    )
     assert (
         f"doomed could not be measured (an existing record is kept): {reason}" in lines
     )
@@ -275,15 +278,15 @@ NEWER = """path = Path("results/newton-1.4.0/toy.json").resolve()
 @pytest.mark.parametrize(
     ("event", "reason", "case"),
     [
-        (EDIT, "the code of toy changed meanwhile: nothing was written", "soft"),
+        (EDIT, "the code of toy changed in the meantime", "soft"),
         (
             f"from experiments.scene import slip; {IMPORT}",
-            "the code of toy changed meanwhile",
+            "the code of toy changed in the meantime",
             "soft",
         ),
         (
             NEWER,
-            "newton-1.4.0/toy.json was written by another command meanwhile",
+            "newton-1.4.0/toy.json was changed by another command",
             "newer",
         ),
     ],

@@ -73,7 +73,7 @@ def test_greater_is_by_more_than_the_noise_of_the_difference_and_less_is_the_opp
     found = [said(greater(*pair, why="chosen")) for pair in ((a, b), (b, a))]
     expected = ["near", "near"] if (a, b) in UNSURE else ["holds", "the opposite"]
     assert found == expected
-    assert greater(mm(2.0, None), mm(1.0)).reason == "nobody measured its noise"
+    assert greater(mm(2.0, None), mm(1.0)).reason == "its noise was not measured"
     assert greater(mm(None, None, reason="it fell"), mm(1.0)).reason == "it fell"
 
 

@@ -25,5 +25,7 @@ def test_a_statement_says_that_it_is_not_measured_here(toy):
     )
     assert check_site(toy.project.site) == []
     toy.write("templates/sources.toml", '[lore]\npackage = "newton"\n')
-    with pytest.raises(ReportError, match=r"sources\.toml: lore needs url"):
+    with pytest.raises(
+        ReportError, match=r"sources\.toml: lore has neither a url nor a package"
+    ):
         toy.build()

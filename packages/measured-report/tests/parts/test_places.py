@@ -58,7 +58,9 @@ def test_numbers_of_a_column_stand_with_their_points_below_each_other():
         '<th scope="col" class="number">a [mm]</th>'
         in Table(pd.DataFrame({"a": [mm(1)]})).rendered().frame
     )
-    with pytest.raises(ResultsError, match=r"the number 1\.5 in a table says nothing"):
+    with pytest.raises(
+        ResultsError, match=r"the number 1\.5 in a table does not have a source"
+    ):
         cells(mm(0.5), 1.5)
 
 

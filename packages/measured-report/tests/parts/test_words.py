@@ -15,18 +15,22 @@ ASKS = "{% asks %} whether it helps\n"
         (
             "claim helps",
             "claim hepls",
-            r"sections/toy.md.j2: there is no claim hepls; there are: helps",
+            r"sections/toy.md.j2: the section does not have a claim hepls: .* one of helps",
         ),
-        (ASKS, "", r"sections/toy.md.j2:3: claim helps has no {% asks %}"),
+        (
+            ASKS,
+            "",
+            r"sections/toy.md.j2:3: claim helps does not have {% asks %}: add it",
+        ),
         (
             "{% alt %} It moves {{ slip }}.",
             "",
-            r"sections/toy.md.j2:11: figure way has no {% alt %}",
+            r"sections/toy.md.j2:11: figure way does not have {% alt %}: add it",
         ),
         (
             "{% holds %}",
             "Well: {% holds %}",
-            r"sections/toy.md.j2:3: .*belongs behind one of its tags",
+            r"sections/toy.md.j2:3: claim helps has text before its first tag: move it",
         ),
         (
             "{{ gain }}",
@@ -36,29 +40,33 @@ ASKS = "{% asks %} whether it helps\n"
         (
             "It helps {{ gain }}",
             "It helps {{ 3 }}",
-            r"prints 3, which says nothing of where it comes from",
+            r"prints 3, which does not have a source: use a Quantity",
         ),
         (
             "{% table cases %} All cases {% endtable %}",
             "",
-            r"sections/toy.md.j2 says nothing of the table cases",
+            r"sections/toy.md.j2 does not contain the table cases: add {% table cases %}",
         ),
         (
             "helps {{ gain }}",
             "helps at most {{ gain }}",
-            r"sections/toy.md.j2:4: at most {{ gain }} takes .most$",
+            r"sections/toy.md.j2:4: at most {{ gain }} may be rounded past its bound: add .most$",
         ),
         (
             "helps {{ gain }}",
             "helps at\nleast {{ gain.most }}",
-            r"j2:4: at least {{ gain.most }} takes .least$",
+            r"j2:4: at least {{ gain.most }} may be rounded past its bound: add .least$",
         ),
         (
             "helps {{ gain }}",
             "helps more than {{ gain }}",
-            r"more than {{ gain }} takes .most or .least$",
+            r"more than {{ gain }} may be rounded past its bound: add .most or .least$",
         ),
-        (ASKS, ASKS * 2, r"sections/toy.md.j2:7: claim helps is worded twice"),
+        (
+            ASKS,
+            ASKS * 2,
+            r"sections/toy.md.j2:7: claim helps has two texts for asks: remove one",
+        ),
         (
             "\n{% table",
             TEMPLATE[TEMPLATE.index("{% claim") : TEMPLATE.index("Stiff")]
@@ -68,7 +76,7 @@ ASKS = "{% asks %} whether it helps\n"
         (
             "claims=[",
             'claims=[Claim("lasts", at_least(gain, bound)), ',
-            "toy.md.j2 says nothing of the claim lasts",
+            "toy.md.j2 does not contain the claim lasts: add {% claim lasts %}",
         ),
     ],
 )

@@ -156,7 +156,7 @@ def test_a_column_holds_numbers_of_its_range_in_nine_digits(toy, said, cells):
 
 def test_a_replica_has_nine_in_ten_of_the_numbers(toy):
     tracked = toy.record([{"case": str(n), "way_mm": 1.0} for n in range(10)])
-    counts = {10: "", 9: "", 8: "not all of it could be measured there", 20: ""}
+    counts = {10: "", 9: "", 8: "too many of its numbers are missing", 20: ""}
     for count, said in counts.items():
         rows = [
             {"case": str(n), "on": True, **({"way_mm": 2.0} if n < count else {})}

@@ -10,7 +10,7 @@ from damage import unsealed
 
 from measured_report.files.atomic import RecordError
 from measured_report.files.config import report
-from measured_report.measuring.run import believable
+from measured_report.measuring.run import plausible_row
 from measured_report.records.record import load_record, trace_path, write_record
 from measured_report.records.traces import load_trace, packed
 
@@ -51,11 +51,11 @@ def test_a_record_that_was_changed_by_hand_or_has_no_seal_is_damaged(toy, old, n
     toy.record_path.write_text(text.replace(old, new))
     with pytest.raises(
         RecordError,
-        match=r"^newton-1\.4\.0/toy\.json is no whole record: it is not as it was sealed$",
+        match=r"^newton-1\.4\.0/toy\.json is not a valid record: it was changed after it was sealed$",
     ):
         load_record(toy.record_path)
     toy.record_path.write_text(unsealed(text))
-    with pytest.raises(RecordError, match=r"is no whole record: it has no seal$"):
+    with pytest.raises(RecordError, match=r"is not a valid record: it has no seal$"):
         load_record(toy.record_path)
     assert toy.state().kind == "damaged"
 
@@ -128,7 +128,7 @@ def test_numbers_have_units_signs_and_reasons():
     )
     assert "range 0 to" in number_problem("cycles_per_s", -1.0)
     row = {"case": "freed", "growth_mm": float("nan"), "slip_mm": 6.36, "passes": True}
-    assert believable(row, report().columns) == row | {
+    assert plausible_row(row, report().columns) == row | {
         "growth_mm": None,
         "growth_mm_reason": "the measurement gave nan",
     }

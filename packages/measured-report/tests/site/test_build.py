@@ -116,7 +116,7 @@ END = "{% endtable %}\n"
         (
             END,
             END + '{{ claim("nothing") }}',
-            r"templates/sections/toy.md.j2:\d+: toy has no claim 'nothing'; it has",
+            r"templates/sections/toy.md.j2:\d+: toy does not have a claim 'nothing': use one of",
         ),
         (
             END,
@@ -128,7 +128,7 @@ END = "{% endtable %}\n"
             "{{ gain|nothing }}",
             r"templates/sections/toy.md.j2:\d+: No filter named 'nothing'",
         ),
-        (END, END + "{{ 3.5 }}", "says nothing of where it comes from"),
+        (END, END + "{{ 3.5 }}", "does not have a source: use a Quantity"),
         (END, END + "{% if %}", "templates/sections/toy.md.j2"),
         (
             END,
@@ -142,7 +142,7 @@ END = "{% endtable %}\n"
         (
             "It does not.",
             "It does not, by {{ 3.5 }}.",
-            r"toy.md.j2:\d+: it prints 3.5, which says nothing",
+            r"toy.md.j2:\d+: it prints 3.5, which does not have a source",
         ),
         (
             END,
@@ -217,8 +217,8 @@ CLAIM = 'claims=[Claim("helps", at_least(gain, bound), {"gain": gain})]'
     [
         (
             (CLAIM, f"{CLAIM}[: len(rows) - 1]"),
-            "The claim helps is left out here: it cannot be derived from what was "
-            "measured; make rerun SECTION=toy NEWTON=1.8.0 measures it.",
+            "The claim helps is left out here: it cannot be derived from the record "
+            "of this edition; make rerun SECTION=toy NEWTON=1.8.0 measures it.",
         ),
         (
             ("trace = ", "rows = results.rows[1].case\n    trace = "),
@@ -251,7 +251,7 @@ def test_a_figure_that_throws_where_all_of_it_is_there_stops_the_build_and_nothi
     before = built.page
     built.write("report/sections/toy.py", MODULE.replace("axes.legend()", line))
     with pytest.raises(
-        ReportError, match=f"the figure toy-way can't be drawn: .*{said}"
+        ReportError, match=f"the figure toy-way cannot be drawn: .*{said}"
     ):
         built.build()
     assert built.page == before
@@ -270,7 +270,10 @@ def test_a_stale_section_is_shown_with_what_changed_and_left_out_where_it_no_lon
 ):
     toy.write("assets/robot.urdf", "<robot name='other'/>")
     toy.build()
-    assert "config: assets/robot.urdf" in toy.page and "renews it" in toy.page
+    assert (
+        "config: assets/robot.urdf" in toy.page
+        and "measures the section again" in toy.page
+    )
     assert check_site(toy.project.site) == []
     toy.write("templates/sections/toy.md.j2", TEMPLATE + '{{ row["stiff"].new_mm }}')
     for change in (

@@ -17,18 +17,18 @@ ADDRESSES += (
     "http://[",
 )
 WRONG = [
-    (">0.31<", ">0.32<", "is shown"),
-    (">0.31<", ">0.313<", "is shown"),
-    ('value="0.3124"', 'value="0.31"', "is shown"),
-    ("#/rows/1/slip_mm", "#/rows/9/slip_mm", "resolves to nothing"),
-    ('href="data/values.json"', 'href="data/other.json"', "leads nowhere"),
+    (">0.31<", ">0.32<", "the page shows"),
+    (">0.31<", ">0.313<", "the page shows"),
+    ('value="0.3124"', 'value="0.31"', "the page shows"),
+    ("#/rows/1/slip_mm", "#/rows/9/slip_mm", "does not point to a number"),
+    ('href="data/values.json"', 'href="data/other.json"', "does not exist"),
     ('href="data/values.json"', 'href="/data/values.json"', "leaves the site"),
-    ('href="#toy"', 'href="#other"', "leads nowhere"),
-    ("</main>", '<script src="x.js"></script></main>', "leads nowhere"),
+    ('href="#toy"', 'href="#other"', "does not exist"),
+    ("</main>", '<script src="x.js"></script></main>', "does not exist"),
     (
         "</main>",
         '<script src="https://example.org/x.js"></script></main>',
-        "fetched from elsewhere",
+        "fetched from another site",
     ),
     (
         "</main>",
@@ -42,18 +42,18 @@ WRONG = [
     (
         "</main>",
         '<img src="https://example.org/x.png" alt=""></main>',
-        "fetched from elsewhere",
+        "fetched from another site",
     ),
-    ('href="style.css"', 'href="//example.org/style.css"', "fetched from elsewhere"),
+    ('href="style.css"', 'href="//example.org/style.css"', "fetched from another site"),
     ("</main>", "<style>@import 'x'</style></main>", "style fetches"),
-    ('data-outcome="holds"', "", "no outcome"),
+    ('data-outcome="holds"', "", "does not have an outcome"),
     ("data-claim", "data-other", "there is no claim"),
     ("</main>", '<p id="toy"></p></main>', "not unique"),
     *(
         (
             "</main>",
             f'<a href="{to}">x</a></main>',
-            "no address that a page may lead to",
+            "is not allowed",
         )
         for to in ADDRESSES
     ),

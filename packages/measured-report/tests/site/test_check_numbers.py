@@ -34,15 +34,15 @@ RIGHT += [
     f"<code>{number('123457', 'rough', '123456.9')}</code>",
 ]
 WRONG = {
-    number("6.362"): "is 6.3617, but 6.362 (6.3617) is shown",
-    number("6.36", more=MOST): "6.36 (6.3617) is shown",
+    number("6.362"): "is 6.3617, but the page shows 6.362 (6.3617)",
+    number("6.36", more=MOST): "the page shows 6.36 (6.3617)",
 }
 WRONG |= {
-    number("6.36", value="6.36"): "but 6.36 (6.36) is shown",
-    number("6.36", more=ODD): "resolves to nothing",
+    number("6.36", value="6.36"): "but the page shows 6.36 (6.36)",
+    number("6.36", more=ODD): "does not point to a number",
 }
 WRONG |= {
-    number("6.36", "gone"): "gone resolves to nothing",
+    number("6.36", "gone"): "gone does not point to a number",
 }
 
 

@@ -1,14 +1,14 @@
-/* What the pages do beyond being read: all is there without it. No dependencies, and nothing is fetched but the other
-   pages, when somebody searches. */
+/* Interactive features of the pages, which can also be read without this script. It has no dependencies. It fetches the
+   other pages when the reader searches. */
 "use strict";
 
 const root = document.documentElement;
 
-/* Colour scheme: as the system has it, light, or dark. */
+/* Colour scheme: that of the system, light, or dark. */
 
 const SCHEMES = ["auto", "light", "dark"];
 
-function keptScheme() {
+function storedScheme() {
   try {
     return SCHEMES.find((scheme) => scheme === localStorage.getItem("scheme")) ?? "auto";
   } catch {
@@ -20,27 +20,27 @@ function setScheme(scheme) {
   root.dataset.scheme = scheme;
   try {
     localStorage.setItem("scheme", scheme);
-  } catch {} // then it holds for this page alone
+  } catch {} // without storage, the choice applies to this page only
 }
 
 function addSchemeSwitch() {
   const button = document.querySelector(".scheme");
-  const say = () => (button.textContent = `Colours: ${root.dataset.scheme}`);
+  const label = () => (button.textContent = `Colours: ${root.dataset.scheme}`);
   button.addEventListener("click", () => {
     setScheme(SCHEMES[(SCHEMES.indexOf(root.dataset.scheme) + 1) % SCHEMES.length]);
-    say();
+    label();
   });
-  say();
+  label();
   button.hidden = false;
 }
 
-/* Sections were on the front page once: what leads to one there, or to something in it, goes on to where it is now. */
+/* In the past, all sections were on the front page: old links to a section, or to a part of it, lead to its new page. */
 
 function decoded(hash) {
   try {
     return decodeURIComponent(hash.slice(1));
   } catch {
-    return ""; // a link that somebody cut off
+    return ""; // the link is incomplete
   }
 }
 
@@ -51,7 +51,7 @@ function followOldLink() {
   if (moved) location.replace(`${moved.href.split("#")[0]}#${name}`);
 }
 
-/* Contents: the link of the section that is being read is marked. */
+/* Contents: mark the link to the section on the screen. */
 
 function markPlace() {
   const links = new Map();
@@ -64,13 +64,13 @@ function markPlace() {
   const mark = () => {
     const topOf = (target) => target.getBoundingClientRect().top;
     const passed = targets.filter((target) => topOf(target) < innerHeight / 3);
-    // A short section that the address names ends in the upper third, and is the one that is read.
+    // The section in the address may be so short that the next one begins in the upper third, too.
     const named = passed.find((target) => target.id === decoded(location.hash) && topOf(target) >= -1);
-    const found = named ?? passed.at(-1) ?? null;
-    if (found === current) return;
+    const section = named ?? passed.at(-1) ?? null;
+    if (section === current) return;
     for (const link of links.get(current) ?? []) link.removeAttribute("aria-current");
-    for (const link of links.get(found) ?? []) link.setAttribute("aria-current", "location");
-    current = found;
+    for (const link of links.get(section) ?? []) link.setAttribute("aria-current", "location");
+    current = section;
   };
   let isDue = false;
   addEventListener(
@@ -88,18 +88,19 @@ function markPlace() {
   mark();
 }
 
-/* One stop of the Tab key for many things, between which the arrow keys go: a table's buttons, numbers, references. */
+/* Roving tab index: a group of elements, such as all numbers, has one stop of the Tab key, and the arrow keys move
+   between its elements. */
 
-function rove(things) {
-  things.forEach((thing, index) => (thing.tabIndex = index ? -1 : 0));
-  const select = (thing) => {
-    for (const each of things) each.tabIndex = each === thing ? 0 : -1;
+function rove(elements) {
+  elements.forEach((element, index) => (element.tabIndex = index ? -1 : 0));
+  const select = (selected) => {
+    for (const element of elements) element.tabIndex = element === selected ? 0 : -1;
   };
-  things.forEach((thing, index) => {
-    thing.addEventListener("focus", () => select(thing));
-    thing.addEventListener("keydown", (event) => {
+  elements.forEach((element, index) => {
+    element.addEventListener("focus", () => select(element));
+    element.addEventListener("keydown", (event) => {
       const step = { ArrowRight: 1, ArrowLeft: -1 }[event.key];
-      const next = step && things[index + step];
+      const next = step && elements[index + step];
       if (!next) return;
       event.preventDefault();
       next.focus();
@@ -107,7 +108,8 @@ function rove(things) {
   });
 }
 
-/* Tables: a click on a head sorts, first up, then down, then as it was; and each can be copied as CSV. */
+/* Tables: a click on a column's head sorts it in ascending order, then in descending order, then in the original order.
+   Each table can be copied as CSV. */
 
 function plainText(cell) {
   const number = cell.querySelector("data");
@@ -150,7 +152,7 @@ function addSorting(table) {
 }
 
 function tableAsCsv(table) {
-  // A spreadsheet takes what begins so for a formula.
+  // A spreadsheet takes a text that begins with one of these characters for a formula.
   const inert = (text) => (/^[=+\-@\t\r\n＝＋－＠]/.test(text) && Number.isNaN(Number(text)) ? `'${text}` : text);
   const quote = (text) => (/[",\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text);
   const line = (row) => [...row.cells].map((cell) => quote(inert(plainText(cell)))).join(",");
@@ -159,7 +161,7 @@ function tableAsCsv(table) {
 
 async function copyText(text) {
   if (navigator.clipboard) return navigator.clipboard.writeText(text);
-  const area = document.createElement("textarea"); // where the page is not served safely there is no other way
+  const area = document.createElement("textarea"); // browsers offer no clipboard to pages without HTTPS
   area.value = text;
   document.body.append(area);
   area.select();
@@ -177,7 +179,7 @@ function copyButton(label, textOf) {
       await copyText(textOf());
       button.textContent = "Copied";
     } catch {
-      button.textContent = "Could not be copied";
+      button.textContent = "Copying failed";
     }
     setTimeout(() => (button.textContent = label), 2000);
   });
@@ -190,7 +192,7 @@ function addCopying(table) {
   return button;
 }
 
-/* Code: each block has a button that copies it as it is. */
+/* Code: each block has a button that copies it. */
 
 function addCodeCopying(block) {
   const frame = document.createElement("div");
@@ -199,7 +201,7 @@ function addCodeCopying(block) {
   frame.append(block, copyButton("Copy", () => `${block.textContent.trimEnd()}\n`));
 }
 
-/* Numbers: where each comes from is shown under the pointer, with the focus, and at a touch. */
+/* Numbers: a box shows the origin of the number that has the mouse pointer or the focus, or that was touched. */
 
 function metaOf(name) {
   return document.querySelector(`meta[name="${name}"]`)?.content ?? "";
@@ -227,7 +229,7 @@ function explain(number, origins) {
   const folder = file.includes("/") ? file.split("/")[0] : metaOf("folder");
   const record = isDerived ? `${folder}/${parts[1]}.json` : file;
   const exact = document.createElement("b");
-  exact.textContent = number.value === "" ? "There is no number" : `${number.value} ${unitOf(number)}`.trim();
+  exact.textContent = number.value === "" ? "This number is missing" : `${number.value} ${unitOf(number)}`.trim();
   const link = document.createElement("a");
   link.href = `${metaOf("data")}${file}#${pointer}`;
   link.textContent = isDerived ? `${file}#${pointer}` : `${parts.at(-1)}, row ${parts.at(-2)} of ${file}`;
@@ -265,20 +267,20 @@ function addOrigins() {
     box.replaceChildren(...explain(number, origins));
     box.hidden = false;
     number.setAttribute("aria-describedby", box.id);
-    const at = number.getBoundingClientRect();
-    const left = Math.min(at.left, root.clientWidth - box.offsetWidth - 8);
-    const above = at.bottom + box.offsetHeight + 8 > innerHeight && at.top > box.offsetHeight;
+    const place = number.getBoundingClientRect();
+    const left = Math.min(place.left, root.clientWidth - box.offsetWidth - 8);
+    const isAbove = place.bottom + box.offsetHeight + 8 > innerHeight && place.top > box.offsetHeight;
     box.style.left = `${Math.max(8, left) + scrollX}px`;
-    box.style.top = `${(above ? at.top - box.offsetHeight - 4 : at.bottom + 4) + scrollY}px`;
+    box.style.top = `${(isAbove ? place.top - box.offsetHeight - 4 : place.bottom + 4) + scrollY}px`;
   };
   const leave = () => {
     clearTimeout(leaving);
-    leaving = setTimeout(hide, 300); // so that the pointer can get to the link
+    leaving = setTimeout(hide, 300); // the delay lets the pointer reach the link in the box
   };
 
   for (const number of numbers) {
     if (number.title) {
-      number.dataset.hint = number.title; // or the browser shows a second box
+      number.dataset.hint = number.title; // otherwise the browser shows a second box
       number.removeAttribute("title");
     }
   }
@@ -300,9 +302,9 @@ function addOrigins() {
   rove(numbers);
 }
 
-/* Search: over what stands below each heading of this release's pages, which are fetched when somebody begins to. */
+/* Search: find words in the texts below all headings of this release. Its pages are fetched at the first search. */
 
-const MOST_FOUND = 12;
+const RESULT_LIMIT = 12;
 
 function plainWords(text) {
   return ` ${text.toLowerCase().replace(/[^\p{L}\p{M}\p{N}]+/gu, " ").trim()} `;
@@ -333,20 +335,21 @@ async function readPages() {
   return pages.flat();
 }
 
-function findEntries(entries, asked) {
-  const words = plainWords(asked).trim().split(" ").map((word) => ` ${word}`);
+function findEntries(entries, query) {
+  const words = plainWords(query).trim().split(" ").map((word) => ` ${word}`);
+  // A word in the heading counts as much as 20 in the text.
   const rank = (entry) => words.reduce((sum, word) => sum + 20 * entry.head.includes(word) + entry.words.split(word).length - 1, 0);
-  const found = entries.filter((entry) => words.every((word) => entry.words.includes(word)));
-  return found.sort((a, b) => rank(b) - rank(a)).slice(0, MOST_FOUND);
+  const results = entries.filter((entry) => words.every((word) => entry.words.includes(word)));
+  return results.sort((a, b) => rank(b) - rank(a)).slice(0, RESULT_LIMIT);
 }
 
-function excerpt(text, asked) {
-  const at = Math.max(0, text.toLowerCase().indexOf(asked.trim().toLowerCase().split(/\s+/)[0]) - 40);
-  return at ? `…${text.slice(at, at + 110).replace(/^\S*\s/, "").trim()}…` : `${text.slice(0, 110).trim()}…`;
+function excerpt(text, query) {
+  const start = Math.max(0, text.toLowerCase().indexOf(query.trim().toLowerCase().split(/\s+/)[0]) - 40);
+  return start ? `…${text.slice(start, start + 110).replace(/^\S*\s/, "").trim()}…` : `${text.slice(0, 110).trim()}…`;
 }
 
 function addSearch() {
-  if (!location.protocol.startsWith("http")) return; // a page from a file may fetch nothing
+  if (!location.protocol.startsWith("http")) return; // a page that was opened from a file cannot fetch the others
   const [form, field, list] = ["search", "input", "ol"].map((tag) => document.createElement(tag));
   form.className = "search";
   Object.assign(field, { type: "search", placeholder: "Search", ariaLabel: "Search these pages" });
@@ -356,19 +359,19 @@ function addSearch() {
   document.querySelector(".bar .scheme").before(form);
   let pages = null;
   const show = async () => {
-    const asked = field.value;
-    if (!plainWords(asked).trim()) return (list.hidden = true);
+    const query = field.value;
+    if (!plainWords(query).trim()) return (list.hidden = true);
     const entries = await (pages ??= readPages().catch(() => []));
-    if (asked !== field.value) return;
-    const found = findEntries(entries, asked).map((entry) => {
+    if (query !== field.value) return; // the reader typed on in the meantime
+    const results = findEntries(entries, query).map((entry) => {
       const [line, link] = ["li", "a"].map((tag) => document.createElement(tag));
       link.href = entry.address;
       link.textContent = entry.title;
-      line.append(link, ` ${excerpt(entry.text, asked)}`);
+      line.append(link, ` ${excerpt(entry.text, query)}`);
       return line;
     });
-    if (!found.length) found.push(Object.assign(document.createElement("li"), { textContent: "Nothing is found." }));
-    list.replaceChildren(...found);
+    if (!results.length) results.push(Object.assign(document.createElement("li"), { textContent: "No results." }));
+    list.replaceChildren(...results);
     list.hidden = false;
   };
   field.addEventListener("input", show);
@@ -381,7 +384,7 @@ function addSearch() {
   });
 }
 
-setScheme(keptScheme());
+setScheme(storedScheme());
 
 document.addEventListener("DOMContentLoaded", () => {
   followOldLink();

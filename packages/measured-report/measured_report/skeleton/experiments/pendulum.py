@@ -7,7 +7,7 @@ from measured_report.measuring.measurement import Conditions, Measurement
 STEP_S = 0.001
 START_RAD = 1.57
 REPEAT_COUNT = 8
-JITTER_RAD = 1e-4  # each repeat starts at an angle larger by this
+JITTER_RAD = 1e-4  # the step between the start angles of the repeats
 
 
 def euler(rate, state: np.ndarray) -> np.ndarray:

@@ -7,7 +7,7 @@ import pytest
 from experiments.pendulum import START_RAD, swing
 
 
-def test_a_rod_that_is_lifted_has_the_energy_of_its_middle_and_falls_with_it():
+def test_the_energy_at_the_start_is_that_of_the_height_and_is_kept():
     """The initial energy is m g l/2 (1 - cos θ) above the lowest point.
 
     The mass is 1 kg and the length 0.5 m.

@@ -8,7 +8,7 @@ from measured_report.site.check import check_site
 PROJECT = Project(own_release())
 
 
-def test_every_section_is_measured_and_fresh():
+def test_all_sections_are_measured_and_fresh():
     assert {
         state.section: state.summary
         for state in states_of(PROJECT)
@@ -16,7 +16,7 @@ def test_every_section_is_measured_and_fresh():
     } == {}
 
 
-def test_the_pages_are_whole_and_every_number_is_what_was_measured():
+def test_pages_are_complete_and_show_the_measured_numbers():
     states, notes = build(PROJECT)
     assert states[PROJECT.release] == []
     assert notes == []
