@@ -30,9 +30,9 @@ from report.shared.drawing import (
     INK,
     STIFF,
     Drawing,
+    label_value,
     name_lines,
     new_figure,
-    say_value,
     write,
 )
 
@@ -240,7 +240,7 @@ def _draw_costs(steps: list[tuple[Value, Row]], whole: dict[str, Value]) -> Draw
             marker="",
         )
         end = max(saved.number, 0.0) + interval
-        say_value(
+        label_value(
             axes, end, place, f"{write(saved)} %" if is_seen else "not measurable"
         )
     lines = [f"{name}: −{write(saved)} %" for name, saved in whole.items()]

@@ -10,10 +10,10 @@ from report.shared import (
     all_of,
     cell_count,
     cell_or_lost,
-    creep_or_unseen,
     decided,
     extreme,
     greater,
+    measurable_creep,
     table_of,
 )
 
@@ -28,7 +28,7 @@ def derive(results: Results, labels: dict[str, str]) -> Section:
     near = [rows[model, "3cm"] for model in models]
     columns = {
         "slip": "slip_mm",
-        "creep": map(creep_or_unseen, near),
+        "creep": map(measurable_creep, near),
         "shaken 100 mm": [
             cell_or_lost(rows[model, "10cm"], "slip_mm") for model in models
         ],
