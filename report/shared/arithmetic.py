@@ -32,8 +32,8 @@ DEVICES = {"cuda": "GPU", "cpu": "CPU"}
 MS_PER_S = constant(1e3, "ms/s")
 MM_PER_M = constant(1e3, "mm/m")
 SUBSTEP_S = constant(1 / 60 / AS_SHIPPED.substeps, "s")  # of the scene, at 60 frames/s
-# A bound and its reason: the smallest change of a slip or drift that matters, relative to
-# shipped pads [%].
+# A bound and its reason: the smallest change of a slip or drift that matters, relative
+# to shipped pads [%].
 RELEVANT = ("a smaller change makes no difference to a grasp", 1.0)
 # The smallest change of a slip that matters in absolute terms [mm].
 VISIBLE = ("no gripper is positioned more precisely", 0.01)

@@ -8,7 +8,8 @@ STIFF = "reproduction/stiff-pads/"
 HELD = "hold/hold-60s/"
 SOURCE = "contact_source/"
 DRIFT = "cure/{}_drift"
-# By name: the claims that decide a statement, and the cells and values that its wording prints.
+# By name: the claims that decide a statement, and the cells and values that its wording
+# prints.
 STATEMENTS = {
     "drifts": (
         "reproduction.slips reproduction.drift_is_steady",

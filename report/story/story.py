@@ -28,8 +28,8 @@ from report.story.figures import draw_mechanism
 NEWTON = "Newton's contacts"
 PYRAMID = "pyramidal cone"
 MUJOCO = "MuJoCo's contacts"
-# Cells with the slip of shipped and of stiff pads (in a row without it, the motion per cycle),
-# by contacts and cone.
+# Cells with the slip of shipped and of stiff pads (in a row without it, the motion per
+# cycle), by contacts and cone.
 CONTACTS = {
     NEWTON: [("reproduction", case, "slip_mm") for case in CASES],
     PYRAMID: [
@@ -73,7 +73,8 @@ def derive(releases: Releases, shown: str) -> Section:
         for contacts, cells in shipped.items()
     }
 
-    # Each release has its own test, because releases may be measured on different machines.
+    # Each release has its own test, because releases may be measured on different
+    # machines.
     newton = measured[NEWTON]
     slipping = [name for name, slip in newton.items() if at_least(slip, bound) == HOLDS]
     fine = [name for name in newton if name not in slipping]

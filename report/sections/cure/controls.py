@@ -48,7 +48,8 @@ def derive(results: Results) -> Section:
         at_most(off, 1.0, "the same creep"),
     )
 
-    # Walls that carry a cube along an arc: on slides, on a hinge, upright on two hinges.
+    # Walls that carry a cube along an arc: on slides, on a hinge, upright on two
+    # hinges.
     slides = results.value(
         "slides_drift",
         "largest drift on two slides, in size",
