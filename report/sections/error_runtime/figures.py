@@ -105,7 +105,9 @@ def _draw_engine(axes: Axes, best: list[Row], backend: str) -> None:
                 text = f"RK4 {text}"
             write_beside(axes, text, _place(row), (3, 3), fontsize=7, color=colour)
     name = ENGINES[backend].replace("MuJoCo Warp", "Warp")
-    side = "right" if backend == "mujoco-c" else "left"  # to the left of the faster engine
+    side = (
+        "right" if backend == "mujoco-c" else "left"
+    )  # to the left of the faster engine
     look = {"color": colour, "ha": side, "fontsize": 9}
     write_beside(axes, name, _place(best[0]), (0, 12), **look)
 

@@ -42,7 +42,7 @@ class Points:
 
     @property
     def engines(self) -> tuple[str, str]:
-        """Return the two backends to compare: that of Warp, preferably on a GPU, and C."""
+        """Return the backends to compare: that of Warp, preferably on a GPU, and C."""
         return self[SHIPPED].backend, "mujoco-c"
 
     def shipped(self, pads: str, backend: str) -> Row | None:
@@ -96,7 +96,7 @@ def points_of(results: Results) -> Points:
 
 
 def front(rows: list[Row], *groups: str) -> frozenset[str]:
-    """Return the cases that no other of their group beats in both error and run time."""
+    """Return the cases that no other of their group beats in error and run time."""
     places = {
         row.case: ([row[name] for name in groups], row[ERROR].value, row[TIME].value)
         for row in rows
@@ -132,5 +132,5 @@ def uses_all_iterations(row: Row) -> bool:
 
 
 def is_own_model(row: Row) -> bool:
-    """Return whether cone and impratio are as shipped, so that errors can be compared."""
+    """Return whether cone and impratio are as shipped, so that errors compare."""
     return not ("cone" in row or "impratio" in row)
