@@ -85,7 +85,8 @@ class Plugins(plugins.Plugins):
 
     def names(self, section: Section) -> Mapping[str, Any]:
         sections = sections_of(self.edition.chapters)
-        records = [each.results.record for each in self.edition.chapters.values()]
+        chapters = self.edition.chapters.values()
+        records = [chapter.results.record for chapter in chapters]
         machine = ""
         packages = {}
         if records:

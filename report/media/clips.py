@@ -41,7 +41,7 @@ class Clips:
         poster = self.picture if case == FIRST else self._address(row.poster)
         label = (
             "Two runs of the shake side by side, with a plot of both displacements."
-            f" The cube has slipped at the end by: {self._slip_text(row)}."
+            f" {self._slip_text(row)}"
         )
         return macros(MACROS).video(
             row,
@@ -57,7 +57,7 @@ class Clips:
         first = self.results.row[FIRST]
         alt = (
             "The picture shows the hand and the cube in every second cycle of the shake."
-            f" The cube has slipped at the end by: {self._slip_text(first)}."
+            f" {self._slip_text(first)}"
         )
         return macros(MACROS).still(
             self.results.row[STILL],
@@ -90,8 +90,19 @@ class Clips:
         return " ".join(slip.source for slip in slips if slip.value is not None)
 
     def _slip_text(self, row: Row) -> str:
-        slips = self._slips(row).items()
-        return ", ".join(f"{name} {slip.reason or slip}" for name, slip in slips)
+        """Return sentences with the slip in each run, or with the reason why it has none."""
+        texts = []
+        sentences = []
+        for name, slip in self._slips(row).items():
+            if slip.reason:
+                reason = slip.reason.removeprefix(f"{row.case}: ")
+                sentences.append(f"With {name}, {reason}.")
+            else:
+                texts.append(f"{slip} with {name}")
+        if texts:
+            slipped = " and ".join(texts)
+            sentences.insert(0, f"At the end, the cube has slipped {slipped}.")
+        return " ".join(sentences)
 
     def _address(self, name: str) -> str:
         return f"data/{self.project.results.name}/{name}"

@@ -77,10 +77,11 @@ def packed_run(name: str, row: Mapping[str, Any], record: Path) -> dict[str, Any
 def quaternions(poses: np.ndarray) -> np.ndarray:
     """Return unit quaternions (x, y, z, w) of poses, shape [frames, 4].
 
-    Their signs are indices so that successive quaternions are close to each other.
+    The signs are chosen so that successive quaternions are close to each other.
 
-    Each is the eigenvector of the largest eigenvalue of a symmetric matrix (I. Bar-Itzhack, "New method for extracting the quaternion
-    from a rotation matrix", Journal of Guidance, Control, and Dynamics 23, 2000).
+    Each is the eigenvector of the largest eigenvalue of a symmetric matrix
+    (I. Bar-Itzhack, "New method for extracting the quaternion from a rotation matrix",
+    Journal of Guidance, Control, and Dynamics 23, 2000).
     """
     r = poses[:, :3, :3]
     trace = np.trace(r, axis1=1, axis2=2)

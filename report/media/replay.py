@@ -38,7 +38,7 @@ def replay_page(
     Args:
         chapter: The section poses.
         runs: Packed by ``packed_runs``.
-        clips: The clips of the release, whose still the page shows without a script.
+        clips: The clips of the release. A page without a script shows their still.
         root: Leads from the page to the root of the site.
     """
     text = script(project.root)

@@ -41,7 +41,7 @@ VISIBLE = ("no gripper is positioned more precisely", 0.01)
 SLIP_BOUND = ("a slip that can be seen", 1.0, "mm")
 CAUSE_BOUND = ("a cause would change the slip by more", 10.0, "%")
 SHARED_BOUNDS = ("slip_bound", "cause_bound")
-# How many times less slip counts as a solution.
+# The factor by which a solution has to reduce the slip.
 SETTLES = ("a change that settles the matter", 10.0)
 
 

@@ -17,7 +17,7 @@ SUSPECTS = {  # the change, its section and cases, and the claim that excludes i
         "the grip needs little friction",
     ),
     "contact points": (
-        "their frequency, shapes and engine",
+        "their rate, the pads' shape, the engine",
         "contact_source",
         (),
         "not_the_cause",

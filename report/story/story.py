@@ -28,8 +28,8 @@ from report.story.figures import draw_mechanism
 NEWTON = "Newton's contacts"
 PYRAMID = "pyramidal cone"
 MUJOCO = "MuJoCo's contacts"
-# Cells with the slip of shipped and of stiff pads (in a row without it, the motion per
-# cycle), by contacts and cone.
+# Cells with the slip of shipped and of stiff pads, or with their motion per cycle, by
+# contacts and cone.
 CONTACTS = {
     NEWTON: [("reproduction", case, "slip_mm") for case in CASES],
     PYRAMID: [
@@ -48,16 +48,18 @@ CONTACTS = {
 }
 
 
-def derive(releases: Releases, shown: str) -> Section:
-    """Derive figures, table and claims of the story of the release ``shown``."""
-    releases = released(releases, shown)
+def derive(releases: Releases, release: str) -> Section:
+    """Derive the figures, the table and the claims of the story of one release."""
+    releases = released(releases, release)
     every = {name: sections_of(chapters) for name, chapters in releases.items()}
-    sections = every[shown]
+    sections = every[release]
     if not {"reproduction", "contact_source", "cure_cost"} & sections.results.keys():
         return Section()
     bound = sections.value("reproduction", "slip_bound")
     slips = {  # of shipped and of stiff pads, in each release
-        contacts: [[found.cell(*place) for place in places] for found in every.values()]
+        contacts: [
+            [findings.cell(*place) for place in places] for findings in every.values()
+        ]
         for contacts, places in CONTACTS.items()
     }
     needed = {
@@ -106,7 +108,7 @@ def derive(releases: Releases, shown: str) -> Section:
         Claim("still_needed", is_needed, {"pyramids": pyramids}),
     ]
     for name, contacts in (("with_mujoco", MUJOCO), ("with_pyramid", PYRAMID)):
-        before, after = slips[contacts][list(every).index(shown)]
+        before, after = slips[contacts][list(every).index(release)]
         is_halved = None not in (before.value, after.value)
         is_halved = is_halved and 2.0 * after.number <= before.number
         outcome = all_of(
