@@ -76,8 +76,7 @@ def derive(results: Results) -> Section:
     gap = results.value(
         "slide_gap_as-shipped",
         "integrated velocity of the loaded friction rows minus the motion measured"
-        " along"
-        " the same axis",
+        " along the same axis",
         slide - along,
     )
     off = results.value(
@@ -91,8 +90,7 @@ def derive(results: Results) -> Section:
         results.value(
             f"missing_term_departure_{row.case}",
             "absolute difference between the slide predicted from the left-out"
-            " acceleration"
-            " and that of the friction rows, relative to the latter",
+            " acceleration and that of the friction rows, relative to the latter",
             departure(row.predicted_slide_mm, row.slide_mm),
         )
         for row in left_out
@@ -111,8 +109,7 @@ def derive(results: Results) -> Section:
         share = results.value(
             f"restored_share_{case}",
             "absolute slide of the friction rows with the term put back, relative to"
-            " that"
-            " without it",
+            " that without it",
             PERCENT * abs(back.slide_mm / plain.slide_mm),
         )
         shares.append(share)

@@ -56,5 +56,5 @@ def derive(results: Results) -> Section:
         worlds_name(count): [extra[case, count] for case in CASES]
         for count in TIMED_WORLDS
     }
-    ways = table_of("setting", CASES.values(), columns, resolution=worst)
-    return Section(tables={"ways": ways}, claims=claims)
+    settings = table_of("setting", CASES.values(), columns, resolution=worst)
+    return Section(tables={"ways": settings}, claims=claims)

@@ -65,7 +65,8 @@ def derive(results: Results) -> Section:
     )
     off = results.value(
         "g_off",
-        "absolute difference to the acceleration in the law, relative to the latter",
+        "absolute difference between that and the acceleration in the law, relative to"
+        " the latter",
         departure(swing, results.derived["g"]),
     )
     same = at_most(off, 5.0, "the same acceleration")
@@ -78,7 +79,7 @@ def derive(results: Results) -> Section:
 
 
 def _law(results: Results, row: Row) -> Value:
-    """Derive the drift by the law. The time step reduces that of the left-out term."""
+    """Derive the drift that follows from the law. The time step reduces that of the left-out term."""
     drift = row.left_out_mm_s + row.step_mm_s
     return results.value(f"law_{row.case}", "sum of the two parts of the law", drift)
 
@@ -104,7 +105,7 @@ def _by_hand(results: Results, law: Value | None) -> Claim:
     rough = law or _law(results, row)
     off = results.value(
         "rough_off",
-        "absolute difference to the drift, relative to the latter",
+        "absolute difference between that and the drift, relative to the latter",
         departure(rough, row.drift_mm_s),
     )
     outcome = at_most(off, 5.0, "nearly all of it")
@@ -134,8 +135,7 @@ def _follows(results: Results, runs: list[Row], laws: dict[str, Value]) -> Claim
         results.value(
             f"off_kept_{row.case}",
             "absolute difference between the drift measured with compensated positions"
-            " and"
-            " that of the law, relative to the latter",
+            " and that of the law, relative to the latter",
             departure(row.drift_mm_s, laws[row.case]),
         )
         for row in runs

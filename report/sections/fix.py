@@ -30,7 +30,9 @@ def derive(results: Results) -> Section:
     fixed = results.row["fixed"]
     bound = results.chosen("gain_bound", *SETTLES)
     gain = results.value(
-        "gain", "slip of as-shipped over slip of fixed", shipped.slip_mm / fixed.slip_mm
+        "gain",
+        "slip as shipped over slip with the fix",
+        shipped.slip_mm / fixed.slip_mm,
     )
     passes = [row.exit_status.value == 0 for row in (shipped, fixed)]
     holds = all_of(at_least(gain, bound), decided(passes[1], fixed.slip_mm))
@@ -74,8 +76,7 @@ def derive(results: Results) -> Section:
         off = results.value(
             f"patch_{name}_off",
             f"absolute difference between the {name} of the patch and the least one,"
-            " relative"
-            " to the latter",
+            " relative to the latter",
             departure(numbers[name], least),
         )
         tests += [at_least(numbers[name], least), at_most(off, rounded)]

@@ -74,11 +74,10 @@ def derive(results: Results) -> Section:
     double = results.row["precision-c-double"].creep_mm_s
     single = results.row["precision-c-single"].creep_mm_s
     warp = results.row["precision-warp"].creep_mm_s
-    left = results.value(
+    double_share = results.value(
         "double_share",
         "creep with positions in double precision, relative to that with positions"
-        " rounded"
-        " to single precision",
+        " rounded to single precision",
         PERCENT * double / single,
     )
     rounded = results.value(
@@ -90,7 +89,7 @@ def derive(results: Results) -> Section:
     )
     is_rounding = all_of(
         greater(warp, 0.0, "a creep to explain"),
-        at_most(left, 50.0, "most of it is gone"),
+        at_most(double_share, 50.0, "most of it is gone"),
         at_most(rounded, 10.0, "the same creep"),
     )
 

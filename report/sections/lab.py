@@ -26,7 +26,7 @@ CHECKS = ("impratio-1-midphase", "as-shipped-nearby")
 
 
 def derive(results: Results) -> Section:
-    shown = [row for row in results.rows if "slip_mm" in row and row.case not in CHECKS]
+    runs = [row for row in results.rows if "slip_mm" in row and row.case not in CHECKS]
     with_midphase, without = (
         results.row[case] for case in ("impratio-1-midphase", "impratio-1")
     )
@@ -43,4 +43,4 @@ def derive(results: Results) -> Section:
         outcome,
         {"way": with_midphase.wander_mm, "without": without.wander_mm},
     )
-    return Section(tables={"runs": by_case(shown, COLUMNS)}, claims=[claim])
+    return Section(tables={"runs": by_case(runs, COLUMNS)}, claims=[claim])

@@ -98,8 +98,8 @@ def derive(results: Results) -> Section:
         faster.append(greater(less, 1.0, "a gain worth naming"))
     on_gpu = all_of(*faster).having_read(cuda_known)
 
-    # The ratio on the CPU is not precise, because the cores are shared with other
-    # programs. The smallest gain within its interval is printed.
+    # The ratio on the CPU is not precise, because its cores are shared. The smallest gain
+    # within its interval is printed.
     row = timed["cpu", ALL, 1]
     cpu_gain = results.value(
         "cpu_gain_least",
@@ -116,8 +116,7 @@ def derive(results: Results) -> Section:
     saving = results.value(
         "memory_saving",
         "contact and constraint memory per world exactly as shipped over that without"
-        " the"
-        " unneeded parts",
+        " the unneeded parts",
         before / after,
     )
     worth = results.chosen("memory_saving_bound", "a worthwhile saving", 20.0)
@@ -226,7 +225,7 @@ def _audit_table(results: Results):
 
 
 def _draw_costs(steps: list[tuple[Value, Row]], whole: dict[str, Value]) -> Drawing:
-    """Draw a bar per part. Those below the line are not measurable and not ranked."""
+    """Draw bars of the parts. Those below the line are not measurable and not ranked."""
     timed = []
     for saved, row in steps:
         interval = 100 * (row.ratio_resolution.value or 0.0)

@@ -23,7 +23,7 @@ COLUMNS = {
     "time": "shake_duration_s",
     "slip at the end": "slip_mm",
     "leaves the grasp after": "left_grasp_s",
-    "cube ends at": "cube_height_m",
+    "final cube height": "cube_height_m",
 }
 MOTION = {  # units by name; the axes of the shake are those of the world
     "amplitude_along": "mm",  # √2 times the standard deviation of the hand's position
@@ -45,8 +45,7 @@ def derive(results: Results) -> Section:
         results.value(
             name,
             f"{name} of the hand, computed from its joint positions in pairs of whole"
-            " cycles"
-            " after the first cycle",
+            " cycles after the first cycle",
             lambda *run, name=name: _motion(*run)[name],
             results.trace("as-shipped"),
             row.frame_rate_hz,

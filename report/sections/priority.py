@@ -61,8 +61,7 @@ def derive(results: Results) -> Section:
     drop = results.value(
         "mixed_drop",
         "reduction of the slip if both geoms have the same priority, relative to the"
-        " slip"
-        " as shipped",
+        " slip as shipped",
         PERCENT * (1 - mixed.slip_mm / shipped.slip_mm),
     )
     before = shipped.timeconst_s

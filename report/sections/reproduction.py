@@ -105,7 +105,7 @@ def derive(results: Results) -> Section:
         10.0,
         "%",
     )
-    # The shake may have a period of two cycles.
+    # The path of the shake repeats every two cycles, so that odd and even ones may differ.
     even = _increment(results, "even", lambda later: later[::2])
     odd = _increment(results, "odd", lambda later: later[1::2])
     apart = results.value(
@@ -132,8 +132,7 @@ def derive(results: Results) -> Section:
     difference = results.value(
         "engine_difference",
         "larger of the two differences between engines and devices, with shipped and"
-        " with"
-        " stiff pads",
+        " with stiff pads",
         combined(max, *differences),
     )
     rounding = results.chosen(

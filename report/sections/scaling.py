@@ -20,7 +20,7 @@ order = 170
 page = "error"
 label = "many worlds"
 
-WAYS = {  # names of the loops; each changes one setting of the loop before it
+LOOPS = {  # names of the loops; each changes one setting of the loop before it
     "testspeed": "mujoco_warp.testspeed",
     "each-step-waited-for": "the same loop, run by this report",
     "steps-in-one-graph": "16 steps as one graph",
@@ -53,8 +53,7 @@ def derive(results: Results) -> Section:
     cheap = results.value(
         "cheap_worlds",
         "largest number of worlds up to which no frame takes longer than cheap_bound"
-        " times"
-        " that of one world",
+        " times that of one world",
         _cheap_worlds,
         limit,
         *(cell for row in rows for cell in (row.worlds, row.frame_ms)),
@@ -81,10 +80,10 @@ def derive(results: Results) -> Section:
     gains = []
     columns: dict[str, list] = {}
     for count in TIMED_WORLDS:
-        ways = {way: results.row[f"{way}-{count}"] for way in WAYS}
-        loop = ways["each-step-waited-for"]
-        benchmark = ways["testspeed"]
-        time = loop.frame_ratio * loop.world_substeps_per_s
+        loops = {name: results.row[f"{name}-{count}"] for name in LOOPS}
+        own = loops["each-step-waited-for"]
+        benchmark = loops["testspeed"]
+        time = own.frame_ratio * own.world_substeps_per_s
         gain = results.value(
             f"gain_{count}",
             "time of the same loop over that of our frames, timed in turn, multiplied"
@@ -95,17 +94,17 @@ def derive(results: Results) -> Section:
         gains.append(gain)
         columns[worlds_name(count)] = [
             results.value(
-                f"length_{way}_{count}".replace("-", "_"),
+                f"length_{name}_{count}".replace("-", "_"),
                 "time of a frame over that of a whole frame, timed in turn",
-                PERCENT * (gain if way == "testspeed" else row.frame_ratio),
+                PERCENT * (gain if name == "testspeed" else row.frame_ratio),
             )
-            for way, row in ways.items()
+            for name, row in loops.items()
         ]
-    columns["contacts"] = [row.contact_count for row in ways.values()]
-    columns["rows"] = [row.row_count for row in ways.values()]
+    columns["contacts"] = [row.contact_count for row in loops.values()]
+    columns["rows"] = [row.row_count for row in loops.values()]
     timed = [row for row in results.rows if "way" in row and row.way != "testspeed"]
     worst = resolution(results, "table_resolution", timed)
-    tables["ways"] = table_of("loop", WAYS.values(), columns, resolution=worst)
+    tables["ways"] = table_of("loop", LOOPS.values(), columns, resolution=worst)
     least = results.value(
         "least_gain",
         "smallest of the ratios with 1, 4096 and 16384 worlds",
@@ -118,7 +117,7 @@ def derive(results: Results) -> Section:
 
 
 def _cheap_worlds(limit: float, *cells: float) -> float:
-    """Return the number of worlds up to which frames take ``limit`` times the first.
+    """Return the number of worlds up to which frames stay below ``limit`` times the first.
 
     The cells are numbers of worlds and times of a frame, in turn.
     """

@@ -30,8 +30,7 @@ def derive(results: Results) -> Section:
         results.value(
             f"{name}_gains",
             "worlds that at any time have over 1 % more energy than at the start, or"
-            " whose"
-            " energy is not a number",
+            " whose energy is not a number",
             gathered(sum, (row[f"{name}_gain_count"] for row in rows)),
         )
         for name in ("plain", "exact")
@@ -39,8 +38,7 @@ def derive(results: Results) -> Section:
     more = results.value(
         "tumble_more",
         "worlds that gain energy with the term minus those without, over the root of"
-        " their"
-        " sum",
+        " their sum",
         combined(_excess, exact, plain),
         is_noise=True,  # the statistic itself accounts for chance
     )

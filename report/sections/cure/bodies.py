@@ -66,7 +66,7 @@ def derive(results: Results) -> Section:
     )
     free_count = results.value("free_count", "runs on the plane", cell_count(moved))
 
-    left = [
+    remainders = [
         results.value(
             f"left_{name}",
             "absolute growth of the distance from the axis with the exact term,"
@@ -77,9 +77,11 @@ def derive(results: Results) -> Section:
         for name, plain, exact in pairs(TABLE, "exact")
     ]
     left_most = results.value(
-        "left_most", "largest of these shares", extreme(max, left)
+        "left_most", "largest of these shares", extreme(max, remainders)
     )
-    table_count = results.value("table_count", "runs on the table", cell_count(left))
+    table_count = results.value(
+        "table_count", "runs on the table", cell_count(remainders)
+    )
 
     asides, points = (
         [

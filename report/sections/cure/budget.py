@@ -50,7 +50,7 @@ NAMES = {
     "newton-euler-400-stiff-{}-centred-kept": "the same, Euler",
     KF_OFF: "as shipped, kf off",
 }
-PARTS = {  # by label: the name of a part in values, and in columns
+PARTS = {  # by label: the names that values and columns have for a part
     "the term": ("left_out", "left_out"),
     "step": ("step", "step"),
     "damping": ("damping", "damping"),
@@ -127,8 +127,7 @@ def derive(results: Results) -> Section:
     far_closed, far = counted("far_", wide_runs)
     others = results.value(
         "others_share",
-        "share of the other runs that keep the cube whose remainder is below one of the"
-        " bounds",
+        "share of the other runs whose remainder is below one of the bounds",
         PERCENT * (closed - far_closed) / (count - far),
     )
     few = results.value(

@@ -46,9 +46,8 @@ VARIANTS = {  # labels by variant, in the order of the table
 def derive(results: Results) -> Section:
     resolution = results.chosen(
         "resolution",
-        "single precision rounds a position 200 mm from the axis to 15 nm, and half of"
-        " that"
-        " in each step of 2 ms gives this rate",
+        "rounding to single precision, which is 7.5 nm in each step of 2 ms at 200 mm"
+        " from the axis, gives this rate",
         0.002,
         "%/s",
     )
@@ -125,7 +124,8 @@ def derive(results: Results) -> Section:
     )
     rough_off = results.value(
         "rough_off",
-        "absolute difference to the measured growth, relative to the latter",
+        "absolute difference between that and the measured growth, relative to the"
+        " latter",
         departure(rough, plain),
     )
     contacts = row.loaded_contact_count

@@ -62,9 +62,8 @@ def derive(results: Results) -> Section:
     by_name = {line.name: line for line in lines}
     walk_bound = results.chosen(
         "walk_bound",
-        "single precision rounds a position 200 mm from the axis to 15 nm, and half of"
-        " that"
-        " in each step of 2 ms gives this rate",
+        "rounding to single precision, which is 7.5 nm in each step of 2 ms at 200 mm"
+        " from the axis, gives this rate",
         0.002,
         "%/s",
     )
@@ -111,8 +110,7 @@ def derive(results: Results) -> Section:
         discrete_times = results.value(
             "discrete_times",
             "walk in MuJoCo C with the integrator discrete over the fastest walk in"
-            " another"
-            " engine",
+            " another engine",
             discrete / worst,
         )
         tests.append(at_least(discrete_times, 1.5, "much faster"))

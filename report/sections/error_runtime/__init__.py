@@ -149,8 +149,7 @@ def derive(results: Results) -> Section:
     change = results.value(
         "effort_change",
         "largest absolute change of the numerical error by solver, iterations, line"
-        " search"
-        " or contacts found in each substep",
+        " search or contacts found in each substep",
         largest_size(shipped[ERROR] - row[ERROR] for row in converged),
     )
     share = results.value(
@@ -160,12 +159,12 @@ def derive(results: Results) -> Section:
     )
     count = results.value(
         "effort_count",
-        "runs with another solver effort that hold the cube and converge",
+        "runs with a different solver effort that hold the cube and converge",
         cell_count([row[ERROR] for row in converged]),
     )
     tried = results.value(
         "effort_tried",
-        "runs with another solver effort",
+        "runs with a different solver effort",
         cell_count([row.substeps for row in efforts]),
     )
     effort = negligible(share, 10.0, "a gain that is worth the effort")
@@ -293,10 +292,10 @@ def _crossing(level: float, *cells: float) -> float:
     """
     worlds = cells[::2]
     rates = cells[1::2]
-    above = [rate >= level for rate in rates]
-    if True not in above or above[0] or min(rates) <= 0.0:
+    is_reached = [rate >= level for rate in rates]
+    if True not in is_reached or is_reached[0] or min(rates) <= 0.0:
         return float("nan")
-    after = above.index(True)
-    pair = slice(after - 1, after + 1)
+    first = is_reached.index(True)
+    pair = slice(first - 1, first + 1)
     logs = np.interp(np.log(level), np.log(rates[pair]), np.log(worlds[pair]))
     return int(np.ceil(np.exp(logs) - 1e-9))

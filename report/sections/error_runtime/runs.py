@@ -76,8 +76,7 @@ def points_of(results: Results) -> Points:
         pads: results.value(
             f"floor_{pads}",
             "largest distance between a run in Warp and the same in C, with at least"
-            " the"
-            " shipped number of substeps",
+            " the shipped number of substeps",
             combined(
                 max, *(row.c_difference_mm for row in fine if row["pads"] == pads)
             ),
@@ -132,5 +131,5 @@ def uses_all_iterations(row: Row) -> bool:
 
 
 def is_own_model(row: Row) -> bool:
-    """Return whether cone and impratio are as shipped, so that errors compare."""
+    """Return whether cone and impratio are as shipped, so that the error counts."""
     return not ("cone" in row or "impratio" in row)

@@ -50,7 +50,7 @@ COLUMNS = {
     "capsule": ("steady_creep_mm_s", "forecast_creep_mm_s"),
 }
 MARKERS = ("o", "s", "^", "D", "v")
-# The slide was recorded for two periods of a motion with a period of two cycles of 1 s.
+# The slide was recorded for two periods of the shake, each of two cycles of 1 s.
 SHAKE_S = 4.0
 
 

@@ -78,8 +78,7 @@ def derive(results: Results) -> Section:
     drop_off = results.value(
         "ball_drop_off",
         "absolute difference between the time of the drop and that time, relative to"
-        " the"
-        " latter",
+        " the latter",
         departure(ball.median_drop_s, passes),
     )
     gap = results.value(

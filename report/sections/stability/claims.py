@@ -59,8 +59,7 @@ def _end(
     return results.value(name, formula, extreme(choose, cells))
 
 
-# These return the smallest and the largest number of a column, without a number if there
-# are no rows.
+# These return the smallest and the largest number of a column. It is missing without rows.
 least = partial(_end, min)
 most = partial(_end, max)
 

@@ -43,14 +43,14 @@ labels = {
 
 
 def derive(results: Results, releases: Releases) -> Section:
-    shown = results.edition
-    releases = released(releases, shown)
+    edition = results.edition
+    releases = released(releases, edition)
     names = list(releases)
     # A release is compared with those before it, and the oldest release with all
     # others.
-    count = names.index(shown) + 1 if shown in names[1:] else len(names)
-    seen = {release: releases[release] for release in names[:count]}
-    ends = Ends(seen, names[0], list(seen)[-1])
+    count = names.index(edition) + 1 if edition in names[1:] else len(names)
+    compared = {release: releases[release] for release in names[:count]}
+    ends = Ends(compared, names[0], list(compared)[-1])
 
     before, after = ends.cells(tables.SLIP)
     share = _change(results, "slip_change", before, after, before)
@@ -70,10 +70,10 @@ def derive(results: Results, releases: Releases) -> Section:
         },
     )
 
-    in_one_step = _in_one_step(results, seen, bound, same_slip)
+    in_one_step = _in_one_step(results, compared, bound, same_slip)
     steps = in_one_step.numbers["steps"] if in_one_step.outcome == HOLDS else []
 
-    flipped = list(flips(seen, shown))
+    flipped = list(flips(compared, edition))
     turned = sum(flip.is_decided for flip in flipped)
     turned_count = results.value(
         "turned_count",
@@ -91,7 +91,7 @@ def derive(results: Results, releases: Releases) -> Section:
     claims_stand = Claim("claims_stand", ends.one or outcome, {"count": turned_count})
     return Section(
         tables={
-            "turns": FlipList(list(seen), shown, list(results.others)),
+            "turns": FlipList(list(compared), edition, list(results.others)),
             "tried": tables.side_by_side("slip [mm]", releases, tables.TRIED),
             "speed": tables.side_by_side("", releases, tables.SPEEDS),
             "numbers": tables.number_table(releases),
@@ -219,7 +219,7 @@ def _cause(results: Results, ends: Ends, same_slip: Outcome) -> list[Claim]:
     bound = results.chosen("recovery_bound", "nearly all of the change", 95.0, "%")
     tolerance = results.value(
         "recovery_tolerance",
-        "largest deviation from all of the change",
+        "largest deviation from the whole change",
         PERCENT - bound,
     )
 
@@ -233,7 +233,7 @@ def _cause(results: Results, ends: Ends, same_slip: Outcome) -> list[Claim]:
         )
         miss = results.value(
             f"{name}_share_miss",
-            "absolute deviation from all of it",
+            "absolute deviation from the whole change",
             abs(share - PERCENT),
         )
         return _nothing_to_explain(same_slip) or at_most(miss, tolerance)

@@ -8,12 +8,12 @@ from measured_report.findings.chapters import Releases
 from report.shared import Outcome, Quantity, settings_of
 
 
-def released(releases: Releases, shown: str) -> Releases:
-    """Return the releases without trials of other packages, except the one shown."""
+def released(releases: Releases, edition: str) -> Releases:
+    """Return the releases without trials of other packages, except the given edition."""
     return {
         name: chapters
         for name, chapters in releases.items()
-        if name == shown or not read_label(name).pins
+        if name == edition or not read_label(name).pins
     }
 
 
@@ -47,7 +47,7 @@ class Ends:
 
 
 def machines_differ(releases: Releases, section: str) -> Outcome | None:
-    """Return unknown if times of the oldest and the newest release do not compare."""
+    """Return unknown if the times of the two releases cannot be compared."""
     timed = [chapters[section] for chapters in releases.values() if section in chapters]
     records = [chapter.results.record for chapter in timed]
     if not records or records[0].machine_for_speed == records[-1].machine_for_speed:

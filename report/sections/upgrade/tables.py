@@ -87,15 +87,16 @@ def option_table(releases: Releases) -> Table:
         cells = (values.get(release) for release in measured)
         return len({getattr(cell, "value", cell) for cell in cells}) > 1
 
-    shown = {name: values for name, values in settings.items() if differs(values)}
-    shown = shown or {"none": dict.fromkeys(measured, "")}
+    differing = {name: row for name, row in settings.items() if differs(row)}
+    differing = differing or {"none": dict.fromkeys(measured, "")}
     columns = {
         report_settings.short_name(release): [
-            Markup("{}").format(values.get(release, "–")) for values in shown.values()
+            Markup("{}").format(values.get(release, "–"))
+            for values in differing.values()
         ]
         for release in measured
     }
-    return table_of("", shown, columns)
+    return table_of("", differing, columns)
 
 
 def slip_figure(releases: Releases, steps: list[tuple[str, str]]) -> Figure:
