@@ -45,7 +45,7 @@ def derive(results: Results) -> Section:
         counts, means, standard_deviations = zip(*scatters, strict=True)
         columns[f"{metric}: runs"] = list(counts)
         columns[f"mean {metric}"] = list(means)
-        columns[f"{metric}: standard deviation"] = list(standard_deviations)
+        columns[f"deviation of {metric}"] = list(standard_deviations)
         _, mean, deviation = scatters[0]
         deviations[metric] = deviation
         shares[metric] = results.value(
