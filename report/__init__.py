@@ -1,1 +1,1 @@
-"""Derivations of the records: sections, and the story that they make."""
+"""Values and claims derived from the records: the sections, and the story that combines them."""

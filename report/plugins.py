@@ -1,4 +1,4 @@
-"""What this report shows besides its sections: clips and the replay."""
+"""The content of this report besides its sections: clips, the replay and downloads."""
 
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
@@ -24,11 +24,13 @@ from report.shared.arithmetic import sections_of
 from report.shared.wheel import wheel
 
 LINT = ROOT / "packages/newton-lint"
-LAB = ROOT / "assets/lab"  # the engine that a page runs, and the scripts that do
+LAB = (
+    ROOT / "assets/lab"
+)  # the engine that runs in a page, and the scripts that start it
 
 
 class Plugins(plugins.Plugins):
-    """Those of one edition."""
+    """The clips, the replay and the downloads of one edition."""
 
     @cached_property
     def clips(self) -> Clips | None:
@@ -43,8 +45,9 @@ class Plugins(plugins.Plugins):
         state = clips_state(project)
         try:
             if state.record:
-                shown = Clips(project, state)
-                _ = shown.picture, shown.video(FIRST, Markup())  # as pages have them
+                # Pages print these. They raise an error if the record is damaged.
+                clips = Clips(project, state)
+                _ = clips.picture, clips.video(FIRST, Markup())
         except (AttributeError, LookupError, TypeError, ResultsError) as error:
             place = short_path(project.record_path(CLIPS))
             why = str(error).split()
@@ -58,14 +61,14 @@ class Plugins(plugins.Plugins):
 
     @cached_property
     def replay(self) -> dict[str, Any] | None:
-        """Return the runs of its replay; None unless all of them are kept and whole."""
+        """Return the runs of the replay, or None unless all of them are stored and complete."""
         if "poses" not in self.edition.chapters:
             return None
         project = self.edition.project
         results = self.edition.chapters["poses"].results
 
         def make() -> dict[str, Any] | None:
-            # It takes NumPy, which takes long to import.
+            # Imported here because NumPy takes long to import.
             from report.media.packed import packed_runs
 
             with suppress(ReportError, LookupError, TypeError, ValueError):
@@ -81,23 +84,24 @@ class Plugins(plugins.Plugins):
         return self.clips.picture if self.clips else ""
 
     def names(self, section: Section) -> Mapping[str, Any]:
-        read = sections_of(self.edition.chapters)
-        records = [each.results.record for each in self.edition.chapters.values()]
+        sections = sections_of(self.edition.chapters)
+        chapters = self.edition.chapters.values()
+        records = [chapter.results.record for chapter in chapters]
         machine = ""
         packages = {}
         if records:
             machine = records[0].machine_text.partition(" (")[0]
             packages = records[0].identity.packages
-        # These decide most of what is measured; the foot of the page has all.
+        # These two decide most results. The foot of the page lists all packages.
         engine = (self.edition.report.settings.edition, "mujoco-warp")
-        named = [f"{name} {packages[name]}" for name in engine if name in packages]
+        engines = [f"{name} {packages[name]}" for name in engine if name in packages]
         return {
-            "value": read.value,
-            "cell": read.cell,
+            "value": sections.value,
+            "cell": sections.cell,
             "clips": self.clips,
             "replay": REPLAY if self.replay else "",
             "machine": machine,
-            "packages": " and ".join(named),
+            "packages": " and ".join(engines),
             "lint": wheel(LINT)[0],
             "root": self.edition.root,
         }
@@ -107,7 +111,7 @@ class Plugins(plugins.Plugins):
         return self.clips.files if self.clips else ()
 
     def pages(self, templates: Templates) -> Mapping[str, str]:
-        """Return the replay, where all of its runs were kept."""
+        """Return the page of the replay if all of its runs are stored."""
         if not self.replay:
             return {}
         project = self.edition.project

@@ -1,1 +1,1 @@
-"""Commands of this report alone, a module each, as those in measured_report/commands/."""
+"""The commands that only this report has, each in a module as in measured_report/commands/."""

@@ -1,10 +1,10 @@
-"""Render the clips from kept poses, in minutes on a GPU."""
+"""Render the clips from the stored poses, in minutes on a GPU."""
 
 import argparse
 import subprocess
 import sys
 
-from experiments.facts.clip_record import clips_state as state  # noqa: F401, which make status asks
+from experiments.facts.clip_record import clips_state as state  # noqa: F401, read by make status
 from measured_report.commands.options import shared
 from measured_report.editions.environment import add_group
 from measured_report.editions.project import Project
@@ -13,7 +13,7 @@ OPTIONS = shared("edition", "device", "profile")
 
 
 def run(project: Project, arguments: argparse.Namespace) -> int:
-    """Run the renderer in a process of its own; return its exit status."""
+    """Run the renderer in a separate process and return its exit status."""
     add_group("clips", project.root)
     options = [f"--newton={project.release}", f"--profile={project.profile}"]
     options += [f"--device={arguments.device}"] if arguments.device else []

@@ -1,4 +1,4 @@
-"""Measure the headline again here, and compare it with the tracked one; keep nothing."""
+"""Measure the headline on this machine and compare it with the tracked one, without storing it."""
 
 import argparse
 from collections.abc import Iterator, Mapping
@@ -16,13 +16,11 @@ from measured_report.values.quantities import Quantity
 from measured_report.values.results import Row
 
 OPTIONS = shared("edition", "device")
-PROGRAM = "experiments.simulation.headline"  # what measures it
+PROGRAM = "experiments.simulation.headline"  # the program that measures the headline
 SECTION = "reproduction"
-SUFFIXES = (
-    "",
-    "-warp-cpu",
-)  # of tracked cases: on the device of the record, and on its CPU
-LINE = "{:12}{:>12}{:>14}{:>14}   {:10}{}"  # of the table
+# Suffixes of tracked cases: measured on the device of the record, and on its CPU.
+SUFFIXES = ("", "-warp-cpu")
+LINE = "{:12}{:>12}{:>14}{:>14}   {:10}{}"  # format of a row of the printed table
 WORDS = {
     "holds": "agrees",
     "cannot tell": "cannot tell: measure again",
@@ -31,24 +29,24 @@ WORDS = {
 
 
 def run(project: Project, arguments: argparse.Namespace) -> int:
-    """Print both and whether they agree; 1 when they differ."""
+    """Print both results and whether they agree. Return 1 if they differ."""
     refuse_unmeasured(project, arguments.release.spec)
     accelerators = project.report.accelerator.accelerators
     device = measuring_device(
         arguments.device or ("cuda" if accelerators() else "cpu"),
         project.profile,
     )
-    found = measure_headline(
+    headline = measure_headline(
         project, arguments.release, device, PROGRAM, lambda: derive_edition(project)
     )
-    text, agrees = verify(*found)
+    text, agrees = verify(*headline)
     print(text)
     return int(not agrees)
 
 
 def verify(edition: Edition, measured: Mapping[str, Any]) -> tuple[str, bool]:
-    """Return the comparison, in lines, and whether all agrees with what is tracked."""
-    comparisons = list(repeats_of(edition, measured))
+    """Return the text of the comparison, and whether all runs agree with the tracked ones."""
+    comparisons = list(comparisons_of(edition, measured))
     machine = measured["machine"]["gpu"] or measured["machine"]["cpu"]
     lines = [
         f"newton {edition.project.release} on {machine}: measured in"
@@ -60,14 +58,14 @@ def verify(edition: Edition, measured: Mapping[str, Any]) -> tuple[str, bool]:
     ]
     state = edition.chapters[SECTION].state
     if state.notes:
-        lines.append(f"the tracked ones are stale: {state.words}")
+        lines.append(f"the tracked results are stale: {state.words}")
     return "\n".join(lines), all(agrees for _, agrees in comparisons)
 
 
-def repeats_of(
+def comparisons_of(
     edition: Edition, measured: Mapping[str, Any]
 ) -> Iterator[tuple[str, bool]]:
-    """Compare each measured run with the tracked ones of its case and engine."""
+    """Yield a line for each measured run and tracked run of its case, and whether they agree."""
     release = edition.project.release
     chapters = edition.chapters
     if SECTION not in chapters:
@@ -93,9 +91,9 @@ def repeats_of(
         difference = abs(slip - tracked.slip_mm)
         outcome = at_most(difference, bound)
         words = WORDS[outcome.answer]
-        if difference.reason:  # a run that fails where the tracked one did not differs
+        if difference.reason:  # a run without a slip cannot agree
             words = f"differs ({difference.reason})"
-        # More digits than a page prints: anyone sees whether two are the same.
+        # More digits than on a page, so that equal results can be recognized.
         cells = [
             str(number) if number.value is None else f"{number.value:.6f} mm"
             for number in (slip, tracked.slip_mm, difference)
@@ -106,6 +104,6 @@ def repeats_of(
 
 
 def _noise_of_one(tracked: Row) -> float:
-    """Return the noise of the slip in one more run of a tracked case [mm]."""
+    """Return the noise of the slip in one further run of a tracked case [mm]."""
     estimate = tracked.estimate("slip_mm")
     return estimate._replace(count=1).noise if estimate else 0.0

@@ -1,4 +1,4 @@
-"""The kept runs that replay.html shows, packed into text that its script reads."""
+"""Pack the stored runs of replay.html into text that its script reads."""
 
 import base64
 from collections.abc import Mapping
@@ -14,7 +14,7 @@ from measured_report.values.results import Results
 from report.media.replay import SHAKES
 
 SAMPLE_RATE_HZ = 30
-COLUMNS = (  # what is packed of each sample; the cube's pose is in the TCP frame [m]
+COLUMNS = (  # numbers of each sample; the cube's pose is in the TCP frame [m]
     *(f"joint_{number}" for number in range(9)),
     *(f"cube_{part}" for part in ("x", "y", "z", "qx", "qy", "qz", "qw")),
     "normal_force_n",
@@ -24,7 +24,7 @@ COLUMNS = (  # what is packed of each sample; the cube's pose is in the TCP fram
 
 
 def packed_runs(results: Results) -> dict[str, Any]:
-    """Return all runs of the page, as assets/replay/src/runs.js reads them."""
+    """Return all runs of the page in the format of assets/replay/src/runs.js."""
     rows = {row["case"]: row for row in results.record.rows}
     first = rows["as-shipped"]
     shakes = []
@@ -40,47 +40,48 @@ def packed_runs(results: Results) -> dict[str, Any]:
 
 
 def packed_run(name: str, row: Mapping[str, Any], record: Path) -> dict[str, Any]:
-    """Return a run, sampled up to its last frame.
+    """Return the samples of a run, which include its last frame.
 
-    Each column has 16 bits between its least and its largest value.
+    Each column is stored in 16 bits between its smallest and its largest value.
     """
     run = kept_run(row, load_trace(trace_path(record, row["case"])))
     kept_rate_hz = row["frame_rate_hz"] / row["kept_frame_step"]
     step = max(1, round(kept_rate_hz / SAMPLE_RATE_HZ))
-    chosen = np.arange(len(run.time_s))[(len(run.time_s) - 1) % step :: step]
-    turn = quaternions(run.cube_in_hand)
+    indices = np.arange(len(run.time_s))[(len(run.time_s) - 1) % step :: step]
+    rotations = quaternions(run.cube_in_hand)
     contact = np.stack([run.contact[name] for name in COLUMNS[16:]], axis=1)
-    parts = [run.joints, run.cube_in_hand[:, :3, 3], turn, contact]
-    values = np.concatenate(parts, axis=1)[chosen]
-    # A billionth of a metre or a radian is less than any sample tells, and digits
-    # behind it differ with another NumPy.
+    parts = [run.joints, run.cube_in_hand[:, :3, 3], rotations, contact]
+    values = np.concatenate(parts, axis=1)[indices]
+    # A sample does not resolve a billionth of a metre or a radian, and further digits
+    # differ between versions of NumPy.
     low = np.round(values.min(axis=0), 9)
     high = np.round(values.max(axis=0), 9)
-    shares = (values - low) / np.where(high > low, high - low, 1.0)
-    whole = np.round(shares * 65535).astype("<u2")
+    fractions = (values - low) / np.where(high > low, high - low, 1.0)
+    levels = np.round(fractions * 65535).astype("<u2")
     return {
         "name": name,
-        "start_s": float(run.time_s[chosen[0]]),
+        "start_s": float(run.time_s[indices[0]]),
         "step_s": step * row["kept_frame_step"] / row["frame_rate_hz"],
-        "count": len(chosen),
+        "count": len(indices),
         "left_grasp_s": row["left_grasp_s"],
         "begin": {
             "position": run.begin_in_hand[:3, 3].tolist(),
-            "quaternion": np.round(turn[run.shake_start], 9).tolist(),
+            "quaternion": np.round(rotations[run.shake_start], 9).tolist(),
         },
         "low": low.tolist(),
         "high": high.tolist(),
-        "samples": base64.b64encode(whole.T.tobytes()).decode(),
+        "samples": base64.b64encode(levels.T.tobytes()).decode(),
     }
 
 
 def quaternions(poses: np.ndarray) -> np.ndarray:
     """Return unit quaternions (x, y, z, w) of poses, shape [frames, 4].
 
-    Each is on the side of the one before.
+    The signs are chosen so that successive quaternions are close to each other.
 
-    Each is the largest eigenvector of a symmetric matrix (I. Bar-Itzhack, "New method for extracting the quaternion
-    from a rotation matrix", Journal of Guidance, Control, and Dynamics 23, 2000).
+    Each is the eigenvector of the largest eigenvalue of a symmetric matrix
+    (I. Bar-Itzhack, "New method for extracting the quaternion from a rotation matrix",
+    Journal of Guidance, Control, and Dynamics 23, 2000).
     """
     r = poses[:, :3, :3]
     trace = np.trace(r, axis1=1, axis2=2)
@@ -92,6 +93,6 @@ def quaternions(poses: np.ndarray) -> np.ndarray:
     )
     k[:, :3, 3] = k[:, 3, :3]
     k[:, 3, 3] = trace
-    axes = np.linalg.eigh(k)[1][:, :, -1]
-    turned = np.sum(axes[1:] * axes[:-1], axis=1) < 0.0
-    return axes * np.where(np.append(0, np.cumsum(turned)) % 2, -1.0, 1.0)[:, None]
+    vectors = np.linalg.eigh(k)[1][:, :, -1]
+    flips = np.sum(vectors[1:] * vectors[:-1], axis=1) < 0.0
+    return vectors * np.where(np.append(0, np.cumsum(flips)) % 2, -1.0, 1.0)[:, None]

@@ -1,4 +1,4 @@
-"""replay.html: kept runs in 3D, on a page that needs no other file."""
+"""Write replay.html, which shows stored runs in 3D and does not need any other file."""
 
 import base64
 import hashlib
@@ -17,7 +17,7 @@ from measured_report.values.format import format_number
 from report.media.clips import Clips
 
 REPLAY = "replay.html"
-SHAKES = {  # what can be chosen on the page, and the runs that it shows, by case
+SHAKES = {  # the choices of the page, and the cases and names of the runs of each
     "3 cm": {"as-shipped": "shipped pads", "stiff-pads": "stiff pads"},
     "10 cm": {"as-shipped-10cm": "shipped pads", "stiff-pads-10cm": "stiff pads"},
     "held still": {"hold-60s": "shipped pads, held still"},
@@ -33,7 +33,14 @@ def replay_page(
     templates: Templates,
     root: str,
 ) -> str:
-    """Write the page of one release: of its section poses, of its ``packed_runs``, and of the still among its clips."""
+    """Return the page of one release.
+
+    Args:
+        chapter: The section poses.
+        runs: Packed by ``packed_runs``.
+        clips: The clips of the release. A page without a script shows their still.
+        root: Leads from the page to the root of the site.
+    """
     text = script(project.root)
     names = {
         "root": root,
@@ -41,12 +48,13 @@ def replay_page(
         "section": chapter.section,
         "still": clips
         and clips.still(
-            "#runs-in-numbers", Markup("The cube in the hand, every second cycle.")
+            "#runs-in-numbers",
+            Markup("The picture shows the cube in the hand at every second cycle."),
         ),
         "shakes": list(SHAKES),
         "speeds": {
             speed: format_number(speed, noise=0.0) for speed in (0.25, 1.0, 4.0)
-        },  # of the simulated time
+        },  # relative to the simulated time
         "speed": 1.0,
         "magnifications": (1, 5, 20),
         "runs": json.dumps(runs, separators=(",", ":")),
@@ -60,5 +68,5 @@ def replay_page(
 
 
 def script(root: Path = ROOT) -> str:
-    """Return the one script that a page of this site may run."""
+    """Return the only inline script that a page of this site may run."""
     return (root / SCRIPT).read_text(encoding="utf-8")

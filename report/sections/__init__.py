@@ -1,1 +1,1 @@
-"""One module for each section: what it derives from its results, shows and claims."""
+"""One module per section, which derives its values, tables, figures and claims."""

@@ -1,4 +1,4 @@
-"""Who finds the contacts, how often, on which shape, and which engine solves them."""
+"""The slip with contacts from another engine, at other rates, and on other shapes."""
 
 from dataclasses import replace
 

@@ -1,4 +1,4 @@
-"""The solver's contact rows: their residuals, and what makes them slide."""
+"""The contact rows of the solver: their residuals, and the reason why they slide."""
 
 from dataclasses import replace
 
@@ -29,40 +29,43 @@ def derive(results: Results) -> Section:
     frames = [row for row in results.rows if row.kind == "frame"]
     shipped = [row for row in frames if row.case == "as-shipped"]
     runs = [row for row in results.rows if row.kind == "run"]
-    whole = (row for row in runs if row.case == "as-shipped")
-    run = next(whole, results.row["as-shipped"])
-    # Through MuJoCo C, without the left-out acceleration in the contact rows and with it.
+    shipped_runs = (row for row in runs if row.case == "as-shipped")
+    run = next(shipped_runs, results.row["as-shipped"])
+    # In MuJoCo C: contact rows without the left-out acceleration, and with it.
     left_out = [results.row[f"{case}-missing-term"] for case in CASES]
     restored = [results.row[f"{case}-term-restored"] for case in CASES]
 
     used = results.value(
         "grip_used_shipped",
-        "most of its friction cone that a contact uses through the shake, with shipped pads",
+        "largest share of its friction cone that a contact uses in the shake, shipped"
+        " pads",
         PERCENT * run.cone_use_max,
     )
-    inside = at_most(run.cone_use_max, 0.1, "far from the limit, which is 1")
+    inside = at_most(run.cone_use_max, 0.1, "far from the limit of 1")
     load = results.value(
         "load_along",
-        "most that all contacts carry along the pads, over all looks",
+        "largest force that all contacts together carry along the pads, over all"
+        " samples",
         combined(max, *(row.tangential_force_n for row in shipped)),
     )
     weight = other_value(results, "reproduction", "cube_weight")
     results.value(
-        "load_by_weight", "this load, by the weight of the cube", load / weight
+        "load_by_weight", "this load over the weight of the cube", load / weight
     )
 
     largest = results.value(
         "friction_residual",
-        "largest position residual of a loaded contact's friction rows, over all looks",
+        "largest position residual of the friction rows of a loaded contact, over all"
+        " samples",
         combined(max, *(row.friction_residual_mm for row in frames)),
     )
     normal = results.value(
         "normal_residual",
-        "largest position residual of a loaded contact's normal row as shipped,"
-        " over all looks",
+        "largest position residual of the normal row of a loaded contact as shipped,"
+        " over all samples",
         combined(max, *(row.normal_residual_mm for row in shipped)),
     )
-    none = results.chosen("friction_residual_bound", "none at all", 0.0, "mm")
+    none = results.chosen("friction_residual_bound", "no residual at all", 0.0, "mm")
     no_residual = all_of(at_most(largest, none), greater(normal, largest))
     first = shipped[0] if shipped else results.row["as-shipped"]
     timeconst = first.friction_timeconst_s
@@ -72,13 +75,13 @@ def derive(results: Results) -> Section:
     same = results.chosen("slide_departure_bound", "the same motion", 15.0, "%")
     gap = results.value(
         "slide_gap_as-shipped",
-        "what the velocities of the loaded friction rows add up to,"
-        " less the motion measured along the same axis",
+        "integrated velocity of the loaded friction rows minus the motion measured"
+        " along the same axis",
         slide - along,
     )
     off = results.value(
         "slide_departure_as-shipped",
-        "size of that difference, of the motion measured",
+        "absolute value of that difference, relative to the measured motion",
         PERCENT * abs(gap / along),
     )
     is_more = greater(slide, along).answer
@@ -86,42 +89,46 @@ def derive(results: Results) -> Section:
     departures = [
         results.value(
             f"missing_term_departure_{row.case}",
-            "slide that the left-out acceleration gives, less the slide of the"
-            " friction rows, in size, of the latter",
+            "absolute difference between the slide predicted from the left-out"
+            " acceleration and that of the friction rows, relative to the latter",
             departure(row.predicted_slide_mm, row.slide_mm),
         )
         for row in left_out
     ]
     missing = results.value(
         "missing_term_departure",
-        "larger of both departures",
+        "larger of the two differences",
         combined(max, *departures),
     )
     close = results.chosen("missing_term_bound", "the same slide", 5.0, "%")
 
-    little = results.chosen("restored_share_bound", "no slide to speak of", 5.0, "%")
+    little = results.chosen("restored_share_bound", "a negligible slide", 5.0, "%")
     shares = []
     falls = []
     for case, plain, back in zip(CASES, left_out, restored, strict=True):
         share = results.value(
             f"restored_share_{case}",
-            "size of the slide of the friction rows with the term put back,"
-            " of that without it",
+            "absolute slide of the friction rows with the term put back, relative to"
+            " that without it",
             PERCENT * abs(back.slide_mm / plain.slide_mm),
         )
         shares.append(share)
         size = abs(back.slide_mm)
-        less = results.value(f"restored_{case}_small_size", "its size", size)
+        less = results.value(
+            f"restored_{case}_small_size", "absolute slide with the term", size
+        )
         size = abs(plain.slide_mm)
-        more = results.value(f"restored_{case}_large_size", "its size", size)
+        more = results.value(
+            f"restored_{case}_large_size", "absolute slide without the term", size
+        )
         falls.append(greater(more, less))
     rest = results.value(
-        "restored_share", "larger of both shares", combined(max, *shares)
+        "restored_share", "larger of the two shares", combined(max, *shares)
     )
     ends = all_of(at_most(rest, little), *falls)
 
     has_own = decided(bool(timeconst.value), timeconst)
-    # The engine states the time constant, so its absence is known.
+    # The engine states the time constant, so a missing one proves the opposite.
     has_own = replace(has_own, is_opposite=has_own == FAILS)
     predicted = left_out[0].predicted_slide_mm
     without = left_out[0].slide_mm

@@ -1,4 +1,4 @@
-"""Cost of the cure: time of a frame with and without it, in one world and in many."""
+"""Run time of a frame with and without the root cure, in one world and in many."""
 
 from report.shared import (
     PERCENT,
@@ -17,9 +17,9 @@ from report.shared import (
 
 order = 144
 page = "cure"
-label = "what the root cure costs"
+label = "cost of the root cure"
 
-CASES = {  # labels of what is compared with the scene as shipped
+CASES = {  # labels of the cases that are compared with the scene as shipped
     "term": "term put back",
     "best": "the root cure",
     "firm": "the root cure on stiff pads",
@@ -33,7 +33,8 @@ def derive(results: Results) -> Section:
     extra = {
         (case, count): results.value(
             f"{case}_extra_{count}",
-            f"time of a frame with {case} over that as shipped, timed in turn, less one",
+            f"time of a frame with {case} over that as shipped, timed in turn, minus"
+            " one",
             PERCENT * (rows[case, count].frame_ratio - 1),
         )
         for case in CASES
@@ -45,7 +46,7 @@ def derive(results: Results) -> Section:
     for case in ("best", "firm"):
         worst_case = results.value(
             f"{case}_worst",
-            "by how much a frame takes longer, most of all numbers of worlds",
+            "largest additional time of a frame over all numbers of worlds",
             combined(max, *(extra[case, count] for count in TIMED_WORLDS)),
         )
         outcome = negligible(worst_case, bound)
@@ -55,5 +56,5 @@ def derive(results: Results) -> Section:
         worlds_name(count): [extra[case, count] for case in CASES]
         for count in TIMED_WORLDS
     }
-    ways = table_of("way", CASES.values(), columns, resolution=worst)
-    return Section(tables={"ways": ways}, claims=claims)
+    settings = table_of("setting", CASES.values(), columns, resolution=worst)
+    return Section(tables={"ways": settings}, claims=claims)

@@ -1,4 +1,4 @@
-"""The defaults of a release, and the slip with them: the scene writes those of 1.4.0."""
+"""The defaults of a release, and the slip with them. The scene uses those of 1.4.0."""
 
 from report.shared import Claim, Results, Section, all_of, cell_or_absent, decided
 
@@ -6,8 +6,8 @@ order = 205
 page = "releases"
 label = "own defaults"
 
-RUN = ("frame_count", "device")  # parameters of a run of its own
-MUJOCO = {  # the engine finds the contacts; a pyramid
+RUN = ("frame_count", "device")  # parameters that are not defaults of the release
+MUJOCO = {  # options with which MuJoCo finds the contacts, with a pyramidal cone
     "run_collision_detection": 1.0,
     "cone": 0.0,
 }

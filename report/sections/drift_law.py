@@ -1,4 +1,4 @@
-"""The law of the drift, beside what the runs of section stiffness drift."""
+"""The law of the drift, compared with the drift of the runs of section stiffness."""
 
 from functools import partial
 
@@ -30,7 +30,7 @@ from report.shared import (
 )
 from report.shared.drawing import INK, SERIES, Drawing, new_figure, tick_125
 
-order = 126  # after the runs that are shown moving
+order = 126  # after section poses, which shows the runs in motion
 page = "cause"
 reads = ("poses", "stiffness")
 label = "law of the drift"
@@ -44,28 +44,29 @@ labels = {
 
 SHIPPED = "pad-ke-2.5e3"
 FIX = "pad-ke-2.5e5"
-MOST = 0.9  # chosen: the law is asked of so many of the runs
+MOST = 0.9  # chosen: the share of the runs that have to follow the law
 
 
 def derive(results: Results) -> Section:
     runs = list(filter(is_held, results.rows))
     laws = {row.case: _law(results, row) for row in runs}
     cells = [*laws.values(), *(row.drift_mm_s for row in runs)]
-    # Shipped pads at last: the acceleration is of the arm's motion, and not the cube's.
     follows = _follows(results, runs, laws)
     by_hand = _by_hand(results, laws.get(SHIPPED))
 
-    # The same acceleration by a speed and an arc, of the joints' record.
+    # The same acceleration from speed and curvature of the recorded motion of the
+    # joints.
     others = Sections(results.others)
     motion: dict[str, Quantity] = {name: others.value("poses", name) for name in MOTION}
     swing = results.value(
         "g_swing",
-        "squared speed over arc",
+        "mean squared speed of the hand over the radius of its arc",
         MM_PER_M * motion["speed_squared"] / motion["arc"],
     )
     off = results.value(
         "g_off",
-        "how far that is from what the law takes",
+        "absolute difference between that and the acceleration in the law, relative to"
+        " the latter",
         departure(swing, results.derived["g"]),
     )
     same = at_most(off, 5.0, "the same acceleration")
@@ -78,33 +79,33 @@ def derive(results: Results) -> Section:
 
 
 def _law(results: Results, row: Row) -> Value:
-    """Derive the drift that the left-out acceleration gives and the step takes away."""
+    """Derive the drift that follows from the law. The time step reduces that of the left-out term."""
     drift = row.left_out_mm_s + row.step_mm_s
-    return results.value(
-        f"law_{row.case}", "drift by the law, of both its parts", drift
-    )
+    return results.value(f"law_{row.case}", "sum of the two parts of the law", drift)
 
 
 def _by_hand(results: Results, law: Value | None) -> Claim:
-    """Compare both parts for shipped pads with the drift."""
+    """Compare the law with the measured drift of shipped pads."""
     row = results.row[SHIPPED]
     others = Sections(results.others)
     dmax = others.cell("stiffness", SHIPPED, "dmax")
     substep = others.value("stiffness", "substep")
-    step = results.value("step_ms", "substep in ms", MS_PER_S * substep)
+    step = results.value("step_ms", "substep", MS_PER_S * substep)
     timeconst = results.value(
-        "timeconst_ms", "response over dmax", MS_PER_S * row.response_s / dmax
+        "timeconst_ms", "response time over dmax", MS_PER_S * row.response_s / dmax
     )
     g = results.value(
         "g",
-        "mean of J̇q̇ along the shake, from the arm's motion",
+        "mean of J̇q̇ along the shake, computed from the motion of the arm",
         2 * row.left_out_mm_s / row.response_s,
     )
-    back = results.value("back", "what the step takes away", -row.step_mm_s)
+    back = results.value(
+        "back", "reduction of the drift by the time step", -row.step_mm_s
+    )
     rough = law or _law(results, row)
     off = results.value(
         "rough_off",
-        "how far that is from the drift, of the latter",
+        "absolute difference between that and the drift, relative to the latter",
         departure(rough, row.drift_mm_s),
     )
     outcome = at_most(off, 5.0, "nearly all of it")
@@ -125,39 +126,40 @@ def _by_hand(results: Results, law: Value | None) -> Claim:
 
 
 def _follows(results: Results, runs: list[Row], laws: dict[str, Value]) -> Claim:
-    """Ask whether most runs follow the law.
+    """Test whether most runs follow the law.
 
-    Which runs at the edge keep the cube is chance, and so is the farthest of all.
+    The claim leaves out the farthest runs, because it is a matter of chance which runs at
+    the limit of the grasp keep the cube.
     """
     offs = [
         results.value(
             f"off_kept_{row.case}",
-            "drift measured with positions compensated, less that of the law, in size,"
-            " of the latter",
+            "absolute difference between the drift measured with compensated positions"
+            " and that of the law, relative to the latter",
             departure(row.drift_mm_s, laws[row.case]),
         )
         for row in runs
     ]
     half = results.value(
         "half_kept",
-        "departure from the law of half of the runs, at most",
+        "largest difference from the law among the closest half of the runs",
         combined(partial(quantile, 0.5), *offs),
     )
     most = results.value(
         "most_kept",
-        "departure from the law of nine in ten runs, at most",
+        "largest difference from the law among the closest nine in ten runs",
         combined(partial(quantile, MOST), *offs),
     )
     responses = [row.response_s for row in runs]
     width = results.value(
         "response_range",
-        "longest over shortest response of the friction rows",
+        "longest over shortest response time of the friction rows",
         combined(max, *responses) / combined(min, *responses),
     )
     distinct = results.value(
         "response_count",
-        "different responses of these runs, to a thousandth of themselves",
-        lambda *found: len({f"{each:.3g}" for each in found}),
+        "different response times of these runs, rounded to three digits",
+        lambda *times: len({f"{time:.3g}" for time in times}),
         *responses,
     )
     tried = results.value(
@@ -166,7 +168,9 @@ def _follows(results: Results, runs: list[Row], laws: dict[str, Value]) -> Claim
         cell_count([row.pad_ke for row in results.rows]),
     )
     count = results.value(
-        "count_kept", "runs that keep the cube, positions compensated", cell_count(offs)
+        "count_kept",
+        "runs that keep the cube, with compensated positions",
+        cell_count(offs),
     )
     bound = results.chosen("law_bound", "one law", 1.5, "%")
     outcome = at_most(most, bound).having_read(width, distinct)
@@ -180,15 +184,15 @@ def _follows(results: Results, runs: list[Row], laws: dict[str, Value]) -> Claim
         "tried": tried,
     }
     wide = all_of(
-        at_least(width, 3.0, "enough to see a law"),
-        at_least(distinct, 5, "more than a line takes"),
+        at_least(width, 3.0, "a range that is wide enough for a law"),
+        at_least(distinct, 5, "more points than a fitted line needs"),
     )
     if outcome != FAILS and wide != HOLDS:
-        reason = "no cube is kept"
+        reason = "no run keeps the cube"
         if width.value:
-            reason = "the friction rows of all runs brake too much alike to tell"
+            reason = "the friction rows of all runs have nearly the same response time"
         outcome = Outcome("unknown", reason).having_read(width)
-        numbers = {name: absent(each.unit, reason) for name, each in numbers.items()}
+        numbers = {name: absent(cell.unit, reason) for name, cell in numbers.items()}
     return Claim("follows", outcome, numbers | {"is_wide": wide == HOLDS})
 
 

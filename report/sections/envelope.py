@@ -1,4 +1,4 @@
-"""How hard can one shake? Amplitude and frequency, as points and as a map."""
+"""Harder shakes: slip against amplitude and frequency, as a table and as a map."""
 
 import math
 from dataclasses import replace
@@ -44,18 +44,19 @@ def derive(results: Results) -> Section:
     )
     middle = results.value(
         "map_gain_median",
-        "median over the map of the ratio of the slips, where the cube is held before"
-        " and after",
+        "median ratio of the slips of shipped and stiff pads, over the cells of the"
+        " map that"
+        " keep the cube with both",
         lambda map: median(np.divide(*_slips(map))),
         trace,
     )
     least = results.value(
         "map_gain_least",
-        "least ratio on the map",
+        "smallest of these ratios",
         lambda map: np.divide(*_slips(map)).min(),
         trace,
     )
-    # Shakes at round numbers.
+    # The table has the shakes at round numbers.
     stiff_cases = (
         row["case"] for row in results.rows if row["case"].startswith("stiff-")
     )
@@ -66,13 +67,15 @@ def derive(results: Results) -> Section:
         slips = [row.slip_mm if _is_held(row) else "lost" for row in rows]
         columns[f"slip, {name}"] = slips
         columns[f"cube ends at, {name}"] = [row.cube_height_m for row in rows]
-    columns["times less"] = [_times_less(results, shake) for shake in shakes]
-    # Cells of the map scatter as the same runs in this table do.
-    tried = [row.slip_mm for row in results.rows if _is_held(row)]
-    shares = [slip.noise / slip.number for slip in tried if slip.noise and slip.value]
+    columns["slip ratio"] = [_slip_ratio(results, shake) for shake in shakes]
+    # The cells of the map are taken to scatter like the same runs in this table.
+    held_slips = [row.slip_mm for row in results.rows if _is_held(row)]
+    shares = [
+        slip.noise / slip.number for slip in held_slips if slip.noise and slip.value
+    ]
     noise = math.sqrt(2) * max(shares, default=0.0) * (least.value or 0.0)
-    gains = at_least(replace(least, noise=noise), 1.0, "less slip")
-    gains = gains.having_read(*tried)
+    gains = at_least(replace(least, noise=noise), 1.0, "a smaller slip")
+    gains = gains.having_read(*held_slips)
 
     names = [
         shake.replace("cm-", "\u00a0cm, ").replace("hz", "\u00a0Hz") for shake in shakes
@@ -101,13 +104,13 @@ def derive(results: Results) -> Section:
     )
 
 
-def _times_less(results: Results, shake: str):
+def _slip_ratio(results: Results, shake: str):
     shipped, stiff = (results.row[f"{side}-{shake}"] for side in SIDES)
     if not (_is_held(shipped) and _is_held(stiff)):
         return ""
     return results.value(
         f"round_gain_{shake}",
-        "slip as shipped over that in stiff pads",
+        "slip with shipped pads over that with stiff pads",
         shipped.slip_mm / stiff.slip_mm,
     )
 
@@ -118,7 +121,7 @@ def _is_held(row: Row) -> bool:
 
 
 def _slips(frame: pd.DataFrame) -> tuple[np.ndarray, np.ndarray]:
-    """Return the slips of both sides where the cube is held on both."""
+    """Return the slips of both sides in the cells in which both keep the cube."""
     shipped, stiff = (held_slip(frame, side).to_numpy(dtype=float) for side in SIDES)
-    is_there = np.isfinite(shipped) & np.isfinite(stiff) & (stiff != 0.0)
-    return shipped[is_there], stiff[is_there]
+    is_usable = np.isfinite(shipped) & np.isfinite(stiff) & (stiff != 0.0)
+    return shipped[is_usable], stiff[is_usable]

@@ -1,10 +1,11 @@
-"""The fix as a download: do the very files that are offered do what they promise?"""
+"""The fix as downloads: the slip measured with the offered files themselves."""
 
-from experiments.facts.case import AS_SHIPPED, STIFF_PADS
+from experiments.facts.case import STIFF_PADS
 from experiments.facts.fix_files import fix_files
 from report.shared import (
     MS_PER_S,
     SETTLES,
+    SUBSTEP_S,
     Claim,
     Results,
     Section,
@@ -29,48 +30,53 @@ def derive(results: Results) -> Section:
     fixed = results.row["fixed"]
     bound = results.chosen("gain_bound", *SETTLES)
     gain = results.value(
-        "gain", "slip of as-shipped over slip of fixed", shipped.slip_mm / fixed.slip_mm
+        "gain",
+        "slip as shipped over slip with the fix",
+        shipped.slip_mm / fixed.slip_mm,
     )
     passes = [row.exit_status.value == 0 for row in (shipped, fixed)]
     holds = all_of(at_least(gain, bound), decided(passes[1], fixed.slip_mm))
-    # A script that breaks down has no slip, and fails the test for another reason.
+    # A script that crashes also fails, but it has no slip, so that the claim cannot
+    # tell.
     tells = decided(passes == [False, True], shipped.slip_mm, fixed.slip_mm)
     before, after = ("passes" if is_passed else "fails" for is_passed in passes)
 
-    # Two steps are the shortest timeconst: no contact is harder.
+    # The engine does not use a timeconst of less than two steps, so no contact is
+    # harder.
     step = other_value(results, "stiffness", "substep")
     if step.value is None:
         step = results.value(
             "substep",
             "given by the scene: frame time over substeps",
-            constant(1 / 60 / AS_SHIPPED.substeps, "s"),
+            SUBSTEP_S,
         )
-    dt = results.value("step_ms", "the same in ms", MS_PER_S * step)
+    dt = results.value("step_ms", "the substep", MS_PER_S * step)
     least_kd = results.value(
         "step_kd",
-        "kd of which two steps are the timeconst, 2 / kd",
+        "kd with a timeconst, 2 / kd, of two steps",
         constant(1, "s") / step,
     )
     least_ke = results.value(
         "step_ke",
-        "ke with which the damping ratio, kd / (2 √ke), is 1",
+        "ke with a damping ratio, kd / (2 √ke), of 1",
         least_kd * least_kd / 4,
     )
-    rounded = results.chosen("rounding_bound", "rounded", 10.0, "%")
+    rounded = results.chosen("rounding_bound", "a rounded number", 10.0, "%")
     numbers = {"dt": dt, "least_kd": least_kd, "least_ke": least_ke}
     tests = []
-    for name, given, least in (
+    for name, patched, least in (
         ("kd", STIFF_PADS.pad_kd, least_kd),
         ("ke", STIFF_PADS.pad_ke, least_ke),
     ):
         numbers[name] = results.value(
             f"patch_{name}",
             f"given: {name} of the stiff pads, which the patch sets",
-            constant(given),
+            constant(patched),
         )
         off = results.value(
             f"patch_{name}_off",
-            f"how far the patch's {name} is from that",
+            f"absolute difference between the {name} of the patch and the least one,"
+            " relative to the latter",
             departure(numbers[name], least),
         )
         tests += [at_least(numbers[name], least), at_most(off, rounded)]

@@ -1,4 +1,4 @@
-"""What moves against what: the displacement as shipped, taken apart into poses."""
+"""The displacement as shipped, divided into motions between pairs of bodies."""
 
 from report.shared import (
     PERCENT,
@@ -13,7 +13,7 @@ from report.shared import (
 )
 
 order = 60
-label = "what moves"
+label = "moving bodies"
 
 
 def derive(results: Results) -> Section:
@@ -21,7 +21,8 @@ def derive(results: Results) -> Section:
     left = results.row["cube-in-left-finger"].displacement_mm
     right = results.row["cube-in-right-finger"].displacement_mm
     shares = (
-        "of the cube's displacements against the two fingers, of that against the TCP"
+        "displacement of the cube relative to a finger, divided by that relative to the"
+        " TCP"
     )
     least = results.value(
         "finger_share",
@@ -34,11 +35,12 @@ def derive(results: Results) -> Section:
         PERCENT * combined(max, left, right) / whole,
     )
     in_fingers = all_of(
-        at_least(least, 95.0, "as good as all of it"),
+        at_least(least, 95.0, "nearly all of it"),
         at_most(most, 105.0, "no more than all of it"),
         greater(whole, 0.0, "no motion at all"),
     )
-    # Drift and displacement: what creeps, and what only rests elsewhere.
+    # The drift is nonzero if a pair creeps. The displacement is also nonzero if it only
+    # comes to rest at another place.
     pairs = ("TCP-in-hand", "left-finger-in-hand", "hand-in-link7")
     rows = [results.row[case] for case in pairs]
     cells = (cell for row in rows for cell in (row.total_drift_mm, row.displacement_mm))
@@ -46,7 +48,7 @@ def derive(results: Results) -> Section:
     largest = results.value("robot_drift", formula, combined(max, *cells))
     share = results.value(
         "robot_share",
-        f"{formula}, of the cube's displacement against the TCP",
+        f"{formula}, divided by the displacement of the cube relative to the TCP",
         PERCENT * largest / whole,
     )
     bound = results.chosen("robot_share_bound", "too little to matter", 5.0, "%")

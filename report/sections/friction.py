@@ -1,4 +1,4 @@
-"""Is it friction? Coefficients of pads and cube, from far below to far above."""
+"""The slip with friction coefficients far below and far above the shipped ones."""
 
 from report.shared import Results, Section, variant_section, variants_of
 

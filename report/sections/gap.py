@@ -1,4 +1,4 @@
-"""The contact gap: it makes contacts, but none that it adds carries force."""
+"""The contact gap: it adds contacts, but these do not carry any force."""
 
 from report.shared import (
     PERCENT,
@@ -26,11 +26,11 @@ def derive(results: Results) -> Section:
     rows = [results.row[case] for case in CASES]
     slips = [row.slip_mm for row in rows]
     change = results.value(
-        "slip_difference", "largest minus smallest slip of the gaps", spread(slips)
+        "slip_difference", "largest minus smallest slip over the gaps", spread(slips)
     )
     share = results.value(
         "slip_difference_share",
-        "difference in slip between the gaps, of the slip with the default gap, in size",
+        "that difference, relative to the slip with the default gap",
         PERCENT * change / abs(slips[0]),
     )
     why = "too little to explain the slip"
@@ -38,7 +38,7 @@ def derive(results: Results) -> Section:
     listed = [row.mean_row_count for row in rows]
     loaded = [row.mean_loaded_row_count for row in rows]
     same = all_of(
-        decreases(listed, by=0.5, why="a number of contacts that differs"),
+        decreases(listed, by=0.5, why="a different number of contacts"),
         negligible(spread(loaded), 0.5, why="the same number of contacts"),
     )
     numbers = {"share": share, "slip": slips[0]}

@@ -1,4 +1,4 @@
-"""The same grasp with the arm held still: how much of the drift needs the load cycle?"""
+"""The same grasp with the arm held still: its drift compared with that of the shake."""
 
 import numpy as np
 
@@ -30,7 +30,7 @@ LINES = {
     "hold-60s": ("held still, shipped pads", SHIPPED, "--"),
     "hold-60s-stiff": ("held still, stiff pads", STIFF, "--"),
 }
-"""Traces that are drawn, the second of section reproduction: name, colour and style."""
+"""Name, colour and style of each trace in the figure."""
 
 
 def derive(results: Results) -> Section:
@@ -40,12 +40,12 @@ def derive(results: Results) -> Section:
     slip = long.slip_mm
     duration = long.shake_duration_s
 
-    # A drift the other way is no part of the drift as shipped, but takes no shake.
+    # A drift in the other direction is not a part of the drift as shipped.
     held = results.row["hold"].drift_mm_s
     drift = shaken.drift_mm_s
     share = results.value(
         "hold_share",
-        "drift with the arm held still, of the drift as shipped, in size",
+        "absolute drift with the arm held still, relative to the drift as shipped",
         PERCENT * abs(held / drift),
     )
     bound = results.chosen("hold_share_bound", "no comparable drift", 10.0, "%")
@@ -54,44 +54,46 @@ def derive(results: Results) -> Section:
     last = long.increment_final_mm
     final = results.value(
         "creep_final_share",
-        "motion in the last second of the long hold, of its mean per second",
+        "motion in the last second of the long hold, relative to its mean per second",
         PERCENT * last * duration / slip / constant(1, "s"),
     )
     goes_on = all_of(
-        at_least(final, 50.0, "not dying out"),
+        at_least(final, 50.0, "it does not die out"),
         greater(last, 0.0, "no motion at all"),
         greater(slip, 0.0, "no motion at all"),
     )
     remaining = results.value(
         "stiff_creep_share",
-        "slip of the long hold with stiff pads, of the slip of the long hold"
-        " as shipped",
+        "slip of the long hold with stiff pads, relative to that with shipped pads",
         PERCENT * stiff.slip_mm / slip,
     )
     keeps = all_of(goes_on, at_least(remaining, 50.0, "most of it remains"))
 
-    # In C, with positions in double and in single precision; all from one state.
+    # The three runs start from the same state. In C, the positions are stored in double
+    # or in single precision.
     double = results.row["precision-c-double"].creep_mm_s
     single = results.row["precision-c-single"].creep_mm_s
     warp = results.row["precision-warp"].creep_mm_s
-    left = results.value(
+    double_share = results.value(
         "double_share",
-        "creep with positions in double precision, of that with positions rounded"
-        " to single precision",
+        "creep with positions in double precision, relative to that with positions"
+        " rounded to single precision",
         PERCENT * double / single,
     )
     rounded = results.value(
         "rounded_departure",
-        "difference between the creep with rounded positions and MuJoCo Warp's,"
-        " of the latter",
+        "absolute difference between the creep with rounded positions and that of"
+        " MuJoCo"
+        " Warp, relative to the latter",
         departure(single, warp),
     )
     is_rounding = all_of(
         greater(warp, 0.0, "a creep to explain"),
-        at_most(left, 50.0, "most of it is gone"),
+        at_most(double_share, 50.0, "most of it is gone"),
         at_most(rounded, 10.0, "the same creep"),
     )
 
+    # The trace of stiff pads belongs to section reproduction.
     others = results.others
     sources = {"stiff-pads": others["reproduction"]} if "reproduction" in others else {}
     traces = {case: sources.get(case, results).trace(case) for case in LINES}
@@ -141,10 +143,10 @@ def _draw_motion(traces: dict[str, Series]) -> Drawing:
     for case, trace in traces.items():
         if trace.value is not None:
             name, colour, style = LINES[case]
-            way = np.linalg.norm(trace.value[["x_mm", "y_mm", "z_mm"]], axis=1)
+            displacement = np.linalg.norm(trace.value[["x_mm", "y_mm", "z_mm"]], axis=1)
             axes.plot(
                 trace.value["time_s"],
-                way,
+                displacement,
                 color=colour,
                 linestyle=style,
                 marker="",

@@ -1,4 +1,4 @@
-"""Measure it yourself: what the engine in the page is held against."""
+"""The runs with which the engine in the page is compared."""
 
 from report.shared import Claim, Results, Section, at_least, by_case
 
@@ -21,26 +21,26 @@ COLUMNS = {
     "friction used": "cone_use",
     "class": "class",
 }
-CHECKS = (
-    "impratio-1-midphase",
-    "as-shipped-nearby",
-)  # cases that the page in the browser is not held against
+# Cases that are not compared with the engine in the page.
+CHECKS = ("impratio-1-midphase", "as-shipped-nearby")
 
 
 def derive(results: Results) -> Section:
-    shown = [row for row in results.rows if "slip_mm" in row and row.case not in CHECKS]
-    with_it, without = (
+    runs = [row for row in results.rows if "slip_mm" in row and row.case not in CHECKS]
+    with_midphase, without = (
         results.row[case] for case in ("impratio-1-midphase", "impratio-1")
     )
     farther = results.value(
         "midphase_farther",
-        "way with it, of that without",
-        with_it.wander_mm / without.wander_mm,
+        "displacement with the midphase over that without",
+        with_midphase.wander_mm / without.wander_mm,
     )
-    outcome = at_least(farther, 10.0, "out of the grasp in place of along it")
+    outcome = at_least(
+        farther, 10.0, "the cube leaves the grasp instead of moving along it"
+    )
     claim = Claim(
         "midphase_loses",
         outcome,
-        {"way": with_it.wander_mm, "without": without.wander_mm},
+        {"way": with_midphase.wander_mm, "without": without.wander_mm},
     )
-    return Section(tables={"runs": by_case(shown, COLUMNS)}, claims=[claim])
+    return Section(tables={"runs": by_case(runs, COLUMNS)}, claims=[claim])

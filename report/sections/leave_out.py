@@ -1,4 +1,4 @@
-"""Parts that the scene has and does not use: their cost, and that nothing else changes."""
+"""Parts of the scene that it does not use: their cost, and the slip without them."""
 
 import math
 
@@ -30,15 +30,15 @@ from report.shared.drawing import (
     INK,
     STIFF,
     Drawing,
+    label_value,
     name_lines,
     new_figure,
-    say_value,
     write,
 )
 
 order = 150
 page = "error"
-label = "what to leave out"
+label = "unneeded parts"
 labels = {
     "untrimmed": "exactly as shipped",
     "as-shipped": "shipped pads",
@@ -53,17 +53,17 @@ labels = {
     "without-broad-phase": "without the broad phase",
 }
 
-MANY_COUNT = 16384  # the most worlds, for which there is a target
-ALONE_COUNT = 4096  # the number for which every step was timed alone
+MANY_COUNT = 16384  # the largest number of worlds that is timed
+ALONE_COUNT = 4096  # the number of worlds with which each part was timed by itself
 REFERENCE = "untrimmed"
 ALL = "without-all"
-WHOLE = (REFERENCE, "as-shipped", ALL)  # cases that are more than one thing left out
+WHOLE = (REFERENCE, "as-shipped", ALL)  # cases that do not leave out a single part
 
 
 def derive(results: Results) -> Section:
     rows = [row for row in results.rows if row.plain.get("device") in DEVICES]
     timed = RowsBy(results, rows, "device", "case", "worlds")
-    device = max((device for device, *_ in timed), default="cuda")  # a GPU if any
+    device = max((device for device, *_ in timed), default="cuda")  # prefers the GPU
     cuda_known, cpu_known = (
         resolution(
             results,
@@ -74,11 +74,12 @@ def derive(results: Results) -> Section:
     )
 
     def saved(device: str, case: str, worlds: int) -> Value:
-        """Derive, once, how much less a frame takes than exactly as shipped."""
+        """Derive the reduction of a frame's time, relative to exactly as shipped."""
         name = f"{device}_{case}_{worlds}_less".replace("-", "_")
         return results.derived.get(name) or results.value(
             name,
-            "what a frame takes less than exactly as shipped, timed in turn",
+            "reduction of the time of a frame relative to exactly as shipped, timed in"
+            " turn",
             PERCENT * (1 - timed[device, case, worlds].frame_ratio),
         )
 
@@ -87,8 +88,9 @@ def derive(results: Results) -> Section:
     for count in (1, MANY_COUNT):
         gain = results.value(
             f"cuda_gain_{count}",
-            "time of a frame exactly as shipped over that without all that is unneeded,"
-            " timed in turn",
+            "time of a frame exactly as shipped over that without the unneeded parts,"
+            " timed in"
+            " turn",
             1 / timed["cuda", ALL, count].frame_ratio,
         )
         gains.append(gain)
@@ -96,12 +98,14 @@ def derive(results: Results) -> Section:
         faster.append(greater(less, 1.0, "a gain worth naming"))
     on_gpu = all_of(*faster).having_read(cuda_known)
 
-    # Cores are shared, so that the ratio there is known badly: the least gain.
+    # The ratio on the CPU is not precise, because its cores are shared. The smallest gain
+    # within its interval is printed.
     row = timed["cpu", ALL, 1]
     cpu_gain = results.value(
         "cpu_gain_least",
-        "time of a frame on the CPU exactly as shipped over that without all of it,"
-        " less its resolution",
+        "time of a frame on the CPU exactly as shipped over that without the unneeded"
+        " parts,"
+        " at the lower end of its interval",
         1 / row.frame_ratio / (1 + row.ratio_resolution),
         is_noise=True,
     )
@@ -112,36 +116,39 @@ def derive(results: Results) -> Section:
     saving = results.value(
         "memory_saving",
         "contact and constraint memory per world exactly as shipped over that without"
-        " all that is unneeded",
+        " the unneeded parts",
         before / after,
     )
-    worth = results.chosen("memory_saving_bound", "a saving worth having", 20.0)
+    worth = results.chosen("memory_saving_bound", "a worthwhile saving", 20.0)
 
-    # Runs to the end are the same in the rows of all numbers of worlds.
+    # The slip of a case is the same in its rows of all numbers of worlds.
     ran = {row.case: row for row in reversed(timed.values()) if row.device == "cuda"}
     base = ran.pop(REFERENCE, results.row[REFERENCE]).slip_mm
     differences = [
         results.value(
             f"cuda_{case}_difference".replace("-", "_"),
-            f"slip of {case} less that of {REFERENCE}, on the same device",
+            f"slip of {case} minus that of {REFERENCE}, on the same device",
             row.slip_mm - base,
         )
         for case, row in ran.items()
     ]
     largest = results.value(
         "cuda_largest_difference",
-        "largest difference in slip from the reference of that device, either way",
+        "largest absolute difference in slip from the reference",
         largest_size(differences),
     )
     share = results.value(
         "cuda_largest_share",
-        "that difference, of the slip of the reference, in size",
+        "that difference, relative to the slip of the reference",
         PERCENT * largest / abs(base),
     )
     bound = relevance(results, base)
 
-    # The cost of each thing by itself, with the worlds for which each was timed alone.
-    counts = [count for of, case, count in timed if (of, case) == (device, REFERENCE)]
+    # The cost of each part by itself, with the number of worlds with which it was
+    # timed.
+    counts = [
+        worlds for kind, case, worlds in timed if (kind, case) == (device, REFERENCE)
+    ]
     most = max(counts, default=1)
     alone = ALONE_COUNT if ALONE_COUNT in counts else most
     steps = [
@@ -200,7 +207,7 @@ def derive(results: Results) -> Section:
 
 def _audit_table(results: Results):
     def whole(row: Row, column: str) -> Quantity:
-        """Write a count as the whole number that it is; a mean stays as measured."""
+        """Return a count as an exact whole number. A mean stays as measured."""
         measured = row[column]
         if measured.value is None or measured.value % 1:
             return measured
@@ -210,7 +217,7 @@ def _audit_table(results: Results):
     rows = [row for row in results.rows if "item" in row]
     items = [row.item.partition(", against ") for row in rows]
     columns = {
-        "there": [whole(row, "present") for row in rows],
+        "present": [whole(row, "present") for row in rows],
         "used": [whole(row, "used") for row in rows],
         "counted as used": [against for _, _, against in items],
     }
@@ -218,17 +225,19 @@ def _audit_table(results: Results):
 
 
 def _draw_costs(steps: list[tuple[Value, Row]], whole: dict[str, Value]) -> Drawing:
-    """Draw a bar for each step, unranked below a line if it is not seen."""
+    """Draw bars of the parts. Those below the line are not measurable and not ranked."""
     timed = []
     for saved, row in steps:
         interval = 100 * (row.ratio_resolution.value or 0.0)
         timed.append((saved, interval, abs(saved.number) > interval, row.label))
     timed.sort(key=lambda step: -step[0].number if step[2] else math.inf)
     drawing, axes = new_figure(7.2, 1.2 + 0.28 * len(timed))
-    seen_count = sum(is_seen for _, _, is_seen, _ in timed)
-    axes.axhline(seen_count - 0.5, color=INK, linewidth=0.8, linestyle=":", marker="")
-    for place, (saved, interval, is_seen, _) in enumerate(timed):
-        colour = STIFF if is_seen else FAINT
+    distinct_count = sum(is_distinct for _, _, is_distinct, _ in timed)
+    axes.axhline(
+        distinct_count - 0.5, color=INK, linewidth=0.8, linestyle=":", marker=""
+    )
+    for place, (saved, interval, is_distinct, _) in enumerate(timed):
+        colour = STIFF if is_distinct else FAINT
         axes.barh(place, saved.number, height=0.62, linewidth=0, color=colour)
         axes.errorbar(
             saved.number,
@@ -240,8 +249,8 @@ def _draw_costs(steps: list[tuple[Value, Row]], whole: dict[str, Value]) -> Draw
             marker="",
         )
         end = max(saved.number, 0.0) + interval
-        say_value(
-            axes, end, place, f"{write(saved)} %" if is_seen else "not measurable"
+        label_value(
+            axes, end, place, f"{write(saved)} %" if is_distinct else "not measurable"
         )
     lines = [f"{name}: −{write(saved)} %" for name, saved in whole.items()]
     axes.text(
@@ -255,6 +264,6 @@ def _draw_costs(steps: list[tuple[Value, Row]], whole: dict[str, Value]) -> Draw
     )
     name_lines(axes, [label for *_, label in timed])
     axes.set_xlim(right=1.25 * max((saved.number for saved, *_ in timed), default=1.0))
-    axes.set_xlabel("what a frame then takes less [%]")
+    axes.set_xlabel("reduction of the time of a frame [%]")
     axes.grid(axis="y", visible=False)
     return drawing

@@ -1,4 +1,4 @@
-"""Newton's own solvers beside MuJoCo Warp: the box on a table, and the shake itself."""
+"""Newton's own solvers compared with MuJoCo Warp: the box on a table, and the shake."""
 
 from typing import Any
 
@@ -20,11 +20,11 @@ from report.shared import (
     at_least,
     at_most,
     cell_or_lost,
-    creep_or_unseen,
     decided,
     departure,
     greater,
     is_held,
+    measurable_creep,
     table_of,
     worlds_name,
 )
@@ -33,7 +33,7 @@ order = 188
 page = "scenes"
 label = "Newton's solvers"
 
-NAMES = {  # labels of solvers that are not their names
+NAMES = {  # labels of variants; the others are labelled by their capitalized name
     "warp": "MuJoCo Warp, shipped pads",
     "mujoco": "MuJoCo Warp",
     "xpbd": "XPBD",
@@ -44,7 +44,7 @@ NAMES = {  # labels of solvers that are not their names
     "steel-frames": "Steel, contacts found every eighth step",
     "steel-substeps": "Steel, contacts found in each substep",
     "steel-iterations": "Steel, eight times the iterations",
-    "steel-32-rows": "Steel, as many rows as it comes with",
+    "steel-32-rows": "Steel, its default number of rows",
 }
 STEEL_CLAIMS = (
     "steel_stays",
@@ -64,15 +64,15 @@ SCENES = {
 
 
 def derive(results: Results) -> Section:
-    """Derive the section; in a release without Steel nothing was shaken."""
+    """Derive the section. Releases without Steel lack the claims about it."""
     rows = RowsBy(results, results.rows, "variant", "shake")
     times = RowsBy(results, results.rows, "variant", "worlds")
-    why = "rounding of a place in single precision makes so much"
+    why = "the rounding of positions in single precision causes this much"
     walk = results.chosen("seen", why, 2e-3, "%/s")
     timed = [
         name for name in dict.fromkeys(name for name, _ in times) if name != "warp"
     ]
-    columns = {  # over a frame in MuJoCo Warp with as many worlds
+    columns = {  # relative to a frame in MuJoCo Warp with the same number of worlds
         worlds_name(count): [times[name, count].frame_ratio for name in timed]
         for count in TIMED_WORLDS
     }
@@ -80,7 +80,7 @@ def derive(results: Results) -> Section:
         ratio = times[name, TIMED_WORLDS[0]].frame_ratio
         results.value(
             f"{name}_speedup",
-            "speed of one world, of that in MuJoCo Warp, timed in turn",
+            "speed of one world, relative to MuJoCo Warp, timed in turn",
             1 / ratio,
         )
     tables = {
@@ -90,8 +90,8 @@ def derive(results: Results) -> Section:
     }
     has_steel = ("steel", "3cm") in rows
     offered = decided(has_steel, results.row["mujoco-2ms"].growth_per_s)
-    claims = [Claim("offered", offered), *_of_others(results, rows, times)]
-    steel_claims = _of_steel(results, rows, times, walk) if has_steel else []
+    claims = [Claim("offered", offered), *_other_solver_claims(results, rows, times)]
+    steel_claims = _steel_claims(results, rows, times, walk) if has_steel else []
     return Section(
         tables=tables,
         claims=claims + steel_claims,
@@ -104,9 +104,9 @@ def _label(name: str) -> str:
 
 
 def _box_table(results: Results, walk: Value) -> Table:
-    """Make a line for each solver; one that is excused has a reason beside its name.
+    """Make a table with one line per solver, or a reason if a solver cannot run.
 
-    A box walks outward, or creeps where the table stands still.
+    On the turning table the box moves outward. On a table held still it may creep.
     """
     why = "a millimetre in a quarter of an hour"
     creep = results.chosen("creep_seen", why, 1e-3, "mm/s")
@@ -120,20 +120,20 @@ def _box_table(results: Results, walk: Value) -> Table:
         if is_turning:
             cell = results.value(
                 f"{name}_{scene}",
-                "growth of the distance from the axis, in percent of it",
+                "growth of the distance from the axis, relative to that distance",
                 PERCENT * cell,
             )
-        least = walk if is_turning else creep
-        is_seen = cell.value is None or abs(cell.value) >= least.number
-        return cell if is_seen else "not measurable"
+        bound = walk if is_turning else creep
+        is_measurable = cell.value is None or abs(cell.value) >= bound.number
+        return cell if is_measurable else "not measurable"
 
     names = list(
         dict.fromkeys(row["solver"] for row in results.rows if "solver" in row)
     )
     excused = [row for row in results.rows if "of" in row and "solver" not in row]
     columns = {
-        above: [cell_of(name, scene) for name in names] + [""] * len(excused)
-        for above, scene in SCENES.items()
+        label: [cell_of(name, scene) for name in names] + [""] * len(excused)
+        for label, scene in SCENES.items()
     }
     solvers = [_label(name) for name in names]
     solvers += [f"{row['of']}: {row.plain['growth_per_s_reason']}" for row in excused]
@@ -141,7 +141,7 @@ def _box_table(results: Results, walk: Value) -> Table:
 
 
 def _shake_table(rows: RowsBy) -> Table:
-    """Say what each solver does in the shakes, and how far the cube slips."""
+    """Make a table of the slips of the cube and the contact forces in each solver."""
     names = list(dict.fromkeys(variant for variant, _ in rows))
     shaken = [rows[name, "3cm"] for name in names]
 
@@ -155,23 +155,23 @@ def _shake_table(rows: RowsBy) -> Table:
         ]
 
     columns = {
-        "hand goes": "hand_amplitude_mm",
+        "hand amplitude": "hand_amplitude_mm",
         "slip": slips("3cm"),
-        "on the way": slips("3cm", "wander_mm"),
-        "creep": map(creep_or_unseen, shaken),
-        "along over normal force": means("friction_share"),
+        "largest displacement": slips("3cm", "wander_mm"),
+        "creep": map(measurable_creep, shaken),
+        "tangential over normal force": means("friction_share"),
         "normal force": means("normal_force_n"),
         "penetration": means("penetration_mm"),
-        "with weight": slips("weight"),
-        "shaken 100 mm": slips("10cm"),
-        "held still": slips("held"),
+        "slip with weight": slips("weight"),
+        "slip, shaken 100 mm": slips("10cm"),
+        "slip, held still": slips("held"),
     }
-    told = rows["warp", "3cm"].shake_amplitude_m
-    return table_of("solver", map(_label, names), columns, shaken, told=told)
+    commanded = rows["warp", "3cm"].shake_amplitude_m
+    return table_of("solver", map(_label, names), columns, shaken, told=commanded)
 
 
-def _of_others(results: Results, rows: RowsBy, times: RowsBy) -> list[Claim]:
-    """Tell which other solvers keep the cube, and whether they shake it alike."""
+def _other_solver_claims(results: Results, rows: RowsBy, times: RowsBy) -> list[Claim]:
+    """Claim which other solvers keep the cube, and whether they shake it as far."""
     warp = rows["warp", "3cm"]
     slip = warp.slip_mm
     mine = warp.hand_amplitude_mm
@@ -179,26 +179,29 @@ def _of_others(results: Results, rows: RowsBy, times: RowsBy) -> list[Claim]:
         "ended_bound", "a tenth of a slip that can be seen", 0.1, "mm"
     )
     as_far = results.chosen(
-        "as_far", "a hand that goes farther off is shaken in another way", 10.0, "%"
+        "as_far", "with a larger difference the hand makes another motion", 10.0, "%"
     )
     hands = {
         name: results.value(
             f"{name}_hand",
-            "of how far the hand goes in MuJoCo Warp, off it",
+            "absolute difference between the amplitude of the hand and that in MuJoCo"
+            " Warp,"
+            " relative to the latter",
             departure(row.hand_amplitude_mm, mine),
         )
         for (name, shake), row in rows.items()
         if shake == "3cm" and name != "warp" and is_held(row)
     }
 
-    # A solver holds the cube with and without weight, in the same shake.
+    # A solver holds the cube if the slip is small with and without weight, and if the
+    # hand moves as far as in MuJoCo Warp.
     slips = {
         name: [rows[name, shake].slip_mm for shake in ("3cm", "weight")]
         for name in hands
     }
     tests = {
         name: all_of(
-            *(at_most(each, bound) for each in slips[name]), at_most(hand, as_far)
+            *(at_most(slip, bound) for slip in slips[name]), at_most(hand, as_far)
         )
         for name, hand in hands.items()
     }
@@ -207,21 +210,21 @@ def _of_others(results: Results, rows: RowsBy, times: RowsBy) -> list[Claim]:
     if unclear and not holding:
         hold = unclear[0]
     else:
-        read = (each for name in holding or slips for each in slips[name])
-        hold = decided(bool(holding), *read)
+        cells = (slip for name in holding or slips for slip in slips[name])
+        hold = decided(bool(holding), *cells)
     farther = at_least(slip, bound)
     if farther.name == "fails":
-        farther = Outcome("unknown", "in MuJoCo Warp it stays below that, too")
+        farther = Outcome("unknown", "in MuJoCo Warp the slip stays below that as well")
     ratios = {name: times[name, TIMED_WORLDS[0]].frame_ratio for name in holding}
     ratios = {name: ratio for name, ratio in ratios.items() if ratio.value is not None}
     fastest = min(ratios, key=lambda name: ratios[name].number, default="")
-    ratio = ratios.get(fastest, absent("1", "none of them was timed"))
+    ratio = ratios.get(fastest, absent("1", "no such solver was timed"))
     speedup = results.derived.get(f"{fastest}_speedup", ratio)
-    way = rows[fastest or "warp", "3cm"].wander_mm
+    wander = rows[fastest or "warp", "3cm"].wander_mm
     names = [_label(name) for name in holding if "-" not in name]
     others_hold = Claim(
         "others_hold",
-        all_of(hold, farther.having_read(slip)).having_read(ratio, speedup, way),
+        all_of(hold, farther.having_read(slip)).having_read(ratio, speedup, wander),
         {
             "solvers": " and ".join(names),
             "fastest": _label(fastest),
@@ -231,14 +234,14 @@ def _of_others(results: Results, rows: RowsBy, times: RowsBy) -> list[Claim]:
             "are_many": len(names) > 1,
             "ratio": ratio if fastest else "",
             "faster": speedup if greater(1.0, ratio, "as long") == HOLDS else "",
-            "way": way,
-            "gives": bool(fastest) and at_least(way, bound) == HOLDS,
+            "way": wander,
+            "gives": bool(fastest) and at_least(wander, bound) == HOLDS,
         },
     )
 
     worst = max(hands, key=lambda name: hands[name].value or 0.0, default="warp")
     far = rows[worst, "3cm"].hand_amplitude_mm
-    alike = Outcome("unknown", "none of them keeps the cube")
+    alike = Outcome("unknown", "no other solver keeps the cube")
     if hands:
         alike = all_of(
             *(at_most(hand, as_far, "another shake") for hand in hands.values())
@@ -250,27 +253,27 @@ def _of_others(results: Results, rows: RowsBy, times: RowsBy) -> list[Claim]:
         {"worst": _label(worst), "far": far, "mine": mine, "is_farther": is_farther},
     )
 
-    # Whether a slip repeats when it is measured again.
-    several = []
+    # Test whether repeated measurements give the same slip.
+    repeated = []
     unlike = {}
     for (name, _), row in rows.items():
-        samples = [each for each in row.slip_mm.samples if each is not None]
+        samples = [sample for sample in row.slip_mm.samples if sample is not None]
         if is_held(row) and len(samples) > 1:
-            several.append(row.slip_mm)
+            repeated.append(row.slip_mm)
             if max(samples) - min(samples) > bound.number:
                 unlike[_label(name)] = True
     repeat = OPPOSITE if unlike else HOLDS
-    if not several:
-        repeat = Outcome("unknown", "each was measured once")
+    if not repeated:
+        repeat = Outcome("unknown", "each slip was measured once")
     slips_repeat = Claim(
         "slips_repeat",
-        repeat.having_read(*several),
+        repeat.having_read(*repeated),
         {"solvers": " and in ".join(unlike), "bound": bound},
     )
     return [others_hold, hands_go_as_far, slips_repeat]
 
 
-def _of_steel(
+def _steel_claims(
     results: Results, rows: RowsBy, times: RowsBy, walk: Value
 ) -> list[Claim]:
     near, far, held = (rows["steel", shake] for shake in ("3cm", "10cm", "held"))
@@ -279,35 +282,37 @@ def _of_steel(
     points = rows["steel-points", "3cm"]
     points_far = rows["steel-points", "10cm"]
 
-    # By the anchors of Steel's friction the box stays where it is on the table.
+    # The anchors of Steel's friction keep the box in place on the turning table.
     anchors, pointed, plain = (
         results.derived[f"{name}_2ms"] for name in ("steel", "steel-points", "mujoco")
     )
-    size = results.value("anchors_size", "size of Steel's walk", abs(anchors))
+    size = results.value("anchors_size", "absolute growth in Steel", abs(anchors))
     stays = all_of(at_most(size, walk), at_least(pointed, walk), at_least(plain, walk))
     helps = all_of(
         greater(points.slip_mm, near.slip_mm), greater(points_far.slip_mm, far.slip_mm)
     )
 
-    # Whether contacts carry as much along themselves where nothing pulls at the cube.
+    # Test whether contacts carry tangential force although no load acts on the cube.
     used, used_held = (
         results.value(
-            f"used_{shake}", "of what friction allows", PERCENT * row.friction_share
+            f"used_{shake}",
+            "share of the available friction",
+            PERCENT * row.friction_share,
         )
         for shake, row in (("3cm", near), ("held", held))
     )
     strain = results.value(
         "strain",
-        "the same with the arm held still, of that shaken",
+        "the share with the arm held still, relative to that in the shake",
         PERCENT * used_held / used,
     )
 
     few = rows["steel-32-rows", "3cm"]
     needed = near.peak_constraint_count
-    given = results.chosen("rows_given", "given: as the solver comes with", 32)
+    default = results.chosen("rows_given", "given: the default of the solver", 32)
     overflow = decided(bool(few.failure) and not near.failure, needed)
 
-    # That MuJoCo Warp alone loses the cube is the opposite.
+    # If only MuJoCo Warp loses the cube, the opposite holds.
     is_lost = bool(far.dropped)
     is_lost_in_warp = bool(warp_far.dropped)
     sooner = decided(is_lost and not is_lost_in_warp, warp_far.wander_mm, far.wander_mm)
@@ -320,7 +325,7 @@ def _of_steel(
     alone = times["steel", TIMED_WORLDS[0]]
     many = times["steel", TIMED_WORLDS[-1]]
     costs = all_of(
-        *(greater(row.frame_ratio, 1.0, why="as long") for row in (alone, many))
+        *(greater(row.frame_ratio, 1.0, why="the same time") for row in (alone, many))
     )
     return [
         Claim("steel_stays", stays, {"points": pointed, "warp": plain}),
@@ -345,7 +350,7 @@ def _of_steel(
         ),
         Claim(
             "rows_overflow",
-            all_of(overflow, at_least(needed, given)),
+            all_of(overflow, at_least(needed, default)),
             {"needed": needed},
         ),
         Claim(

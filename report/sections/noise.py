@@ -1,4 +1,4 @@
-"""An A/A test: how much runs of one case scatter."""
+"""An A/A test: the scatter of repeated runs of one case."""
 
 from statistics import fmean, stdev
 
@@ -21,7 +21,7 @@ from report.shared import (
 
 order = 20
 page = "releases"
-label = "the same again"
+label = "repeated runs"
 labels = {"as-shipped": "shipped pads", "stiff-pads": "stiff pads"}
 
 SHIPPED = "as-shipped"
@@ -41,19 +41,21 @@ def derive(results: Results) -> Section:
             case: [row[column] for row in rows if row[column].value is not None]
             for case, rows in repeats.items()
         }
-        found = [_scatter(results, metric, *item) for item in cells.items()]
-        columns[f"{metric}: runs"] = [count for count, _, _ in found]
-        columns[f"mean {metric}"] = [mean for _, mean, _ in found]
-        columns[f"{metric}: deviation"] = [each for *_, each in found]
-        _, mean, deviation = found[0]
+        scatters = [_scatter(results, metric, *item) for item in cells.items()]
+        counts, means, standard_deviations = zip(*scatters, strict=True)
+        columns[f"{metric}: runs"] = list(counts)
+        columns[f"mean {metric}"] = list(means)
+        columns[f"deviation of {metric}"] = list(standard_deviations)
+        _, mean, deviation = scatters[0]
         deviations[metric] = deviation
         shares[metric] = results.value(
             f"{metric}_scatter_share",
-            f"standard deviation of the {metric} with shipped pads, of its mean",
+            f"standard deviation of the {metric} with shipped pads, relative to its"
+            " mean",
             PERCENT * deviation / abs(mean),
             is_noise=True,
         )
-    results.chosen("confidence", "as is usual", 100 * SURE, "%")
+    results.chosen("confidence", "the usual level", 100 * SURE, "%")
     bound = relevance(results)
     small = all_of(*(negligible(share, bound) for share in shares.values()))
     numbers = {

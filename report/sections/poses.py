@@ -1,4 +1,4 @@
-"""The runs that are shown moving, and how the hand moves by the record of its joints."""
+"""The runs of the replay, and the motion of the hand, computed from its joints."""
 
 import numpy as np
 import pandas as pd
@@ -10,7 +10,7 @@ from report.shared import Results, Section, by_case
 
 order = 125
 page = "fix"
-label = "see it move"
+label = "the replay"
 labels = {
     "as-shipped": "shipped pads",
     "as-shipped-10cm": "shipped pads, 10 cm",
@@ -22,20 +22,21 @@ COLUMNS = {
     "amplitude": "shake_amplitude_m",
     "time": "shake_duration_s",
     "slip at the end": "slip_mm",
-    "out of the grasp after": "left_grasp_s",
-    "cube ends at": "cube_height_m",
+    "leaves the grasp after": "left_grasp_s",
+    "final cube height": "cube_height_m",
 }
 MOTION = {  # units by name; the axes of the shake are those of the world
-    "amplitude_along": "mm",  # √2 of the hand's deviation
+    "amplitude_along": "mm",  # √2 times the standard deviation of the hand's position
     "amplitude_across": "mm",
     "amplitude_up": "mm",
-    "rate_along": "Hz",  # the strongest one
+    "rate_along": "Hz",  # the strongest frequency
     "rate_across": "Hz",
     "rate_up": "Hz",
-    "speed_squared": "m²/s²",  # its mean
-    "arc": "m",  # while joints keep their speeds
+    "speed_squared": "m²/s²",  # mean squared speed
+    "arc": "m",  # radius of the arc of the hand while joints keep their speeds
 }
-AHEAD_S = 1e-2  # how far ahead, and back, joints keep their speeds for the arc
+# Positions this long before and after a frame, at constant joint speeds, give the arc.
+AHEAD_S = 1e-2
 
 
 def derive(results: Results) -> Section:
@@ -43,8 +44,8 @@ def derive(results: Results) -> Section:
     for name, unit in MOTION.items():
         results.value(
             name,
-            f"{name} of the hand, by the positions of its joints in pairs of whole"
-            " cycles after the first",
+            f"{name} of the hand, computed from its joint positions in pairs of whole"
+            " cycles after the first cycle",
             lambda *run, name=name: _motion(*run)[name],
             results.trace("as-shipped"),
             row.frame_rate_hz,
@@ -55,11 +56,12 @@ def derive(results: Results) -> Section:
 
 
 def _motion(run: pd.DataFrame, frames_hz: float, cycles_hz: float) -> dict[str, float]:
-    """Return how the hand moves, by the positions of its joints alone.
+    """Return the motion of the hand, computed from its joint positions alone.
 
-    It is of pairs of whole cycles after the first.
+    It covers the largest number of pairs of whole cycles after the first cycle.
     """
     joints = run.loc[run["phase"] == SHAKE, list(JOINTS)].to_numpy()
+    # Central differences of fourth order give the joint speeds.
     differences = 8.0 * (joints[3:-1] - joints[1:-3]) - joints[4:] + joints[:-4]
     speeds = frames_hz * differences / 12.0
     cycle = round(frames_hz / cycles_hz)
@@ -77,10 +79,10 @@ def _motion(run: pd.DataFrame, frames_hz: float, cycles_hz: float) -> dict[str, 
     speed = np.linalg.norm(ahead - back, axis=1) / (2.0 * AHEAD_S)
     bend = -(ahead - 2.0 * here + back)[:, 0] / AHEAD_S**2
     waves = np.abs(np.fft.rfft(here - here.mean(axis=0), axis=0)).argmax(axis=0)
-    found = [
+    motion = [
         *(1e3 * np.sqrt(2.0) * here.std(axis=0)),
         *(waves * frames_hz / len(here)),
         (speed**2).mean(),
         speed.sum() / (bend / speed).sum(),
     ]
-    return dict(zip(MOTION, map(float, found), strict=True))
+    return dict(zip(MOTION, map(float, motion), strict=True))

@@ -1,4 +1,4 @@
-"""Whose material counts: the cube's, the pads', or both without priority?"""
+"""The material of a contact: that of the cube, of the pads, or a mix of both."""
 
 import math
 
@@ -19,7 +19,7 @@ from report.shared import (
 
 order = 100
 page = "fix"
-label = "whose material counts"
+label = "contact priority"
 labels = {
     "cube-ke-#": "cube's ke {}",
     "pad-ke-2.5e5": "stiff pads",
@@ -37,7 +37,7 @@ def derive(results: Results) -> Section:
     spreads = [
         results.value(
             f"cube_{column}_spread",
-            f"largest less smallest {column} of the contact,"
+            f"largest minus smallest {column} of the contact,"
             " over the three stiffnesses of the cube",
             spread([row[column] for row in rows]),
         )
@@ -48,20 +48,20 @@ def derive(results: Results) -> Section:
     )
     change = results.value(
         "cube_slip_spread",
-        "largest less smallest slip over the three stiffnesses of the cube",
+        "largest minus smallest slip over the three stiffnesses of the cube",
         spread([row.slip_mm for row in rows]),
     )
     share = results.value(
         "cube_slip_share",
-        "that spread, of the slip as shipped",
+        "that difference, relative to the slip as shipped",
         PERCENT * change / shipped.slip_mm,
     )
-    bound = results.chosen("cube_slip_bound", "no change to speak of", 2.0, "%")
+    bound = results.chosen("cube_slip_bound", "a negligible change", 2.0, "%")
 
     drop = results.value(
         "mixed_drop",
-        "how much the slip falls when both geoms have the same priority,"
-        " of the slip as shipped",
+        "reduction of the slip if both geoms have the same priority, relative to the"
+        " slip as shipped",
         PERCENT * (1 - mixed.slip_mm / shipped.slip_mm),
     )
     before = shipped.timeconst_s
@@ -110,8 +110,8 @@ def derive(results: Results) -> Section:
 
 
 def _material(row: Row) -> str:
-    """Say whose the contact's timeconst is; that of the pads alone is 2 / kd."""
+    """Return whose material gives the timeconst. That of the pads alone is 2 / kd."""
     kd = row.pad_kd.value if "pad_kd" in row else AS_SHIPPED.pad_kd
     timeconst = row.timeconst_s.value
     is_of_pads = timeconst is not None and math.isclose(timeconst, 2 / kd, rel_tol=1e-3)
-    return "the pads' alone" if is_of_pads else "of both"
+    return "of the pads" if is_of_pads else "of both"

@@ -1,4 +1,4 @@
-"""The shake test as shipped: does the cube slip, on which engine, and with stiff pads?"""
+"""The shake test as shipped and with stiff pads, on each engine and device."""
 
 from collections.abc import Callable
 
@@ -38,10 +38,13 @@ labels = {
     "stiff-pads-warp-cpu": "stiff pads, Warp on the CPU",
 }
 
-OTHER_PLACES = {"-warp-cpu": "MuJoCo Warp on the CPU", "-mujoco-c": "MuJoCo's C engine"}
+OTHER_ENGINES = {
+    "-warp-cpu": "MuJoCo Warp on the CPU",
+    "-mujoco-c": "MuJoCo's C engine",
+}
 FRAME_RATE = 60
 MASS_KG = AS_SHIPPED.cube_density_kg_m3 * AS_SHIPPED.cube_edge_m**3
-SCENE = {  # what the scene sets, with units
+SCENE = {  # settings of the scene, with units
     "cube_edge": (round(1e3 * AS_SHIPPED.cube_edge_m), "mm"),
     "cube_weight": (round(9.81 * MASS_KG, 4), "N"),
     "cube_mass": (round(1e3 * MASS_KG), "g"),
@@ -61,22 +64,24 @@ def derive(results: Results) -> Section:
     stiff = results.row["stiff-pads"]
     amplitude = shipped.shake_amplitude_m
     frequency = shipped.shake_frequency_hz
-    for name, given in SCENE.items():
-        results.value(name, "set in the scene", constant(*given))
-    results.value("amplitude", "in whole mm", combined(round, MM_PER_M * amplitude))
-    results.value("frequency", "as a whole number", combined(round, frequency))
+    for name, setting in SCENE.items():
+        results.value(name, "set in the scene", constant(*setting))
+    results.value(
+        "amplitude", "rounded to whole mm", combined(round, MM_PER_M * amplitude)
+    )
+    results.value("frequency", "rounded to a whole number", combined(round, frequency))
 
-    seen = results.chosen("slip_bound", *SLIP_BOUND)
-    slips = at_least(shipped.slip_mm, seen)
+    bound = results.chosen("slip_bound", *SLIP_BOUND)
+    slips = at_least(shipped.slip_mm, bound)
     gain = results.value(
         "stiff_gain",
         "slip as shipped over slip with stiff pads",
         shipped.slip_mm / stiff.slip_mm,
     )
-    half = results.chosen("stiff_least", "less than half", 2.0)
-    stiff_hold = all_of(at_least(gain, half), at_most(stiff.slip_mm, seen))
+    half = results.chosen("stiff_least", "less than half of the slip", 2.0)
+    stiff_hold = all_of(at_least(gain, half), at_most(stiff.slip_mm, bound))
 
-    # As many early as late cycles, an even number of each, since odd and even differ.
+    # Both halves have the same even number of cycles, because odd and even ones differ.
     early = _increment(results, "earlier", lambda later: later[: _half(later)])
     late = _increment(
         results, "later", lambda later: later[len(later) - _half(later) :]
@@ -84,50 +89,54 @@ def derive(results: Results) -> Section:
     trace = results.trace("as-shipped")
     count = results.value(
         "steady_cycle_count",
-        "largest even number of cycles of which there are two sets after the first"
-        " cycle",
+        "largest even number of cycles that fits twice into the cycles after the first",
         lambda *run: _half(_later_increments(*run)),
         trace,
         frequency,
     )
     change = results.value(
         "increment_change",
-        "size of the difference between the two halves, of the earlier",
+        "absolute difference between the two halves, relative to the earlier one",
         departure(late, early),
     )
     steady = results.chosen(
-        "increment_change_bound", "steps this equal count as steady", 10.0, "%"
+        "increment_change_bound",
+        "increments that differ by less count as steady",
+        10.0,
+        "%",
     )
-    # The motion may repeat after two cycles and not after one.
+    # The path of the shake repeats every two cycles, so that odd and even ones may differ.
     even = _increment(results, "even", lambda later: later[::2])
     odd = _increment(results, "odd", lambda later: later[1::2])
     apart = results.value(
         "increment_parity",
-        "size of the difference between both, of what even cycles add",
+        "absolute difference between odd and even increments, relative to the even"
+        " ones",
         departure(odd, even),
     )
-    differ = at_least(apart, 10.0, "more than steps that count as steady differ by")
+    differ = at_least(apart, 10.0, "increments that count as steady differ by less")
 
     places = {"": f"MuJoCo Warp on the {DEVICES[results.record.machine['device']]}"}
-    for suffix, name in OTHER_PLACES.items():
+    for suffix, name in OTHER_ENGINES.items():
         if f"as-shipped{suffix}" in results.row:
             places[suffix] = name
     differences = [
         results.value(
             f"engine_difference_{pads}",
-            f"largest less smallest slip of all engines and devices, with {pads} pads",
+            f"largest minus smallest slip over all engines and devices, with {pads}"
+            " pads",
             spread([results.row[f"{case}{suffix}"].slip_mm for suffix in places]),
         )
         for case, pads in (("as-shipped", "shipped"), ("stiff-pads", "stiff"))
     ]
     difference = results.value(
         "engine_difference",
-        "the larger of the two differences between engines and devices, as shipped and"
+        "larger of the two differences between engines and devices, with shipped and"
         " with stiff pads",
         combined(max, *differences),
     )
     rounding = results.chosen(
-        "engine_bound", "what is left is noise and rounding", 0.02, "mm"
+        "engine_bound", "noise and rounding cause less", 0.02, "mm"
     )
     runs = [row for row in results.rows if "dropped" in row]
     lost = [row.shake_amplitude_m for row in runs if row.plain["dropped"]]
@@ -150,7 +159,7 @@ def derive(results: Results) -> Section:
                 {
                     "slip": shipped.slip_mm,
                     "duration": shipped.shake_duration_s,
-                    "bound": seen,
+                    "bound": bound,
                 },
             ),
             Claim("cube_is_lost", is_lost, {"lost": lost_count, "count": run_count}),
@@ -176,7 +185,7 @@ def derive(results: Results) -> Section:
 
 
 def _increment(results: Results, name: str, part: Callable) -> Value:
-    """Derive the mean of a part of the increments after the first cycle."""
+    """Derive the mean of some of the increments after the first cycle."""
 
     def mean(frame: pd.DataFrame, frequency_hz: float) -> float:
         increments = part(_later_increments(frame, frequency_hz))
@@ -184,7 +193,7 @@ def _increment(results: Results, name: str, part: Callable) -> Value:
 
     return results.value(
         f"increment_{name}",
-        f"mean increment of cycles after the first, the {name} ones",
+        f"mean increment of the {name} cycles after the first",
         mean,
         results.trace("as-shipped"),
         results.row["as-shipped"].shake_frequency_hz,
@@ -193,11 +202,12 @@ def _increment(results: Results, name: str, part: Callable) -> Value:
 
 
 def _half(later: np.ndarray) -> int:
+    """Return the largest even number of increments that fits twice into these."""
     return len(later) // 4 * 2
 
 
 def _later_increments(frame: pd.DataFrame, frequency_hz: float) -> np.ndarray:
-    """Return increments without that of the first cycle, which starts from rest."""
+    """Return the increments of all cycles but the first, which starts from rest."""
     time_s = frame["time_s"].to_numpy()
     along_mm = frame["along_mm"].to_numpy()
     return cycle_increments(time_s, along_mm, frequency_hz)[1:]

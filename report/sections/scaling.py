@@ -1,4 +1,4 @@
-"""Time and memory against the number of worlds, beside the engine's own benchmark."""
+"""Time and memory by number of worlds, compared with the engine's own benchmark."""
 
 from itertools import takewhile
 
@@ -20,9 +20,9 @@ order = 170
 page = "error"
 label = "many worlds"
 
-WAYS = {  # names of the ways to run, each a switch from the one before
+LOOPS = {  # names of the loops; each changes one setting of the loop before it
     "testspeed": "mujoco_warp.testspeed",
-    "each-step-waited-for": "the same, run here",
+    "each-step-waited-for": "the same loop, run by this report",
     "steps-in-one-graph": "16 steps as one graph",
     "collision-once": "contacts found once a frame",
     "our-engine-steps": "contacts and rows as Newton makes them",
@@ -46,12 +46,14 @@ def derive(results: Results) -> Section:
 
     alone = rows[0].frame_ms
     limit = results.chosen(
-        "cheap_bound", "a frame no longer than this many times that of one world", 2.0
+        "cheap_bound",
+        "a frame takes at most this many times as long as with one world",
+        2.0,
     )
     cheap = results.value(
         "cheap_worlds",
-        "most worlds with which, as with all fewer, a frame takes no longer than so many"
-        " times that of one",
+        "largest number of worlds up to which no frame takes longer than cheap_bound"
+        " times that of one world",
         _cheap_worlds,
         limit,
         *(cell for row in rows for cell in (row.worlds, row.frame_ms)),
@@ -59,56 +61,66 @@ def derive(results: Results) -> Section:
     times = (row.frame_ms for row in rows if row.worlds.value == cheap.value)
     ratio = results.value(
         "cheap_ratio",
-        "time of a frame with so many worlds over that of one",
+        "time of a frame with that number of worlds over that of one world",
         next(times, alone) / alone,
     )
-    more = rows[1].worlds if len(rows) > 1 else absent("1", "no more worlds were timed")
+    more = (
+        rows[1].worlds
+        if len(rows) > 1
+        else absent("1", "larger numbers of worlds were not timed")
+    )
     numbers = {"cheap": cheap, "ratio": ratio, "bound": limit, "next": more}
     claims = [Claim("first_worlds_are_cheap", at_least(cheap, more), numbers)]
-    if len(rows) == len(results.rows):  # on a CPU, and in releases measured before
+    if len(rows) == len(
+        results.rows
+    ):  # records of a CPU, and older ones, lack the loops
         return Section(tables=tables, claims=claims, unmeasured=("faster", "ways"))
 
-    # The benchmark's time of a frame follows from its speed.
+    # The benchmark prints its speed only, and the time of a frame follows from that.
     gains = []
     columns: dict[str, list] = {}
     for count in TIMED_WORLDS:
-        ways = {way: results.row[f"{way}-{count}"] for way in WAYS}
-        loop = ways["each-step-waited-for"]
-        benchmark = ways["testspeed"]
-        time = loop.frame_ratio * loop.world_substeps_per_s
+        loops = {name: results.row[f"{name}-{count}"] for name in LOOPS}
+        own = loops["each-step-waited-for"]
+        benchmark = loops["testspeed"]
+        time = own.frame_ratio * own.world_substeps_per_s
         gain = results.value(
             f"gain_{count}",
-            "time of that loop over that of our frames, timed in turn, times its speed"
-            " over the benchmark's",
+            "time of the same loop over that of our frames, timed in turn, multiplied"
+            " by its"
+            " speed over that of the benchmark",
             time / benchmark.world_substeps_per_s,
         )
         gains.append(gain)
         columns[worlds_name(count)] = [
             results.value(
-                f"length_{way}_{count}".replace("-", "_"),
-                "time of a frame over that of a whole one, timed in turn",
-                PERCENT * (gain if way == "testspeed" else row.frame_ratio),
+                f"length_{name}_{count}".replace("-", "_"),
+                "time of a frame over that of a whole frame, timed in turn",
+                PERCENT * (gain if name == "testspeed" else row.frame_ratio),
             )
-            for way, row in ways.items()
+            for name, row in loops.items()
         ]
-    columns["contacts"] = [row.contact_count for row in ways.values()]
-    columns["rows"] = [row.row_count for row in ways.values()]
+    columns["contacts"] = [row.contact_count for row in loops.values()]
+    columns["rows"] = [row.row_count for row in loops.values()]
     timed = [row for row in results.rows if "way" in row and row.way != "testspeed"]
     worst = resolution(results, "table_resolution", timed)
-    tables["ways"] = table_of("way", WAYS.values(), columns, resolution=worst)
+    tables["ways"] = table_of("loop", LOOPS.values(), columns, resolution=worst)
     least = results.value(
         "least_gain",
-        "least of those with 1, 4096 and 16384 worlds",
+        "smallest of the ratios with 1, 4096 and 16384 worlds",
         combined(min, *gains),
     )
-    faster = at_least(least, 1.0, "as fast")
+    faster = at_least(least, 1.0, "the same speed")
     numbers = dict(zip(("one", "some", "many"), gains, strict=True))
     claims.append(Claim("faster", faster, numbers))
     return Section(tables=tables, claims=claims)
 
 
 def _cheap_worlds(limit: float, *cells: float) -> float:
-    """Return the most worlds up to which no frame takes ``limit`` times the first."""
+    """Return the number of worlds up to which frames stay below ``limit`` times the first.
+
+    The cells are numbers of worlds and times of a frame, in turn.
+    """
     pairs = zip(cells[::2], cells[1::2], strict=True)
     cheap = takewhile(lambda pair: pair[1] <= limit * cells[1], pairs)
     return max(worlds for worlds, _ in cheap)

@@ -1,4 +1,4 @@
-"""Is it the solver? Convergence, friction, the time step, and noslip against slip."""
+"""The slip with other settings of the solver: iterations, impratio, step and noslip."""
 
 from report.shared import (
     PERCENT,
@@ -44,13 +44,14 @@ def derive(results: Results) -> Section:
     converged = ("iterations-200", "tolerance-1e-10")
     largest = results.value(
         "convergence_difference",
-        "larger difference in slip from the baseline, of more iterations and of a"
-        " tighter tolerance",
+        "larger absolute difference in slip from the baseline, with more iterations"
+        " and with"
+        " a tighter tolerance",
         largest_size(change_of(results, case) for case in converged),
     )
     share = results.value(
         "convergence_share",
-        "that difference, of the baseline's slip, in size",
+        "that difference, relative to the slip of the baseline",
         PERCENT * largest / abs(slip),
     )
     more, tighter = (results.row[case] for case in converged)
@@ -74,12 +75,12 @@ def derive(results: Results) -> Section:
         row = results.row[case]
         reduction = results.value(
             f"{case}_reduction",
-            f"slip of the baseline less that of {case}",
+            f"slip of the baseline minus that of {case}",
             -change_of(results, case),
         )
         share = results.value(
             f"{case}_reduction_share",
-            "that reduction, of the baseline's slip",
+            "that reduction, relative to the slip of the baseline",
             PERCENT * reduction / abs(slip),
         )
         outcome = negligible(share, bound)
@@ -97,13 +98,14 @@ def _noslip_does_not_help(results: Results, engine: str) -> Claim:
         treated = drifts[f"treated{end}"] = results.row[f"{case}-noslip"].drift_mm_s
         change = results.value(
             f"{case}_change",
-            f"drift of {case} with noslip less that without, of that without",
+            f"change of the drift of {case} by noslip, relative to the drift without"
+            " it",
             PERCENT * (treated / plain - 1),
         )
         changes.append(change)
     largest = results.value(
         f"{engine}_change",
-        f"larger change that noslip makes in a drift, in size, in {ENGINES[engine]}",
+        f"larger absolute change of a drift by noslip in {ENGINES[engine]}",
         largest_size(changes),
     )
     iterations = results.row[f"as-shipped-{engine}-noslip"].noslip_iterations

@@ -1,4 +1,4 @@
-"""Speed of one world: as shipped, as fixed, and with either change alone."""
+"""Speed of one world as shipped, with the fix, and with each of its changes alone."""
 
 from report.shared import (
     PERCENT,
@@ -31,7 +31,7 @@ def derive(results: Results) -> Section:
     one = results.row["stiff-pads-only"]
     change = results.value(
         "stiff_pads_only_change",
-        "time of a frame of stiff-pads-only over that of as-shipped, less one",
+        "time of a frame with stiff pads over that as shipped, minus one",
         PERCENT * (one.frame_ratio - 1),
     )
     bound = results.chosen("slower", *SLOWER, "%")
@@ -39,12 +39,12 @@ def derive(results: Results) -> Section:
     numbers = {"change": change, "bound": bound}
     claims = [Claim("stiff_pads_only_same_time", same, numbers)]
     columns = {
-        "a frame": "frame_ms",
-        "of shipped pads": "frame_ratio",
-        "of real time": "realtime_factor",
+        "time of a frame": "frame_ms",
+        "relative to shipped pads": "frame_ratio",
+        "relative to real time": "realtime_factor",
     }
     tables = {"frames": by_case(rows, columns, resolution=worst)}
-    if len(rows) == len(results.rows):  # on a CPU
+    if len(rows) == len(results.rows):  # records of a CPU have one world only
         return Section(tables=tables, claims=claims, unmeasured=("many_worlds",))
     many = results.row[f"stiff-pads-{TIMED_WORLDS[-1]}"]
     longer = greater(many.frame_ratio, 1.0, "the time with shipped pads")

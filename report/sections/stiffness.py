@@ -1,4 +1,4 @@
-"""The cause, what ke and kd become in the contact, and which of them holds the cube."""
+"""The cause of the slip, and the contact parameters and slips that ke and kd give."""
 
 from dataclasses import replace
 from functools import partial
@@ -12,6 +12,7 @@ from report.shared import (
     PERCENT,
     SETTLES,
     SLIP_BOUND,
+    SUBSTEP_S,
     Claim,
     Figure,
     Outcome,
@@ -58,7 +59,7 @@ SHOWN = (
     *(f"pad-ke-2.5e{n}-kd-100" for n in (4, 5, 6)),
     HARDEST,
 )
-"""Runs of the table."""
+"""The runs that the table lists."""
 COLUMNS = {
     "timeconst": "timeconst_s",
     "dampratio": "dampratio",
@@ -66,14 +67,14 @@ COLUMNS = {
     "friction used": "cone_use",
     "slip": "slip_mm",
 }
-BACK = "that the slide ends when it is put back"
-CONDITIONS = {  # of the cause, in words: section, value and the bound that it keeps
+RESTORED = "that the slide ends when it is put back"
+CONDITIONS = {  # of the cause: the section, its value and the bound that it must keep
     "that the left-out acceleration gives the slide": (
         "contacts",
         "missing_term_departure",
         "missing_term_bound",
     ),
-    BACK: ("contacts", "restored_share", "restored_share_bound"),
+    RESTORED: ("contacts", "restored_share", "restored_share_bound"),
     "that friction rows have no position residual": (
         "contacts",
         "friction_residual",
@@ -84,7 +85,7 @@ CONDITIONS = {  # of the cause, in words: section, value and the bound that it k
         "slide_departure_as-shipped",
         "slide_departure_bound",
     ),
-    "that it takes the load cycle": ("hold", "hold_share", "hold_share_bound"),
+    "that the drift needs the load cycle": ("hold", "hold_share", "hold_share_bound"),
 }
 
 
@@ -104,18 +105,16 @@ def derive(results: Results) -> Section:
     for case in ("as-shipped", "stiff-pads"):
         more = other("contacts", f"restored_{case}_large_size")
         less = other("contacts", f"restored_{case}_small_size")
-        tests[BACK] = all_of(tests[BACK], greater(more, less))
+        tests[RESTORED] = all_of(tests[RESTORED], greater(more, less))
     lacking = Markup(", ").join(words for words, test in tests.items() if test != HOLDS)
 
     stiffer = results.value(
         "dmax_stiffness_ratio",
-        "measured stiffness with dmax raised, over that as shipped",
+        "measured stiffness with raised dmax over that as shipped",
         hardest.stiffness_n_m / shipped.stiffness_n_m,
     )
     before, after = (
-        results.value(
-            f"drift_size_{row.case}", "size of the drift", abs(row.drift_mm_s)
-        )
+        results.value(f"drift_size_{row.case}", "absolute drift", abs(row.drift_mm_s))
         for row in (shipped, hardest)
     )
     not_load = all_of(
@@ -130,40 +129,40 @@ def derive(results: Results) -> Section:
     )
     measured = results.value(
         "stiffness_ratio",
-        "measured stiffness at that largest ke over that at the smallest",
+        "measured stiffness at the largest ke over that at the smallest",
         stiffest.stiffness_n_m / shipped.stiffness_n_m,
     )
     follows = results.value(
         "stiffness_follows",
-        "measured ratio, of the authored",
+        "measured ratio relative to the authored one",
         PERCENT * measured / authored,
     )
 
-    # Runs with kd at its import default.
+    # The runs with kd at its import default.
     plain = [row for row in results.rows if "pad_dmax" not in row]
     plain.sort(key=lambda row: row.pad_ke.value)
     ke_alone = [row for row in plain if row.pad_kd.value == AS_SHIPPED.pad_kd]
     held = list(filter(is_held, ke_alone))
     low = results.value(
         "ke_alone_low",
-        "slip of the runs with kd at its default, that nine in ten exceed",
+        "slip that nine in ten of the runs with kd at its default exceed",
         extreme(partial(quantile, 0.1), [row.slip_mm for row in held]),
     )
     share = results.value(
         "ke_alone_share",
-        "this slip with kd at its default, of the slip as shipped",
+        "that slip relative to the slip as shipped",
         PERCENT * low / shipped.slip_mm,
     )
     stiffnesses = [row.pad_ke for row in held]
     least = results.value(
-        "ke_alone_first", "least ke of these runs", extreme(min, stiffnesses)
+        "ke_alone_first", "smallest ke of these runs", extreme(min, stiffnesses)
     )
     most = results.value(
         "ke_alone_last", "largest ke of these runs", extreme(max, stiffnesses)
     )
     no_help = at_least(share, 80.0, "no help")
     if slips != HOLDS:
-        reason = slips.reason or "with shipped pads there is no slip to bring down"
+        reason = slips.reason or "with shipped pads there is no slip to reduce"
         no_help = Outcome("unknown", reason, reads=slips.reads)
         no_help = no_help.having_read(low, share)
     gain = results.value(
@@ -177,7 +176,7 @@ def derive(results: Results) -> Section:
     substep = results.value(
         "substep",
         "given by the scene: frame time over substeps",
-        constant(1 / 60 / AS_SHIPPED.substeps, "s"),
+        SUBSTEP_S,
     )
     shortest = results.value("least_timeconst", "two substeps", 2 * substep)
     clamp = results.value(
@@ -194,11 +193,11 @@ def derive(results: Results) -> Section:
         },
     )
     rows = [results.row[case] for case in SHOWN]
-    columns = {  # a cube that was lost has other contacts than those with the pads
-        above: ["" if row.dropped else row[name] for row in rows]
-        for above, name in COLUMNS.items()
+    columns = {  # the contacts of a lost cube are not those with the pads
+        heading: ["" if row.dropped else row[name] for row in rows]
+        for heading, name in COLUMNS.items()
     }
-    columns["reading"] = [_reading(row, shipped.slip_mm, bound) for row in rows]
+    columns["result"] = [_result(row, shipped.slip_mm, bound) for row in rows]
     return Section(
         tables={"contacts": by_case(rows, columns)},
         figures={"sweep": sweep},
@@ -206,7 +205,7 @@ def derive(results: Results) -> Section:
             Claim(
                 "cause",
                 all_of(slips, *tests.values()),
-                {  # without a slip the others need not be known
+                {  # if there is no slip, the other conditions may be unknown
                     "has_slip": slips != FAILS,
                     "slip": shipped.slip_mm,
                     "lacking": lacking,
@@ -258,8 +257,8 @@ def derive(results: Results) -> Section:
     )
 
 
-def _reading(row: Row, shipped: Quantity, bound: Quantity) -> str:
-    """Say how far the cube slips, beside a slip that can be seen and shipped pads."""
+def _result(row: Row, shipped: Quantity, bound: Quantity) -> str:
+    """Compare the slip with a visible slip and with that of shipped pads, in words."""
     if None in (row.slip_mm.value, shipped.value, bound.value) or not is_held(row):
         return "lost" if row.dropped else ""
     if at_most(row.slip_mm, bound) == HOLDS:
@@ -268,11 +267,11 @@ def _reading(row: Row, shipped: Quantity, bound: Quantity) -> str:
     less = at_most(row.slip_mm, replace(shipped, value=0.9 * shipped.number))
     if HOLDS in (more, less):
         return "slips farther" if more == HOLDS else "slips less"
-    return "slips as far" if more == less == FAILS else "cannot be told"
+    return "slips as far" if more == less == FAILS else "cannot tell"
 
 
 def _draw_sweep(every: list[Row], ke_alone: list[Row], clamp_kd: float) -> Drawing:
-    """Draw slip over ke; a run with no slip to show is a cross on the upper edge."""
+    """Draw slip over ke, with runs that lose the cube as crosses on the upper edge."""
     figure, axes = new_figure(7.2, 4.2)
     sweep = [row for row in every if row.case.startswith("sweep-")]
     fine = [row for row in sweep if row not in ke_alone]

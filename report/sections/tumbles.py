@@ -1,4 +1,4 @@
-"""Bodies that wobble, spin, roll or tumble: does the exact term put energy into any?"""
+"""The energy of bodies that wobble, spin, roll or tumble, with and without the term."""
 
 from report.shared import (
     Claim,
@@ -17,7 +17,7 @@ order = 142
 page = "cure"
 label = "bodies that tumble"
 
-# Counts of pairs that differ: with the term more, and less.
+# Columns with the numbers of pairs in which the body has more, and less, with the term.
 DIFFERENCES = {
     "gain": ("exact_alone_count", "plain_alone_count"),
     "rise": ("higher_count", "lower_count"),
@@ -29,25 +29,28 @@ def derive(results: Results) -> Section:
     plain, exact = (
         results.value(
             f"{name}_gains",
-            "worlds that at any time have over 1 % more energy than at the start,"
-            " or no number",
+            "worlds that at any time have over 1 % more energy than at the start, or"
+            " whose energy is not a number",
             gathered(sum, (row[f"{name}_gain_count"] for row in rows)),
         )
         for name in ("plain", "exact")
     )
     more = results.value(
         "tumble_more",
-        "worlds that gain with the term less those without, by the root of their sum",
+        "worlds that gain energy with the term minus those without, over the root of"
+        " their sum",
         combined(_excess, exact, plain),
-        is_noise=True,  # chance is in the statistic
+        is_noise=True,  # the statistic itself accounts for chance
     )
-    # Whether more of any body gain energy, or rise, with the term than chance has it.
+    # Test whether any kind of body gains energy, or rises, more often with the term
+    # than by chance.
     bodies = dict.fromkeys(row.plain["tumbling"] for row in rows)
     gained, risen = (
         results.value(
             f"tumble_{kind}_excess",
-            "of the body with most: pairs with more of it with the term less those"
-            " without, by the root of their sum",
+            "largest excess of a kind of body: pairs with more of it with the term"
+            " minus those"
+            " without, over the root of their sum",
             combined(
                 max,
                 *(
@@ -69,8 +72,9 @@ def derive(results: Results) -> Section:
     )
     surprise = results.value(
         "tumble_surprise",
-        "the most energy by that at the start with the term, where the body never has"
-        " 1 % more without, by step",
+        "largest energy relative to the start with the term, over the time steps at"
+        " which the"
+        " body never gains 1 % without it",
         _surprise,
         *(row[f"{name}_most_energy"] for row in rows for name in ("exact", "plain")),
     )
@@ -79,21 +83,23 @@ def derive(results: Results) -> Section:
         "pairs of worlds",
         gathered(sum, (row.pair_count for row in rows)),
     )
-    chance = "three standard deviations: more is hardly chance"
+    chance = "three standard deviations, which chance hardly exceeds"
     outcome = all_of(
         *(at_most(value, 3.0, chance) for value in (more, gained, risen)),
-        at_most(surprise, 1.05, "more than an error of the step"),
-        at_least(pairs, 20_000, "enough to see what is rare"),
+        at_most(surprise, 1.05, "an error of the time step causes less"),
+        at_least(pairs, 20_000, "enough pairs to see rare events"),
     )
     steps = [row.step_ms for row in rows]
     numbers = {
         "pairs": pairs,
-        "gain": results.chosen("tumble_gain", "less can be rounding", 1.0, "%"),
+        "gain": results.chosen(
+            "tumble_gain", "a smaller gain may be rounding", 1.0, "%"
+        ),
         "shortest": results.value(
-            "tumble_shortest", "the shortest step", extreme(min, steps)
+            "tumble_shortest", "shortest time step", extreme(min, steps)
         ),
         "longest": results.value(
-            "tumble_longest", "the longest step", extreme(max, steps)
+            "tumble_longest", "longest time step", extreme(max, steps)
         ),
         "gained": gained,
         "risen": risen,
@@ -105,9 +111,9 @@ def derive(results: Results) -> Section:
 
 
 def _excess(*counts: float) -> float:
-    """Return how many standard deviations more there are of the first of two kinds.
+    """Return how many standard deviations the first of two kinds exceeds the second.
 
-    The counts of the two kinds are given in turn.
+    The counts of the two kinds alternate.
     """
     more = sum(counts[::2])
     fewer = sum(counts[1::2])
@@ -115,9 +121,9 @@ def _excess(*counts: float) -> float:
 
 
 def _surprise(*energies: float) -> float:
-    """Return the most energy with the term where that without stays below 1.01.
+    """Return the largest energy with the term in pairs that gain below 1 % without it.
 
-    Energies with the term and without are given in turn.
+    The energies with the term and without it alternate.
     """
     pairs = zip(energies[::2], energies[1::2], strict=True)
     return max([1.0, *(exact for exact, plain in pairs if plain <= 1.01)])

@@ -1,6 +1,6 @@
-"""All that a derivation is written with: rows, values, tests, tables, and arithmetic.
+"""Helpers of derivations: rows, values, tests, tables and arithmetic.
 
-Figures are apart, in ``drawing`` and ``maps``: Matplotlib takes long to import.
+Those of figures are in ``drawing`` and ``maps``, because Matplotlib takes long to import.
 """
 
 # ruff: noqa: F401
@@ -36,6 +36,7 @@ from report.shared.arithmetic import (
     MS_PER_S,
     SETTLES,
     SLIP_BOUND,
+    SUBSTEP_S,
     VISIBLE,
     Sections,
     cell_count,
@@ -59,7 +60,7 @@ from report.shared.tables import (
     by_case,
     case_html,
     cell_or_lost,
-    creep_or_unseen,
+    measurable_creep,
     some_html,
     table_of,
 )

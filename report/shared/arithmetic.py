@@ -1,4 +1,4 @@
-"""Arithmetic on quantities, and what other sections found."""
+"""Arithmetic on quantities, and access to the findings of other sections."""
 
 import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from itertools import groupby
 from typing import Any
 
+from experiments.facts.case import AS_SHIPPED
 from measured_report.files.columns import PLAIN
 from measured_report.files.settings import Config
 from measured_report.findings.chapters import Releases
@@ -24,25 +25,28 @@ from measured_report.values.results import Results, Row
 
 # Cases that many sections measure, by label.
 CASES = {"as-shipped": "shipped pads", "stiff-pads": "stiff pads"}
-AS_PUBLISHED = "published, and not measured here"  # formula of a constant
+# The formula of all numbers that come from the literature.
+AS_PUBLISHED = "published by others, not measured here"
 DEVICES = {"cuda": "GPU", "cpu": "CPU"}
 
 MS_PER_S = constant(1e3, "ms/s")
 MM_PER_M = constant(1e3, "mm/m")
-# From which share of the slip or drift of shipped pads on a change matters, and why [%].
+SUBSTEP_S = constant(1 / 60 / AS_SHIPPED.substeps, "s")  # of the scene, at 60 frames/s
+# A bound and its reason: the smallest change of a slip or drift that matters, relative
+# to shipped pads [%].
 RELEVANT = ("a smaller change makes no difference to a grasp", 1.0)
-# No smaller change of a slip matters, and why [mm].
-VISIBLE = ("less than any gripper is positioned to", 0.01)
-# Bounds that several sections choose: why, how much, and the unit.
+# The smallest change of a slip that matters in absolute terms [mm].
+VISIBLE = ("no gripper is positioned more precisely", 0.01)
+# Bounds that several sections use: the reason, the bound and its unit.
 SLIP_BOUND = ("a slip that can be seen", 1.0, "mm")
 CAUSE_BOUND = ("a cause would change the slip by more", 10.0, "%")
 SHARED_BOUNDS = ("slip_bound", "cause_bound")
-# A bound that sections choose: why, and how many times less.
+# The factor by which a solution has to reduce the slip.
 SETTLES = ("a change that settles the matter", 10.0)
 
 
 def departure(a: Quantity, b: Quantity) -> Term:
-    """Return the size of a difference, of the second [%]."""
+    """Return the absolute difference of ``a`` and ``b``, relative to ``b`` [%]."""
     return PERCENT * abs(a / b - 1)
 
 
@@ -59,48 +63,51 @@ def gathered(
     cells: Iterable[Quantity],
     unit: str = "",
 ) -> Term:
-    """Return a function of a sequence, as ``sum`` or ``fmean`` are."""
+    """Apply a function of a whole sequence, such as ``sum`` or ``fmean``, to cells."""
     return combined(lambda *numbers: function(numbers), *cells, unit=unit)
 
 
 def cell_count(cells: Iterable[Quantity]) -> Term:
-    """Count cells, in a value that points to them."""
+    """Return the number of cells, with these cells as its sources."""
     return gathered(len, cells, PLAIN)
 
 
 def extreme(choose: Callable[..., float], cells: Iterable[Quantity]) -> Term:
-    """Return max or min of the cells that have a number; there may be none."""
+    """Return the max or min of the cells that have a number.
+
+    If no cell has one, the result does not have one either.
+    """
     return combined(choose, *(cell for cell in cells if cell.value is not None))
 
 
 def quantile(share: float, *numbers: float) -> float:
-    """Return the number that so large a share of these do not exceed.
+    """Return the smallest of the numbers that at least this share of them do not exceed.
 
-    It says more than the largest: which run is the farthest of many is chance.
+    Claims test a quantile, because the most extreme of many runs is a matter of chance.
     """
     return sorted(numbers)[math.ceil(share * len(numbers)) - 1]
 
 
 @dataclass(frozen=True)
 class Sections:
-    """What sections of one release found; a number that is missing has a reason."""
+    """The findings of the sections of one release. A missing number has a reason."""
 
     results: Mapping[str, Results]
 
     def value(self, section: str, name: str) -> Quantity:
         derived = self.results[section].derived if section in self.results else {}
         if name not in derived and name in SHARED_BOUNDS:
-            # Every section that compares with it has chosen the same bound.
-            others = (other.derived for other in self.results.values())
-            derived = next((each for each in others if name in each), {})
+            # All sections that use a shared bound choose the same number.
+            sections = (results.derived for results in self.results.values())
+            derived = next((values for values in sections if name in values), {})
         return derived.get(name) or absent(PLAIN, self._reason(section))
 
     def cell(self, section: str, case: str, column: str) -> Quantity:
         reason = self._reason(section)
         if section in self.results:
             return cell_or_absent(self.results[section].row[case], column, reason)
-        others = [results.columns for results in self.results.values()]
-        return absent(others[0][column].unit if others else PLAIN, reason)
+        schemas = [results.columns for results in self.results.values()]
+        return absent(schemas[0][column].unit if schemas else PLAIN, reason)
 
     def rows(self, section: str) -> list[Row]:
         return self.results[section].rows if section in self.results else []
@@ -112,19 +119,19 @@ class Sections:
 
 
 def sections_of(chapters: Mapping[str, Any]) -> Sections:
-    """Return what the chapters of an edition found."""
+    """Return the findings of the chapters of an edition."""
     return Sections({name: chapter.results for name, chapter in chapters.items()})
 
 
 def other_value(results: Results, section: str, name: str) -> Quantity:
-    """Return a value that an earlier section derived."""
+    """Return a value of another section, which is derived before this one."""
     return Sections(results.others).value(section, name)
 
 
 def relevance(results: Results, slip: Quantity | None = None) -> Value:
-    """Return from which change of slip or drift on it matters [%].
+    """Return the smallest change of a slip or drift that matters [%].
 
-    It is a share of the slip, and never less than ``VISIBLE`` millimetres of it.
+    If the slip is given, the change is at least ``VISIBLE`` millimetres of it.
     """
     name = "relevance"
     if name in results.derived:
@@ -142,7 +149,7 @@ def relevance(results: Results, slip: Quantity | None = None) -> Value:
 
 
 def rows_with(results: Results, *columns: str) -> list[Row]:
-    """Return the rows that have something in each of these columns."""
+    """Return the rows that have a value in each of these columns."""
     return [
         row
         for row in results.rows
@@ -153,22 +160,22 @@ def rows_with(results: Results, *columns: str) -> list[Row]:
 def cell_or_absent(
     row: Row, column: str, reason: str = "it was not measured"
 ) -> Quantity:
-    """Return a cell that not every record has, or a missing number with the reason."""
+    """Return a cell, or a missing number with the reason if the record lacks the column."""
     if row and column in row:
         return row[column]
     return absent(row.columns[column].unit, reason)
 
 
 def is_held(row: Row) -> bool:
-    """Tell whether a run keeps the cube through a cycle at least.
+    """Return whether a run keeps the cube and completes at least one cycle.
 
-    A hand that trembles may shake too late.
+    If the hand trembles, the shake may begin too late for a cycle.
     """
     return None not in (row.slip_mm.value, row.cycle_count.value)
 
 
 def settings_of(releases: Releases) -> Config:
-    """Return the settings of the report that these releases are of."""
+    """Return the settings of the report, which all chapters share."""
     for chapters in releases.values():
         for chapter in chapters.values():
             return chapter.results.columns.settings
@@ -176,7 +183,7 @@ def settings_of(releases: Releases) -> Config:
 
 
 def joined(parts: Sequence[Section]) -> Section:
-    """Make one section of its parts, in their order."""
+    """Combine the parts of a section, in their order."""
     tables: dict[str, Any] = {}
     figures: dict[str, Any] = {}
     for part in parts:
@@ -186,5 +193,5 @@ def joined(parts: Sequence[Section]) -> Section:
 
 
 def contiguous(flags: Sequence[bool], *quantities: Quantity) -> Outcome:
-    """Test whether the true flags stand together, in the order given; they were decided by the quantities."""
+    """Test whether the true flags are adjacent. The quantities are those that decided the flags."""
     return decided(sum(flag for flag, _ in groupby(flags)) == 1, *quantities)

@@ -1,4 +1,4 @@
-"""Maps of amplitude and frequency: the slip of each cell, and which of them lose the cube."""
+"""Maps of amplitude and frequency: the slip of each cell, and the cells that lose the cube."""
 
 import numpy as np
 import pandas as pd
@@ -17,32 +17,33 @@ from report.shared.drawing import (
     tick_at,
 )
 
-# Ends of the colour scale; a slip outside has the colour of the end.
+# Ends of the colour scale. A slip outside it has the colour of the nearer end.
 SLIP_RANGE_MM = (0.01, 50.0)
 FREQUENCY_TICKS_HZ = (0.25, 0.5, 1, 2, 5)
 AMPLITUDE_TICKS_CM = (0.5, 1, 2, 5, 10)
-# The hand shakes the cube about 0.2 m above the ground; lower, it has left the hand.
+# The hand shakes the cube about 0.2 m above the ground. A lower cube has left the hand.
 HELD_HEIGHT_M = 0.15
 
 
-def lost_count(results: Results, trace: Series, side: str, held: Value) -> Value:
-    """Count cells of a side of the map whose cube ends lower than ``held``."""
+def lost_count(results: Results, trace: Series, side: str, held_height: Value) -> Value:
+    """Count the cells of a side of the map whose cube ends below ``held_height``."""
 
     def lost(frame: pd.DataFrame, least: float) -> int:
         heights = frame["cube_height_m"][frame["side"] == side]
+        # A failed run has a height that is not a number, and counts as lost.
         return int((~(heights >= least)).sum())
 
     return results.value(
         f"lost_{side.replace('-', '_')}",
-        f"cells of side {side} whose cube ends lower than held_height, or nowhere",
+        f"cells of side {side} whose cube ends below held_height, or whose run fails",
         lost,
         trace,
-        held,
+        held_height,
     )
 
 
 def grid_of(frame: pd.DataFrame, side: str, column: str) -> pd.DataFrame:
-    """Lay out a column of a side: amplitudes [m] down, frequencies [Hz] across."""
+    """Return a column of a side as a grid of amplitudes [m] by frequencies [Hz]."""
     cells = frame[frame["side"] == side]
     return cells.pivot(
         index="shake_amplitude_m", columns="shake_frequency_hz", values=column
@@ -50,13 +51,13 @@ def grid_of(frame: pd.DataFrame, side: str, column: str) -> pd.DataFrame:
 
 
 def held_slip(frame: pd.DataFrame, side: str) -> pd.DataFrame:
-    """Lay out the slips of one side of the map, of cells that keep the cube."""
+    """Return the slips of a side as a grid. Cells that lose the cube are NaN."""
     is_held = grid_of(frame, side, "dropped").astype(str) == "False"
     return grid_of(frame, side, "slip_mm").where(is_held)
 
 
 def draw_maps(frame: pd.DataFrame, sides: dict[str, str]) -> Drawing:
-    """Draw the slips of the ``sides``, each in a panel, and which cells lose the cube."""
+    """Draw the slips of each side in a panel, and mark the cells that lose the cube."""
     drawing, panels = new_figure(7.2, 4.0, ncols=len(sides), sharey=True)
     drawing.set_layout_engine("constrained", wspace=0.06)
     for axes, (side, label) in zip(panels, sides.items(), strict=True):
@@ -89,7 +90,7 @@ def _draw_map(axes: Axes, frame: pd.DataFrame, side: str):
     hidden = lost | failed | slip.isna().to_numpy()
     frequency = slip.columns.to_numpy()
     amplitude = 100 * slip.index.to_numpy()
-    axes.set_facecolor("#f2f2f2")  # of cells that have no slip to show
+    axes.set_facecolor("#f2f2f2")  # background of the cells without a slip
     axes.grid(visible=False)
     colours = axes.pcolormesh(
         frequency,

@@ -1,4 +1,4 @@
-"""Shared by the sections on time and memory."""
+"""Helpers of the sections on run time and memory."""
 
 from collections.abc import Iterable
 
@@ -6,18 +6,22 @@ from measured_report.values.format import format_number
 from measured_report.values.quantities import PERCENT, Value, combined
 from measured_report.values.results import Results, Row
 
-TIMED_WORLDS = (1, 4096, 16384)  # numbers of worlds that are timed wherever not all are
-# From which share of a frame's time on a slowdown matters, and why [%].
+TIMED_WORLDS = (
+    1,
+    4096,
+    16384,
+)  # numbers of worlds of sections that do not time all of them
+# The smallest slowdown that matters, relative to the time of a frame [%].
 SLOWER = ("a smaller slowdown makes no difference", 3.0)
 
 
 def worlds_name(count: int) -> str:
-    """Name a batch of so many worlds."""
+    """Return the name of a batch with this number of worlds."""
     return f"{format_number(count)} world{'s' * (count > 1)}"
 
 
 class RowsBy(dict):
-    """Rows by the cells that tell them apart; a row of a missing key has no numbers."""
+    """Rows by their values in some columns. A missing key gives a row without numbers."""
 
     def __init__(self, results: Results, rows: Iterable[Row], *columns: str):
         self.results = results
@@ -31,14 +35,14 @@ class RowsBy(dict):
 
 
 def resolution(results: Results, name: str, rows: Iterable[Row]) -> Value:
-    """Derive to within what share all ratios of these rows are known [%].
+    """Derive how precisely the least precise ratio of these rows is known [%].
 
-    The reference and lost times have none.
+    The reference row and rows without a time do not have a resolution.
     """
     cells = [row.ratio_resolution for row in rows if "ratio_resolution" in row]
     return results.value(
         name,
-        "half the 95 % interval of the ratio of two times measured in turn, the largest",
+        "largest half-width of the 95 % intervals of ratios of times measured in turn",
         PERCENT * combined(max, *(cell for cell in cells if cell.value)),
         is_noise=True,
     )

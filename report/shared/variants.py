@@ -1,4 +1,4 @@
-"""Cases that each change one thing, against the baseline that was measured with them."""
+"""Cases that each change one setting, compared with the baseline of the same record."""
 
 from collections.abc import Collection
 from typing import NamedTuple
@@ -12,21 +12,23 @@ from report.shared.tables import case_html
 
 
 class Variants(NamedTuple):
-    """The rows of one section, whose slips are compared."""
+    """A comparison of the slips of one section."""
 
     baseline: Row
-    slips: Outcome  # whether the baseline slips at all, so that there is something to explain
-    numbers: dict[str, Quantity | str]  # what the wording of a claim can name
+    slips: Outcome  # whether the baseline slips; if it does not, no cause is sought
+    numbers: dict[
+        str, Quantity | str
+    ]  # numbers that the wording of the claim can print
 
 
 def change_of(results: Results, case: str) -> Quantity:
-    """Return the slip of a case less that of the baseline [mm]."""
+    """Return the slip of a case minus that of the baseline [mm]."""
     reason = f"there is no single row of case {case}"
     return results.derived.get(f"{case}_difference") or absent("mm", reason)
 
 
 def variant_section(results: Results, variants: Variants, *claims: Claim) -> Section:
-    """Make the section of variants: whether one of them is the cause, and more claims."""
+    """Make a section with the claim that no variant is the cause, and more claims."""
     bound = results.chosen("cause_bound", *CAUSE_BOUND)
     cause = negligible(results.derived["largest_share"], bound)
     return Section(claims=[Claim("not_the_cause", cause, variants.numbers), *claims])
@@ -35,25 +37,25 @@ def variant_section(results: Results, variants: Variants, *claims: Claim) -> Sec
 def variants_of(
     results: Results, baseline: str, apart: Collection[str] = ()
 ) -> Variants:
-    """Compare every row of the section with the baseline, but for cases ``apart``."""
+    """Compare all rows of the section with the baseline, except the cases ``apart``."""
     base = results.row[baseline]
     rows = [row for row in results.rows if row.case not in (baseline, *apart)]
     changes = {
         row: results.value(
             f"{row.case}_difference",
-            f"slip of {row.case} less that of {base.case}",
+            f"slip of {row.case} minus that of {base.case}",
             row.slip_mm - base.slip_mm,
         )
         for row in rows
     }
     largest = results.value(
         "largest_difference",
-        "largest difference in slip from the baseline, either way",
+        "largest absolute difference in slip from the baseline",
         largest_size(changes.values()),
     )
     share = results.value(
         "largest_share",
-        "largest difference in slip from the baseline, of the baseline's slip, in size",
+        "largest absolute difference in slip, relative to the slip of the baseline",
         PERCENT * largest / abs(base.slip_mm),
     )
     farthest = max(rows, key=lambda row: abs(changes[row].value or 0.0), default=base)

@@ -1,1 +1,1 @@
-"""The front page and the story: what the sections found, put in an order for people, in claims of their own."""
+"""The front page and the story: claims, tables and figures that combine several sections."""

@@ -1,4 +1,4 @@
-"""The suspects, one at a time: what was changed, what the cube then does, and why it is not that."""
+"""The table of suspects: the change of each, the resulting slip, and why it is not the cause."""
 
 from markupsafe import Markup
 
@@ -8,20 +8,20 @@ from report.sections.priority import CUBE
 from report.sections.stiffness import FIX, HARDEST
 from report.shared import HOLDS, Quantity, Row, Section, table_of
 
-SUSPECTS = {  # what was changed; section, cases, and the claim by which it is not that, in words
+SUSPECTS = {  # the change, its section and cases, and the claim that excludes it with a reason
     "friction": (
-        "of pads and cube, less and more",
+        "of pads and cube, lower and higher",
         "friction",
         (),
         "not_the_cause",
-        "the grip needs little of it",
+        "the grip needs little friction",
     ),
     "contact points": (
-        "how often, of which shapes, by whom",
+        "their rate, the pads' shape, the engine",
         "contact_source",
         (),
         "not_the_cause",
-        "all slip alike",
+        "the slip hardly changes",
     ),
     "solver": (
         "iterations, tolerance, cone, step",
@@ -31,11 +31,11 @@ SUSPECTS = {  # what was changed; section, cases, and the claim by which it is n
         "it has converged",
     ),
     "contact gap": (
-        "none to wide",
+        "from none to wide",
         "gap",
         CASES,
         "same_contacts_carry",
-        "what it adds carries nothing",
+        "the contacts that it adds carry no force",
     ),
     "the cube's ke": (
         "softer and stiffer",
@@ -49,14 +49,14 @@ SUSPECTS = {  # what was changed; section, cases, and the claim by which it is n
         "stiffness",
         (HARDEST,),
         "not_creep_under_load",
-        "stiffer ones drift no less",
+        "stiffer contacts drift more",
     ),
     "load alone": (
         "the arm held still",
         "hold",
         ("hold",),
         "drift_needs_cycle",
-        "it takes the shake",
+        "without the shake there is no comparable drift",
     ),
     "pads' ke and kd": ("both raised", "stiffness", (FIX,), "", ""),
 }
@@ -65,34 +65,39 @@ SUSPECTS = {  # what was changed; section, cases, and the claim by which it is n
 def derive(chapters: Chapters) -> Section:
     """Make the table of suspects.
 
-    Where a suspect names no cases, they are those compared with a baseline.
+    A suspect without cases has all cases that its section compares with a baseline.
     """
     names = []
-    columns: dict[str, list] = {"changed": [], "slip": [], "drift": [], "why not": []}
+    columns: dict[str, list] = {
+        "changed": [],
+        "slip": [],
+        "drift": [],
+        "why it is not the cause": [],
+    }
     for name, (changed, section, cases, claim, why) in SUSPECTS.items():
         if section not in chapters:
             continue
         results = chapters[section].results
-        compared = [each.removesuffix("_difference") for each in results.derived]
+        compared = [value.removesuffix("_difference") for value in results.derived]
         rows = [row for row in results.rows if row.case in (cases or compared)]
         if all(row.slip_mm.value is None for row in rows):
             continue
         claims = chapters[section].section.claims
-        held = {each.name: each.outcome == HOLDS for each in claims}
+        holds = {test.name: test.outcome == HOLDS for test in claims}
         if not claim:
-            why = "it is this" if held.get("together_they_hold") else ""
-        elif not (held.get(claim) and held.get("not_the_cause", True)):
+            why = "it is the cause" if holds.get("together_they_hold") else ""
+        elif not (holds.get(claim) and holds.get("not_the_cause", True)):
             why = ""
         names.append(name)
         columns["changed"].append(changed)
         columns["slip"].append(_ends(rows, "slip_mm"))
         columns["drift"].append(_ends(rows, "drift_mm_s"))
-        columns["why not"].append(why)
+        columns["why it is not the cause"].append(why)
     return Section(tables={"suspects": table_of("suspect", names, columns)})
 
 
 def _ends(rows: list[Row], column: str) -> Quantity | Markup | str:
-    """Write one number, or the least and the largest if these do not read the same."""
+    """Return one number, or the smallest and the largest if they are printed differently."""
     cells = [row[column] for row in rows if row[column].value is not None]
     if not cells:
         return ""

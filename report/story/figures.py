@@ -1,4 +1,4 @@
-"""The figure of the story: the mechanism."""
+"""The figure that explains the mechanism."""
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -10,9 +10,9 @@ PAD, LEFT_OUT = SERIES[:2]  # colours of the pad's velocity and of the left-out 
 
 
 def draw_mechanism() -> Drawing:
-    """Draw what a contact row leaves out, and what its friction does about it.
+    """Draw the acceleration that a contact row leaves out, and the reaction of its friction.
 
-    It is a drawing of no data, not to scale.
+    The drawing does not show data and is not to scale.
     """
     drawing, (left, right) = new_figure(7.2, 2.5, ncols=2)
     _draw_arc(left)
@@ -50,7 +50,7 @@ def _draw_arc(axes: Axes) -> None:
 
 
 def _draw_brake(axes: Axes) -> None:
-    axes.set_title("2. Friction brakes, and nothing pulls back")
+    axes.set_title("2. Friction brakes, but does not pull back")
     middle = {"fontsize": 9, "ha": "center", "va": "center"}
     pad = {"facecolor": PAD, "alpha": 0.3, "edgecolor": PAD}
     axes.add_patch(Rectangle((0.0, 2.1), 2.4, 0.75, **pad))
@@ -61,7 +61,7 @@ def _draw_brake(axes: Axes) -> None:
     axes.annotate("J̇·q̇", (3.2, 2.6), color=LEFT_OUT, fontsize=9, ha="center")
     _arrow(axes, (-0.1, 0.75), (-1.0, 0.75), INK)
     axes.annotate("left behind\nat v = J̇·q̇ / b", (-1.0, 0.0), fontsize=9, va="top")
-    y = 1.7  # of the damper between pad and cube
+    y = 1.7  # height of the damper between pad and cube
     above = y + 0.17
     below = y - 0.17
     for xs, ys, width in (
@@ -71,7 +71,7 @@ def _draw_brake(axes: Axes) -> None:
         ([1.3, 1.9, 1.9], [y, y, 2.1], 1.4),
     ):
         draw_line(axes, xs, ys, color=INK, linewidth=width)
-    text = "friction row: −b·v,\na damper and no spring"
+    text = "friction row: −b·v,\na damper without a spring"
     axes.annotate(text, (2.1, 1.68), fontsize=9, va="center")
     axes.set(xlim=(-1.2, 5.3), ylim=(-0.9, 3.4))
 

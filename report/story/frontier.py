@@ -1,4 +1,4 @@
-"""Error against run time: engines and cures in one figure, and which is advised."""
+"""Slip against run time: engines and remedies in one figure, and the recommended one."""
 
 import math
 from dataclasses import dataclass
@@ -42,17 +42,18 @@ from report.shared.drawing import (
 ALONE = TIMED_WORLDS[0]
 MANY = TIMED_WORLDS[-1]
 SHAKE = ("shake_duration_s", "shake_frequency_hz")
-NOTHING, ARGUMENT, SOLVER, PATCH = range(4)  # effort of a way, in the order of advice
+NOTHING, ARGUMENT, SOLVER, PATCH = range(4)  # effort of a setup; advice prefers less
 
 
 @dataclass(frozen=True)
-class Way:
-    """A way to shake the cube."""
+class Setup:
+    """Settings and an engine with which the cube is shaken."""
 
     name: str
     effort: int
     run: str  # section and case of its slip
-    timed: str  # the same of its frames, over those of MuJoCo Warp as shipped
+    # Section and variant of its run time, relative to MuJoCo Warp as shipped.
+    timed: str
     colour: str
     marker: str = "o"
 
@@ -61,22 +62,23 @@ class Way:
         return sections.cell(section, case, column)
 
     def is_offered(self, sections: Sections) -> bool:
-        """Tell whether a release has it: one without a solver has no row of that."""
+        """Return whether a release has it. A release without its solver has no row of it."""
         section, _, variant = self.timed.partition("/")
         cases = [row.case for row in sections.rows(section)]
         is_there = any(case.startswith(f"{variant}-") for case in cases)
         return is_there or not (self.is_other and cases)
 
     def keeps(self, sections: Sections, bound: Quantity) -> Outcome:
-        """Tell whether the slip stays below a bound.
+        """Test whether the slip stays below a bound.
 
-        In another solver it has to without weight too, and in the same shake.
+        In another solver the slip without weight has to stay below it as well, and the
+        hand has to move about as far as in MuJoCo Warp.
         """
         section, _, case = self.run.partition("/")
         variant = self.timed.partition("/")[2]
         cases = [case, f"{variant}-3cm"] if self.is_other else [case]
         runs = [row.plain for row in sections.rows(section) if row.case in cases]
-        # A run that fails in another solver says so of that solver.
+        # In another solver a failed run is a finding about that solver.
         ends = ("dropped", "failure") if self.is_other else ("dropped",)
         slip = self.slip(sections)
         if any(run.get(end) for run in runs for end in ends):
@@ -91,11 +93,11 @@ class Way:
 
     @property
     def is_other(self) -> bool:
-        """Tell whether it is another solver than MuJoCo's."""
+        """Return whether it is a solver other than MuJoCo's."""
         return self.effort == SOLVER
 
     def creep_mm(self, sections: Sections) -> float | None:
-        """Return the slip of a cycle, or the least slip that would be seen."""
+        """Return the slip per cycle, or its noise if the slip is smaller than that."""
         slip = self.slip(sections)
         seconds, per_second = (self.slip(sections, column).value for column in SHAKE)
         if None in (slip.value, seconds, per_second):
@@ -103,7 +105,7 @@ class Way:
         return max(slip.number, slip.noise or 0.0) / (seconds * per_second)
 
     def ratios(self, sections: Sections) -> dict[int, Quantity]:
-        """Return the times that were measured, by number of worlds."""
+        """Return the run times by number of worlds, relative to MuJoCo Warp as shipped."""
         section, _, name = self.timed.partition("/")
         names = {name, f"{name}-only", f"{name}-{MANY}"}
         times = {}
@@ -115,21 +117,21 @@ class Way:
         return {count: times[count] for count in (ALONE, MANY) if count in times}
 
 
-def _solver(name: str, marker: str, variant: str = "") -> Way:
+def _solver(name: str, marker: str, variant: str = "") -> Setup:
     run = f"newton_solvers/{variant or name.lower()}"
-    return Way(name, SOLVER, f"{run}-weight", run, SERIES[4], marker)
+    return Setup(name, SOLVER, f"{run}-weight", run, SERIES[4], marker)
 
 
-WAYS = (
-    Way(
+SETUPS = (
+    Setup(
         "as shipped",
         NOTHING,
         "reproduction/as-shipped",
         "cure_cost/as-shipped",
         SHIPPED,
     ),
-    Way("stiff pads", ARGUMENT, "reproduction/stiff-pads", "speed/stiff-pads", STIFF),
-    Way(
+    Setup("stiff pads", ARGUMENT, "reproduction/stiff-pads", "speed/stiff-pads", STIFF),
+    Setup(
         "RK4",
         ARGUMENT,
         "cure/newton-rk4-50-shipped-3cm-plain-rounded",
@@ -137,7 +139,7 @@ WAYS = (
         SHIPPED,
         "s",
     ),
-    Way(
+    Setup(
         "RK4, stiff pads",
         ARGUMENT,
         "cure/newton-rk4-50-stiff-3cm-plain-rounded",
@@ -150,14 +152,14 @@ WAYS = (
     _solver("Kamino", "*"),
     _solver("XPBD", "^"),
     _solver("VBD", "<"),
-    Way(
+    Setup(
         "the term",
         PATCH,
         "cure/newton-implicitfast-50-shipped-3cm-term-rounded",
         "cure_cost/term",
         TERM,
     ),
-    Way(
+    Setup(
         "the term, RK4",
         PATCH,
         "cure/newton-rk4-50-shipped-3cm-term-rounded",
@@ -165,14 +167,14 @@ WAYS = (
         TERM,
         "s",
     ),
-    Way(
+    Setup(
         "the root cure",
         PATCH,
         "cure/newton-euler-400-shipped-3cm-full-kept",
         "cure_cost/best",
         CURE,
     ),
-    Way(
+    Setup(
         "the root cure, stiff pads",
         PATCH,
         "cure/newton-implicitfast-400-stiff-3cm-centred-kept",
@@ -181,8 +183,8 @@ WAYS = (
         "D",
     ),
 )
-C_WAYS = (  # on a core of the processor, in as many worlds as it has cores: not advised
-    Way(
+C_SETUPS = (  # run on the CPU with one world per core; drawn, but not recommended
+    Setup(
         "MuJoCo C",
         NOTHING,
         "solver/as-shipped-mujoco-c",
@@ -190,7 +192,7 @@ C_WAYS = (  # on a core of the processor, in as many worlds as it has cores: not
         SHIPPED,
         "v",
     ),
-    Way(
+    Setup(
         "C, stiff pads",
         ARGUMENT,
         "solver/stiff-pads-mujoco-c",
@@ -211,21 +213,21 @@ MARKED = (
     "MuJoCo C",
     "C, stiff pads",
 )
-OTHERS = ("Steel", "Kamino")  # the first of these that was timed is marked too
-GAP = 0.17  # decades between two names that stand one above the other
+OTHERS = ("Steel", "Kamino")  # the first of these that was timed is also drawn
+GAP = 0.17  # decades between two names, so that they do not overlap
 
 
 class Mark(NamedTuple):
-    """A way in the figure; creep that is not seen stands at its bound."""
+    """A setup as the figure shows it. Creep that is not measurable is drawn at its noise."""
 
-    way: Way
-    creep: float  # slip of a cycle [mm]
-    times: list[float]  # of a world's frame [ms]
+    setup: Setup
+    creep: float  # slip per cycle [mm]
+    times: list[float]  # time per world and frame [ms], alone and among many
     is_seen: bool
 
 
 def figure(sections: Sections) -> Figure:
-    """Draw the creep of ways against the time of a frame, alone and among many."""
+    """Draw the creep of the setups against the time of a frame, in one and many worlds."""
     worlds = {
         count: sections.cell("error_runtime", f"worlds-{count}", "ms_per_s")
         for count in (ALONE, MANY)
@@ -235,36 +237,37 @@ def figure(sections: Sections) -> Figure:
         for count, cell in worlds.items()
         if cell.value is not None
     }
-    # As the error page compares them: by the times that C took in turn with each
-    # number of worlds.
+    # The error page compares C in the same way: by the median of its times, which were
+    # measured in turn with each number of worlds.
     core = sections.value("error_runtime", "one_core_rate")
-    alone_in_c = C_WAYS[0].ratios(sections).get(ALONE)
+    alone_in_c = C_SETUPS[0].ratios(sections).get(ALONE)
     core_ms = frames_ms
     if core.value and alone_in_c:
         core_s = 1 / FRAME_RATE / core.value
         core_ms = {ALONE: MS_PER_S.number * core_s / alone_in_c.number}
     cells = []
     marks = []
-    ways = []
+    setups = []
     other = next(
-        (way for way in WAYS if way.name in OTHERS and way.ratios(sections)), None
+        (setup for setup in SETUPS if setup.name in OTHERS and setup.ratios(sections)),
+        None,
     )
-    for way in (*WAYS, *C_WAYS):
-        creep = way.creep_mm(sections)
-        if creep is None or not (way.name in MARKED or way is other):
+    for setup in (*SETUPS, *C_SETUPS):
+        creep = setup.creep_mm(sections)
+        if creep is None or not (setup.name in MARKED or setup is other):
             continue
-        ways.append(way)
-        slip = way.slip(sections)
-        ratios = way.ratios(sections)
+        setups.append(setup)
+        slip = setup.slip(sections)
+        ratios = setup.ratios(sections)
         cells += [slip, *ratios.values()]
-        paces = core_ms if way in C_WAYS else frames_ms
+        paces = core_ms if setup in C_SETUPS else frames_ms
         times = [
             ratio.number * paces[count]
             for count, ratio in ratios.items()
             if count in paces
         ]
         if times:
-            marks.append(Mark(way, creep, times, slip.is_distinct))
+            marks.append(Mark(setup, creep, times, slip.is_distinct))
     bounds = [sections.value(*place) for place in BOUNDS.values()]
     shake = [sections.cell("reproduction", "as-shipped", name).value for name in SHAKE]
     lines = [
@@ -273,15 +276,15 @@ def figure(sections: Sections) -> Figure:
         if None not in (bound.value, *shake)
     ]
     gain = sections.value("reproduction", "stiff_gain")
-    stiff = WAYS[1].slip(sections)
+    stiff = SETUPS[1].slip(sections)
     is_cut = all_of(
         at_least(gain, 10.0, "an order of magnitude"), at_most(stiff, bounds[0])
     )
-    patches = [way for way in ways if way.effort == PATCH]
+    patches = [setup for setup in setups if setup.effort == PATCH]
     numbers = {
         "gain": gain,
         "is_cut": is_cut == HOLDS,
-        "is_ended": any(way.keeps(sections, bounds[1]) == HOLDS for way in patches),
+        "is_ended": any(setup.keeps(sections, bounds[1]) == HOLDS for setup in patches),
     }
     cells += [*worlds.values(), core, *bounds]
     return Figure(lambda: _draw(marks, lines), cells, numbers)
@@ -296,39 +299,39 @@ def _draw(marks: list[Mark], lines: list[tuple[Quantity, float]]) -> Drawing:
         at = {"xycoords": ("axes fraction", "data"), "va": "bottom", "fontsize": 8.5}
         axes.annotate(f"{write(bound)} mm in the whole shake", (0.01, creep), **at)
     last = math.inf
-    for way, creep, times, is_seen in sorted(marks, key=lambda mark: -mark.creep):
+    for setup, creep, times, is_seen in sorted(marks, key=lambda mark: -mark.creep):
         style = {
-            "marker": way.marker,
-            "markerfacecolor": way.colour if is_seen else "none",
+            "marker": setup.marker,
+            "markerfacecolor": setup.colour if is_seen else "none",
             "markersize": 8,
         }
         axes.plot(
             times,
             [creep] * len(times),
-            color=way.colour,
+            color=setup.colour,
             linestyle=":",
             linewidth=0.9,
             markevery=1,
             **style,
         )
         beside: dict[str, Any] = {
-            "color": way.colour,
+            "color": setup.colour,
             "fontsize": 9.5,
             "textcoords": "offset points",
         }
-        if way in C_WAYS:  # below their marks
+        if setup in C_SETUPS:  # its name stands below its mark
             axes.annotate(
-                way.name,
+                setup.name,
                 (max(times), creep),
                 xytext=(0, -8),
                 ha="center",
                 va="top",
                 **beside,
             )
-        else:  # as far down as keeps a name clear of the one above
+        else:  # far enough down not to touch the name above
             last = min(math.log10(creep), last - GAP)
             axes.annotate(
-                way.name, (max(times), 10**last), xytext=(8, 0), va="center", **beside
+                setup.name, (max(times), 10**last), xytext=(8, 0), va="center", **beside
             )
     axes.set(
         xscale="log",
@@ -351,7 +354,7 @@ def _draw(marks: list[Mark], lines: list[tuple[Quantity, float]]) -> Drawing:
     names = {
         worlds_name(ALONE): (4, "right"),
         worlds_name(MANY): (-4, "left"),
-    }  # above, towards each other
+    }  # offset [points] and alignment of the names above the two marks
     for (name, (shift, side)), time in zip(
         names.items(), pair.times if pair else (), strict=False
     ):
@@ -380,18 +383,18 @@ NUMBERS = (
     *("patch", "patch_slip", "patch_ratio", "patch_many", "has_patch"),
     *("is_argument", "is_other", "faster"),
 )
-"""What the words of advice can name; all of it is empty where nothing is advised."""
+"""The numbers that the wording of the advice can print, empty without advice."""
 
 
 def advice(sections: Sections, every: dict[str, Sections]) -> list[Claim]:
-    """Advise what keeps the slip below one that can be seen, and below a tenth of it."""
+    """Recommend a setup for each bound: a visible slip, and a tenth of it."""
     return [
         _advised(sections, name, sections.value(*bound), every)
         for name, bound in BOUNDS.items()
     ]
 
 
-NOTHING_HOLDS = "none of the ways that were tried does"
+NOTHING_HOLDS = "no setup that was tried keeps the slip this small"
 
 
 def _without(numbers: dict[str, Any], reason: str, bound: Quantity) -> dict[str, Any]:
@@ -401,53 +404,53 @@ def _without(numbers: dict[str, Any], reason: str, bound: Quantity) -> dict[str,
 
 def _unmeasured(
     sections: Sections,
-    tests: dict[Way, Outcome],
-    times: dict[Way, Quantity],
+    tests: dict[Setup, Outcome],
+    times: dict[Setup, Quantity],
     effort: int,
 ) -> Outcome | None:
-    """Return unknown if a way lacks a measurement that could make it the advice.
+    """Return unknown if a setup that may be recommended lacks a measurement.
 
-    Without this, advice would become costlier because data are missing.
+    Otherwise missing data would turn the advice to a more expensive setup.
     """
     fastest = min(
-        (time.number for way, time in times.items() if way.effort == effort),
+        (time.number for setup, time in times.items() if setup.effort == effort),
         default=math.inf,
     )
-    for way, test in tests.items():
-        is_untimed = test == HOLDS and way not in times
+    for setup, test in tests.items():
+        is_untimed = test == HOLDS and setup not in times
         is_unknown = test.name == "unknown" and not test.is_inconclusive
-        if not (is_untimed or is_unknown) or way.effort > effort:
+        if not (is_untimed or is_unknown) or setup.effort > effort:
             continue
-        time = way.ratios(sections).get(ALONE)
+        time = setup.ratios(sections).get(ALONE)
         is_slower = time is not None and time.number >= fastest
         is_slower = is_slower or fastest <= 1 + 0.01 * SLOWER[1]
-        if (way.effort == effort and is_slower) or not way.is_offered(sections):
+        if (setup.effort == effort and is_slower) or not setup.is_offered(sections):
             continue
-        what = "timed" if is_untimed else "measured"
-        reason = f"{way.name}, which may be cheaper, was not {what}"
+        verb = "timed" if is_untimed else "measured"
+        reason = f"{setup.name}, which may be cheaper, was not {verb}"
         if is_unknown:
             reason += f" ({test.reason})"
-        section = (way.timed if is_untimed else way.run).partition("/")[0]
+        section = (setup.timed if is_untimed else setup.run).partition("/")[0]
         if "make rerun" not in reason:
             reason += f"; make rerun SECTION={section} measures it"
         return Outcome("unknown", reason, reads=test.reads)
     return None
 
 
-def _fastest(ways: list[Way], times: dict[Way, Quantity]) -> Way:
-    """Return the first of the timed ways that is not surely slower than the fastest."""
-    timed = [way for way in ways if way in times]
-    fastest = min((times[way] for way in timed), key=lambda time: time.number)
+def _fastest(setups: list[Setup], times: dict[Setup, Quantity]) -> Setup:
+    """Return the first timed setup that is not distinguishable from the fastest."""
+    timed = [setup for setup in setups if setup in times]
+    fastest = min((times[setup] for setup in timed), key=lambda time: time.number)
     return next(
-        way
-        for way in timed
-        if times[way] is fastest or not (times[way] - fastest).is_distinct
+        setup
+        for setup in timed
+        if times[setup] is fastest or not (times[setup] - fastest).is_distinct
     )
 
 
-def _faster(sections: Sections, way: Way, time: Quantity) -> Quantity | str:
-    """Return how many times as fast a way is; empty if it is not surely faster."""
-    section, _, variant = way.timed.partition("/")
+def _faster(sections: Sections, setup: Setup, time: Quantity) -> Quantity | str:
+    """Return the speed-up of a setup, or an empty text if it is not surely faster."""
+    section, _, variant = setup.timed.partition("/")
     speedup = sections.value(section, f"{variant}_speedup")
     return speedup if greater(1.0, time, "as fast") == HOLDS and speedup.value else ""
 
@@ -455,48 +458,48 @@ def _faster(sections: Sections, way: Way, time: Quantity) -> Quantity | str:
 def _advised(
     sections: Sections, name: str, bound: Quantity, every: dict[str, Sections]
 ) -> Claim:
-    """Choose the fastest way with the least effort that keeps the slip below a bound."""
+    """Recommend the fastest setup of the least effort that keeps the slip below a bound."""
     numbers: dict[str, Any] = dict.fromkeys(NUMBERS, "") | {"bound": bound}
-    tests = {way: way.keeps(sections, bound) for way in WAYS}
-    holding = [way for way, test in tests.items() if test == HOLDS]
-    ratios = {way: way.ratios(sections) for way in holding}
-    times = {way: ratio[ALONE] for way, ratio in ratios.items() if ALONE in ratio}
-    effort = min((way.effort for way in holding), default=PATCH)
-    least = [way for way in holding if way.effort == effort]
+    tests = {setup: setup.keeps(sections, bound) for setup in SETUPS}
+    holding = [setup for setup, test in tests.items() if test == HOLDS]
+    ratios = {setup: setup.ratios(sections) for setup in holding}
+    times = {setup: ratio[ALONE] for setup, ratio in ratios.items() if ALONE in ratio}
+    effort = min((setup.effort for setup in holding), default=PATCH)
+    least = [setup for setup in holding if setup.effort == effort]
     if lack := _unmeasured(sections, tests, times, effort):
         return Claim(name, lack, _without(numbers, lack.reason, bound))
     near = [
         test
-        for way, test in tests.items()
-        if test.is_inconclusive and ARGUMENT <= way.effort < effort
+        for setup, test in tests.items()
+        if test.is_inconclusive and ARGUMENT <= setup.effort < effort
     ]
-    least = [way for way in least if way in times]
+    least = [setup for setup in least if setup in times]
     if near or not least:
         outcome = near[0] if near else Outcome("unknown", bound.reason or NOTHING_HOLDS)
         return Claim(name, outcome, _without(numbers, outcome.reason, bound))
 
-    way = _fastest(least, times)
-    variant = way.timed.rpartition("/")[2]
-    off = sections.cell("newton_solvers", f"{variant}-3cm", "wander_mm")  # on the way
-    more = []
-    for release, other in every.items() if way.is_other else ():
-        slip = way.slip(other)
+    setup = _fastest(least, times)
+    variant = setup.timed.rpartition("/")[2]
+    off = sections.cell("newton_solvers", f"{variant}-3cm", "wander_mm")
+    exceeding = []  # slips above the bound in other releases
+    for release, findings in every.items() if setup.is_other else ():
+        slip = setup.slip(findings)
         if slip.value is not None and slip.value > bound.number:
-            more.append((slip, release))
+            exceeding.append((slip, release))
     numbers |= {
-        "way": way.name,
-        "slip": way.slip(sections),
-        "ratio": times[way],
-        "many": ratios[way].get(MANY, ""),
+        "way": setup.name,
+        "slip": setup.slip(sections),
+        "ratio": times[setup],
+        "many": ratios[setup].get(MANY, ""),
         "off": off if at_least(off, bound) == HOLDS else "",
         "elsewhere": Markup(", ").join(
-            Markup("{} in {}").format(*pair) for pair in more
+            Markup("{} in {}").format(*pair) for pair in exceeding
         ),
-        "is_argument": way.effort != NOTHING,
-        "is_other": way.is_other,
-        "faster": _faster(sections, way, times[way]),
+        "is_argument": setup.effort != NOTHING,
+        "is_other": setup.is_other,
+        "faster": _faster(sections, setup, times[setup]),
     }
-    patches = [way for way in times if way.effort == PATCH]
+    patches = [setup for setup in times if setup.effort == PATCH]
     if patches:
         patch = _fastest(patches, times)
         numbers |= {
@@ -506,17 +509,18 @@ def _advised(
             "patch_many": ratios[patch].get(MANY, ""),
             "has_patch": True,
         }
-    # Each is looked at by itself: times are ratios of what one machine measured.
-    read = [
+    # Each number is read in a test of its own, because a test of numbers from several
+    # machines cannot tell.
+    cells = [
         off,
-        *(slip for slip, _ in more),
-        *(way.slip(sections) for way in WAYS),
+        *(slip for slip, _ in exceeding),
+        *(setup.slip(sections) for setup in SETUPS),
     ]
-    read = [cell for cell in read if cell.value is not None]
-    read += [
-        *ratios[way].values(),
-        *(times[each] for each in (*least, *patches) if each in times),
+    cells = [cell for cell in cells if cell.value is not None]
+    cells += [
+        *ratios[setup].values(),
+        *(times[other] for other in (*least, *patches) if other in times),
         bound,
     ]
-    outcome = all_of(*(decided(way.effort != PATCH, cell) for cell in read))
+    outcome = all_of(*(decided(setup.effort != PATCH, cell) for cell in cells))
     return Claim(name, outcome, numbers)

@@ -1,4 +1,4 @@
-"""What the investigation that this follows had found, statement by statement, and what was measured of each here."""
+"""Statements of the investigation that this report follows, and the claims that test them."""
 
 from measured_report.findings.chapters import Chapters
 from report.shared import Claim, Outcome, Section, all_of, sections_of
@@ -8,7 +8,9 @@ STIFF = "reproduction/stiff-pads/"
 HELD = "hold/hold-60s/"
 SOURCE = "contact_source/"
 DRIFT = "cure/{}_drift"
-STATEMENTS = {  # by name: the claims that decide a statement, and the cells and values that its words name
+# By name: the claims that decide a statement, and the cells and values that its wording
+# prints.
+STATEMENTS = {
     "drifts": (
         "reproduction.slips reproduction.drift_is_steady",
         f"{SHIPPED}slip_mm",
@@ -50,13 +52,13 @@ def derive(chapters: Chapters) -> Section:
     unmeasured = Claim("unmeasured", Outcome("unknown", "it was not measured"))
     claims = []
     for name, (needs, *places) in STATEMENTS.items():
-        found = [tests.get(need, unmeasured) for need in needs.split()]
+        deciding = [tests.get(need, unmeasured) for need in needs.split()]
         cells = []
         for place in places:
             parts = place.split("/")
-            read = sections.cell if len(parts) > 2 else sections.value
-            cells.append(read(*parts))
-        outcome = all_of(*(claim.outcome for claim in found)).having_read(*cells)
+            get = sections.cell if len(parts) > 2 else sections.value
+            cells.append(get(*parts))
+        outcome = all_of(*(claim.outcome for claim in deciding)).having_read(*cells)
         numbers = dict(zip(("first", "second"), cells, strict=False))
         claims.append(Claim(name, outcome, numbers))
     return Section(claims=claims)

@@ -1,4 +1,4 @@
-"""The story of one release: the mechanism, what was suspected, and which releases need the fix."""
+"""The story of a release: mechanism, recommended setup, and releases that need the fix."""
 
 from markupsafe import Markup
 
@@ -28,7 +28,9 @@ from report.story.figures import draw_mechanism
 NEWTON = "Newton's contacts"
 PYRAMID = "pyramidal cone"
 MUJOCO = "MuJoCo's contacts"
-WAYS = {  # slips with shipped pads and with stiff ones, or how far these move in a cycle, by who finds the contacts
+# Cells with the slip of shipped and of stiff pads, or with their motion per cycle, by
+# contacts and cone.
+CONTACTS = {
     NEWTON: [("reproduction", case, "slip_mm") for case in CASES],
     PYRAMID: [
         ("solver", "cone-pyramidal", "slip_mm"),
@@ -41,50 +43,53 @@ WAYS = {  # slips with shipped pads and with stiff ones, or how far these move i
             "error_runtime",
             "stiff/c/cone-pyramidal",
             "grasp_error_mm_per_cycle",
-        ),  # by cycle, and not told apart by mm
+        ),  # a motion per cycle, which is not compared with the bound in mm
     ],
 }
 
 
-def derive(releases: Releases, shown: str) -> Section:
-    """Derive figures, table and claims of the story of the release ``shown``."""
-    releases = released(releases, shown)
+def derive(releases: Releases, release: str) -> Section:
+    """Derive the figures, the table and the claims of the story of one release."""
+    releases = released(releases, release)
     every = {name: sections_of(chapters) for name, chapters in releases.items()}
-    sections = every[shown]
+    sections = every[release]
     if not {"reproduction", "contact_source", "cure_cost"} & sections.results.keys():
         return Section()
     bound = sections.value("reproduction", "slip_bound")
-    slips = {  # with shipped pads and with stiff ones, by release
-        way: [[each.cell(*place) for place in places] for each in every.values()]
-        for way, places in WAYS.items()
+    slips = {  # of shipped and of stiff pads, in each release
+        contacts: [
+            [findings.cell(*place) for place in places] for findings in every.values()
+        ]
+        for contacts, places in CONTACTS.items()
     }
     needed = {
-        way: [_advice(before, after, bound) for before, after in pairs]
-        for way, pairs in slips.items()
+        contacts: [_advice(before, after, bound) for before, after in pairs]
+        for contacts, pairs in slips.items()
     }
     shipped = {
-        way: {name: pair[0] for name, pair in zip(every, pairs, strict=True)}
-        for way, pairs in slips.items()
+        contacts: {name: pair[0] for name, pair in zip(every, pairs, strict=True)}
+        for contacts, pairs in slips.items()
     }
     measured = {
-        way: {name: slip for name, slip in cells.items() if slip.source}
-        for way, cells in shipped.items()
+        contacts: {name: slip for name, slip in cells.items() if slip.source}
+        for contacts, cells in shipped.items()
     }
 
-    # Each release is looked at by itself: none is compared with another.
+    # Each release has its own test, because releases may be measured on different
+    # machines.
     newton = measured[NEWTON]
     slipping = [name for name, slip in newton.items() if at_least(slip, bound) == HOLDS]
     fine = [name for name in newton if name not in slipping]
-    is_so = bool(slipping and fine) and list(newton) == [*slipping, *fine]
-    tests = [decided(is_so, slip, bound) for slip in shipped[NEWTON].values()]
+    is_ordered = bool(slipping and fine) and list(newton) == [*slipping, *fine]
+    tests = [decided(is_ordered, slip, bound) for slip in shipped[NEWTON].values()]
     unmeasured = (test for test in tests if test.name == "unknown")
     fine_since = next(unmeasured, all_of(*tests))
 
     others = (measured[MUJOCO], measured[PYRAMID])
-    still = Outcome("unknown", "not both were measured")
+    is_needed = Outcome("unknown", "one of the two was not measured")
     if all(others):
-        still = all_of(
-            *(at_least(slip, bound) for each in others for slip in each.values())
+        is_needed = all_of(
+            *(at_least(slip, bound) for cells in others for slip in cells.values())
         )
     settings = settings_of(releases)
     *names, last = map(settings.name_of, measured[PYRAMID] or [""])
@@ -100,10 +105,10 @@ def derive(releases: Releases, shown: str) -> Section:
                 "since": fine[0] if fine else "",
             },
         ),
-        Claim("still_needed", still, {"pyramids": pyramids}),
+        Claim("still_needed", is_needed, {"pyramids": pyramids}),
     ]
-    for name, way in (("with_mujoco", MUJOCO), ("with_pyramid", PYRAMID)):
-        before, after = slips[way][list(every).index(shown)]
+    for name, contacts in (("with_mujoco", MUJOCO), ("with_pyramid", PYRAMID)):
+        before, after = slips[contacts][list(every).index(release)]
         is_halved = None not in (before.value, after.value)
         is_halved = is_halved and 2.0 * after.number <= before.number
         outcome = all_of(
@@ -124,7 +129,7 @@ def derive(releases: Releases, shown: str) -> Section:
 
 
 def _advice(before: Quantity, after: Quantity, bound: Quantity) -> Markup:
-    """Mark whether shipped pads keep the cube, or else whether stiff ones do."""
+    """Mark whether shipped pads keep the cube, and if not, whether stiff pads do."""
     if None in (before.value, bound.value):
         return Markup("lost or failed" if before.source else "not measured")
     if before.value < bound.value:
@@ -136,7 +141,7 @@ def _advice(before: Quantity, after: Quantity, bound: Quantity) -> Markup:
 
 
 def _coarser_moves(sections: Sections) -> Claim:
-    """Tell whether a coarser solver moves the cube by more than a cause would."""
+    """Test whether a coarser solver changes the slip by more than a cause would."""
     cases = {"shipped": "as-shipped", "impratio": "impratio-1", "steps": "substeps-4"}
     slips = {
         name: sections.cell("lab", case, "slip_mm") for name, case in cases.items()

@@ -15,8 +15,8 @@ from conftest import SOURCES
 from toys import derived, link
 
 from measured_report.changes.alarm import (
-    largest,
     false_alarm_counts,
+    largest,
     sensitivity,
     settings_text,
     summary,

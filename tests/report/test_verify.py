@@ -8,7 +8,7 @@ from measured_report.editions.project import Project, own_release
 from measured_report.files.errors import ReportError
 from measured_report.findings.editions import Edition
 from measured_report.records.record import load_record
-from report.commands.verify import repeats_of, verify
+from report.commands.verify import comparisons_of, verify
 
 TRACKED = {
     row["case"]: row
@@ -49,7 +49,7 @@ def found(machine: dict, shipped: float | None, stiff: float = STIFF) -> dict:
 def test_what_is_measured_again_agrees_up_to_a_bound_and_is_known_within_one_run(
     edition, machine, shipped, said, agrees
 ):
-    repeats = list(repeats_of(edition, found(machine, shipped)))
+    repeats = list(comparisons_of(edition, found(machine, shipped)))
     first, first_agrees = next(
         repeat for repeat in repeats if repeat[0].endswith("on NVIDIA H200")
     )

@@ -1,4 +1,4 @@
-"""The cure: what each of its parts does, on which scenes, and what to use."""
+"""The root cure: the effect of its parts, on several scenes, and the recommendation."""
 
 from dataclasses import replace
 
@@ -19,7 +19,9 @@ labels = {
     "ke-kd-#-#-#-plain": "pads' ke {1}, kd {0}, {2} substeps",
 }
 
-FILES = (  # said in full: what is kept of a section is made anew when a file changes that its code names
+# These are complete paths, because the cache of a section depends on the files that its
+# code names.
+FILES = (
     "packages/contact-bias/contact_bias.py",
     "packages/contact-bias/contact_place.py",
     "experiments/simulation/compensated_positions.py",
@@ -36,7 +38,7 @@ def derive(results: Results) -> Section:
         file.name: file.read_text(encoding="utf-8")
         for file in map(ROOT.joinpath, FILES)
     }
-    # The budget comes last, since it reads what the limits are.
+    # The budget comes last, because it reads values of the limits.
     parts = (turntable, controls, limits, bodies, budget)
     return replace(
         joined([part.derive(results) for part in parts]), downloads=downloads

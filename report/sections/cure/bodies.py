@@ -1,4 +1,4 @@
-"""Other bodies and contacts than a grasp, with the term put back."""
+"""Bodies and contacts other than those of a grasp, with the term put back."""
 
 import math
 from collections import defaultdict
@@ -17,8 +17,10 @@ from report.shared import (
     rows_with,
 )
 
-TABLE = ("carried", "caught")  # on the table: turning with it, and put down at rest
-FREE = ("impact", "roll", "slide")  # no acceleration along their friction to leave out
+# Motions on the table: the body starts with the table, or at rest.
+TABLE = ("carried", "caught")
+# Motions for which the left-out acceleration has no component along the friction.
+FREE = ("impact", "roll", "slide")
 
 
 def derive(results: Results) -> Section:
@@ -27,7 +29,7 @@ def derive(results: Results) -> Section:
         runs[row.motion, row.body, row.backend][row.variant] = row
 
     def pairs(motions: tuple[str, ...], variant: str) -> list[tuple[str, Row, Row]]:
-        """Name the runs of these motions, each with nothing done and in a variant."""
+        """Return name, unchanged run and variant of each run with these motions."""
         return [
             ("_".join(run).replace(" ", "_"), rows["plain"], rows[variant])
             for run, rows in runs.items()
@@ -35,7 +37,9 @@ def derive(results: Results) -> Section:
         ]
 
     moved = []
-    formula = "distance between the places where the body ends with the term and with nothing done"
+    formula = (
+        "distance between the final positions of the body with and without the term"
+    )
     for name, plain, term in pairs(FREE, "term"):
         ends = [
             row[column]
@@ -51,45 +55,64 @@ def derive(results: Results) -> Section:
         )
         share = PERCENT * off / plain.travel_mm
         moved.append(
-            results.value(f"moved_{name}", f"{formula}, of the way there", share)
+            results.value(
+                f"moved_{name}",
+                f"{formula}, relative to the distance that it travels without the term",
+                share,
+            )
         )
-    moved_most = results.value("moved_most", "largest of these", extreme(max, moved))
+    moved_most = results.value(
+        "moved_most", "largest of these shares", extreme(max, moved)
+    )
     free_count = results.value("free_count", "runs on the plane", cell_count(moved))
 
-    left = [
+    remainders = [
         results.value(
             f"left_{name}",
-            "growth of the distance from the axis with the exact term, of that with"
-            " nothing done, in size",
+            "absolute growth of the distance from the axis with the exact term,"
+            " relative to"
+            " that without it",
             PERCENT * abs(exact.growth_per_s / plain.growth_per_s),
         )
         for name, plain, exact in pairs(TABLE, "exact")
     ]
-    left_most = results.value("left_most", "largest of these", extreme(max, left))
-    table_count = results.value("table_count", "runs on the table", cell_count(left))
+    left_most = results.value(
+        "left_most", "largest of these shares", extreme(max, remainders)
+    )
+    table_count = results.value(
+        "table_count", "runs on the table", cell_count(remainders)
+    )
 
     asides, points = (
         [
             results.value(
                 f"{key}_{name}",
-                "how far the ball ends aside of where it does with nothing done",
+                "sideways distance between the final positions of the ball with and"
+                " without the"
+                " term",
                 abs(ball.sideways_mm - plain.sideways_mm),
             )
             for name, plain, ball in pairs(("pivot",), variant)
         ]
         for key, variant in (("aside", "exact"), ("points", "term"))
     )
-    aside = results.value("aside_most", "largest of these", extreme(max, asides))
-    drift = results.value(
-        "points_aside", "with the term of material points", extreme(max, points)
+    aside = results.value(
+        "aside_most", "largest of these distances", extreme(max, asides)
     )
-    ways = [plain.travel_mm for _, plain, _ in pairs(("pivot",), "exact")]
-    travel = results.value("pivot_travel", "way of the ball", extreme(max, ways))
-    straight = results.chosen("straight_bound", "a sixtieth of the ball", 0.5, "mm")
+    drift = results.value(
+        "points_aside", "largest with the term of material points", extreme(max, points)
+    )
+    travels = [plain.travel_mm for _, plain, _ in pairs(("pivot",), "exact")]
+    travel = results.value(
+        "pivot_travel", "distance that the ball travels", extreme(max, travels)
+    )
+    straight = results.chosen(
+        "straight_bound", "a sixtieth of the diameter of the ball", 0.5, "mm"
+    )
     goes_straight = all_of(
         at_most(aside, straight),
-        at_least(drift, 10.0, "it is seen"),
-        at_least(travel, 500.0, "a way on which it would be seen"),
+        at_least(drift, 10.0, "a visible distance"),
+        at_least(travel, 500.0, "a path long enough to show it"),
     )
     return Section(
         claims=[
@@ -100,7 +123,7 @@ def derive(results: Results) -> Section:
             ),
             Claim(
                 "stands_on_any_feet",
-                at_most(left_most, 1.0, "it stands"),
+                at_most(left_most, 1.0, "the box stands still"),
                 {"largest": left_most, "count": table_count},
             ),
             Claim(

@@ -1,4 +1,4 @@
-"""The slip's causes, one by one and together: predicted, measured, and what to use."""
+"""The parts of the slip, predicted and measured, and the recommended remedy."""
 
 import numpy as np
 
@@ -34,9 +34,9 @@ STIFF = "newton-implicitfast-50-stiff-{}-plain-rounded"
 TERM = "newton-implicitfast-50-shipped-{}-term-rounded"
 BEST = "newton-euler-400-shipped-{}-full-kept"
 FIRM = "newton-implicitfast-400-stiff-{}-centred-kept"
-KF_OFF = "newton-implicitfast-50-shipped-{}-kf-off"  # of releases that read ``kf``
-# Names by case, which has a gap for the shake: contacts, integrator, impratio, pads;
-# term and positions.
+KF_OFF = "newton-implicitfast-50-shipped-{}-kf-off"  # only in releases that read ``kf``
+# Names by case, whose parts are contacts, integrator, impratio, pads, shake, term and
+# positions. The shake is left open.
 NAMES = {
     SHIPPED: "as shipped",
     STIFF: "stiff pads, the fix",
@@ -50,7 +50,7 @@ NAMES = {
     "newton-euler-400-stiff-{}-centred-kept": "the same, Euler",
     KF_OFF: "as shipped, kf off",
 }
-PARTS = {  # by label, what a part is called and its columns
+PARTS = {  # by label: the names that values and columns have for a part
     "the term": ("left_out", "left_out"),
     "step": ("step", "step"),
     "damping": ("damping", "damping"),
@@ -59,8 +59,8 @@ PARTS = {  # by label, what a part is called and its columns
     "sum": ("sum", "predicted"),
     "measured": ("slip", "slip"),
 }
-SHOWN = (SHIPPED, STIFF, TERM, BEST)  # variants whose parts are shown
-SHAKES = {  # label, colour and mark of each shake
+SHOWN = (SHIPPED, STIFF, TERM, BEST)  # variants whose parts are listed
+SHAKES = {  # label, colour and marker of each shake
     "3cm": ("the shake", SERIES[0], "o"),
     "10cm": ("a wider shake", SERIES[1], "s"),
     "held": ("held still", SERIES[5], "^"),
@@ -75,42 +75,45 @@ def derive(results: Results) -> Section:
     def row_of(case: str, shake: str = "3cm") -> Row:
         return results.row[case.format(shake)]
 
-    # Whether the cure on stiff pads loses no cube that they keep, and slips less.
+    # Test whether the cure on stiff pads keeps every cube that stiff pads keep, with
+    # less slip.
     slip = row_of(FIRM).slip_mm
     shipped = row_of(SHIPPED).slip_mm
     wide = row_of(FIRM, "10cm")
     amplitude = results.value(
         "amplitude_10cm",
-        "in whole mm",
+        "rounded to whole mm",
         combined(round, MM_PER_M * wide.shake_amplitude_m),
     )
     share = results.value(
-        "held_share", "of the slip as shipped, that", PERCENT * slip / shipped
+        "held_share",
+        "slip of the root cure on stiff pads, relative to that as shipped",
+        PERCENT * slip / shipped,
     )
     lost = results.derived["limit_lost_firm"]
     kept = results.derived["kept_firm"]
     to_use = all_of(
-        at_most(lost, 0, "none of them is lost"),
-        at_most(wide.slip_mm, 0.05, "hardly more, shaken three times as wide"),
-        at_most(share, 50.0, "less by half"),
+        at_most(lost, 0, "all cubes are kept"),
+        at_most(wide.slip_mm, 0.05, "hardly more slip in a shake three times as wide"),
+        at_most(share, 50.0, "less than half"),
     )
 
-    # Whether the parts add up to the slip.
+    # Test whether the parts add up to the slip.
     least = results.chosen(
-        "remainder_least", "what a grasp of this kind does not show", 0.02, "mm"
+        "remainder_least", "not visible in a grasp of this kind", 0.02, "mm"
     )
-    most = results.chosen("remainder_share", "as good as the law", 5.0, "%")
+    most = results.chosen("remainder_share", "the law is not more precise", 5.0, "%")
     runs = [
         row
         for row in rows_with(results, "kind", "pads", "shake")
         if row.kind == "run" and row.slip_mm.value is not None
     ]
-    far_runs = [row for row in runs if (row.pads, row.shake) == ("shipped", "10cm")]
+    wide_runs = [row for row in runs if (row.pads, row.shake) == ("shipped", "10cm")]
 
     def counted(name: str, runs: list[Row]) -> tuple[Value, Value]:
         closed = results.value(
             f"{name}closed_count",
-            "runs whose remainder is below either bound",
+            "runs whose remainder is below one of the bounds",
             _closed_count,
             least,
             most,
@@ -121,24 +124,24 @@ def derive(results: Results) -> Section:
         return closed, results.value(name, "runs that keep the cube", count)
 
     closed, count = counted("", runs)
-    far_closed, far = counted("far_", far_runs)
+    far_closed, far = counted("far_", wide_runs)
     others = results.value(
         "others_share",
-        "of the other runs that keep the cube, those of them",
+        "share of the other runs whose remainder is below one of the bounds",
         PERCENT * (closed - far_closed) / (count - far),
     )
     few = results.value(
         "far_share",
-        "of shipped pads in the farther shake, those of them",
+        "the same share for shipped pads in the wider shake",
         PERCENT * far_closed / far,
     )
     closes = all_of(
-        at_least(closed, 8.0, "not by chance"),
+        at_least(closed, 8.0, "too many to be chance"),
         at_least(others, 90.0, "nearly all of them"),
-        at_most(few, 60.0, "no more than some"),
+        at_most(few, 60.0, "only some of them"),
     )
 
-    # Parts along the way of the cube, their sum, and how far it went.
+    # The parts in the direction of the slip, their sum, and the measured slip.
     columns = {}
     for label, (name, column) in PARTS.items():
         columns[label] = [
@@ -154,7 +157,7 @@ def derive(results: Results) -> Section:
             )
             for row in map(row_of, SHOWN)
         ]
-    budget = table_of("what is done", [NAMES[case] for case in SHOWN], columns)
+    budget = table_of("setup", [NAMES[case] for case in SHOWN], columns)
 
     cases = [case for case in NAMES if case != KF_OFF or row_of(case)]
     rows = {shake: [row_of(case, shake) for case in cases] for shake in SHAKES}
@@ -188,25 +191,29 @@ def derive(results: Results) -> Section:
     ]
     for name, case in OTHER_CONTACTS.items():
         slip = row_of(case).slip_mm
-        near = at_most(slip, 0.1, "as good as with Newton's contacts, or nearly")
+        near = at_most(slip, 0.1, "nearly as little as with Newton's contacts")
         claims.append(Claim(f"with_{name}", near, {"slip": slip}))
     return Section(tables={"budget": budget}, figures={"use": use}, claims=claims)
 
 
-def _closed_count(least: float, most: float, *found: float) -> int:
-    """Count the runs whose remainder, in turn with its slip, is below either bound."""
-    cells = np.array(found)  # of a thousand runs, each moved in turn to find the noise
+def _closed_count(least: float, most: float, *numbers: float) -> int:
+    """Count the runs whose remainder is below one of the bounds.
+
+    Remainders and slips alternate.
+    """
+    # NumPy, because the noise of this count takes a call per cell of a thousand runs.
+    cells = np.array(numbers)
     bounds = np.maximum(least, 0.01 * most * cells[1::2])
     return np.count_nonzero(cells[::2] <= bounds)
 
 
 def _along(x: float, z: float, slip_x: float, slip_z: float) -> float:
     length = (slip_x**2 + slip_z**2) ** 0.5
-    return (x * slip_x + z * slip_z) / length + 0.0  # no negative zero
+    return (x * slip_x + z * slip_z) / length + 0.0  # turns -0.0 into 0.0
 
 
 def _draw_use(names: list[str], rows: dict[str, list[Row]]) -> Drawing:
-    """Draw the slips of each way, a mark for each shake; a lost cube is a cross."""
+    """Draw the slips of each setup with a marker per shake. A lost cube is a cross."""
     drawing, axes = new_figure(7.2, 1.2 + 0.34 * len(names))
     slips = [row.slip_mm.value or 0.0 for column in rows.values() for row in column]
     edge = 4 * (max(slips) or 1.0)

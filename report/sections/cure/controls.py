@@ -1,4 +1,4 @@
-"""Controls: straight and turning shakes, either Jacobian in C, an arm held still."""
+"""Control experiments: straight and turning shakes, both Jacobians, arm held still."""
 
 from report.shared import (
     PERCENT,
@@ -23,10 +23,10 @@ def derive(results: Results) -> Section:
         return [row.drift_mm_s for row in rows]
 
     slow = "a millimetre in a quarter of an hour"
-    slower = "the slower of both engines"
+    slower = "smaller drift of the two engines"
     still = results.value(
         "straight_drift",
-        "largest drift of the straight shake, in size",
+        "largest absolute drift in the straight shake",
         largest_size(drifts("straight")),
     )
     bound = results.chosen("straight_drift_bound", slow, 0.001, "mm/s")
@@ -35,65 +35,69 @@ def derive(results: Results) -> Section:
     offs = [
         results.value(
             f"{row.case}_off",
-            "growth of the distance from the axis less that of the law, in size,"
-            " of the latter",
+            "absolute difference between the growth of the distance from the axis and"
+            " that of"
+            " the law, relative to the latter",
             departure(row.growth_per_s, row.predicted_growth_per_s),
         )
         for row in rows
     ]
-    off = results.value("turning_off", "largest of these", extreme(max, offs))
+    off = results.value(
+        "turning_off", "largest of these differences", extreme(max, offs)
+    )
     only_turning = all_of(
         at_most(still, bound),
-        at_least(turning, 1.0, "a creep that anyone would see"),
+        at_least(turning, 1.0, "a visible creep"),
         at_most(off, 1.0, "the same creep"),
     )
 
-    # Walls that carry a cube along an arc: on slides, on a hinge, upright on two hinges.
+    # Walls that carry a cube along an arc, on two slides, on a hinge, or on two hinges
+    # that keep them upright.
     slides = results.value(
         "slides_drift",
-        "largest drift on two slides, in size",
+        "largest absolute drift on two slides",
         largest_size(drifts("two-slides")),
     )
     hinge = results.value("hinge_drift", slower, extreme(min, drifts("hinge")))
     hinges = results.value("hinges_drift", slower, extreme(min, drifts("two-hinges")))
     arc_bound = results.chosen("arc_drift_bound", slow, 0.001, "mm/s")
     apart = results.value(
-        "hinges_off", "how far both are apart, of the first", departure(hinges, hinge)
+        "hinges_off",
+        "absolute difference of both, relative to one hinge",
+        departure(hinges, hinge),
     )
     joints_turn = all_of(
         at_most(slides, arc_bound),
         at_least(hinge, 0.1, "six millimetres a minute"),
-        at_most(
-            apart, 5.0, "the same creep, where the walls turn and where they do not"
-        ),
+        at_most(apart, 5.0, "the same creep, whether the walls turn or not"),
     )
 
     dense = results.row["jacobian-dense"]
     sparse = results.row["jacobian-sparse"]
     jacobian_off = results.value(
         "jacobian_off",
-        "how far the slips are apart, of the first",
+        "absolute difference of the slips, relative to the dense Jacobian",
         departure(sparse.slip_mm, dense.slip_mm),
     )
     version = results.record.identity.packages["mujoco"]
 
     # A minute with the arm held still.
     rounded, kept, best = (results.row[case] for case in ("rounded", "kept", "best"))
-    creep = results.chosen("creep_bound", "a millimetre or so in a minute", 0.02, "mm")
+    creep = results.chosen("creep_bound", "about a millimetre in a minute", 0.02, "mm")
     gain = results.value(
         "kept_gain",
-        "slip with positions rounded over that with compensated ones",
+        "slip with rounded positions over that with compensated ones",
         rounded.slip_mm / kept.slip_mm,
     )
     rest = results.value(
         "best_share",
-        "of the former slip, that with the cure",
+        "slip with the cure, relative to that with rounded positions",
         PERCENT * best.slip_mm / rounded.slip_mm,
     )
     helps = all_of(
         at_most(kept.increment_final_mm, creep),
-        at_least(gain, 2.0, "less by half"),
-        at_most(rest, 50.0, "less by half"),
+        at_least(gain, 2.0, "less than half"),
+        at_most(rest, 50.0, "less than half"),
     )
     return Section(
         claims=[
@@ -110,7 +114,9 @@ def derive(results: Results) -> Section:
             Claim(
                 "sparse_is_dense",
                 at_most(
-                    jacobian_off, 5.0, "wrong accelerations would change it by more"
+                    jacobian_off,
+                    5.0,
+                    "wrong accelerations would change the slip by more",
                 ),
                 {
                     "dense": dense.slip_mm,

@@ -1,4 +1,4 @@
-"""The cure at the limits of the grasp, where it could break what holds without it."""
+"""The cure at the limits of the grasp, where it could lose the cube."""
 
 from collections import defaultdict
 from functools import partial
@@ -34,13 +34,13 @@ def derive(results: Results) -> Section:
     for row in rows_with(results, "of", "variant", "family", "kept"):
         runs[row.of][row.variant] = row
     columns: dict[str, list] = defaultdict(list)
-    # A run counts if it was tried with all variants on its pads.
+    # A run counts if it was made with all variants on its pads.
     for variants in (VARIANTS, STIFF_VARIANTS):
         tried = [rows for rows in runs.values() if {"plain", *variants} <= set(rows)]
         for variant in variants:
             kept = []
             lost = []
-            won = []
+            gained = []
             for rows in tried:
                 plain = rows["plain"]
                 if plain.kept:
@@ -48,42 +48,51 @@ def derive(results: Results) -> Section:
                 if plain.kept and not rows[variant].kept:
                     lost.append(plain)
                 if rows[variant].kept and not plain.kept:
-                    won.append(plain)
+                    gained.append(plain)
             name = variant.replace("-", "_")
-            for above, value, formula, counted in (
+            for heading, value, formula, counted in (
                 (
-                    "kept without",
+                    "kept without it",
                     "kept",
-                    "runs that keep the cube with nothing done",
+                    "runs that keep the cube without the cure",
                     kept,
                 ),
                 (
                     "lost of these",
                     "limit_lost",
-                    "of these, runs that lose it this way",
+                    "runs among these that lose it with the cure",
                     lost,
                 ),
-                ("kept only so", "won", "runs that keep it only this way", won),
+                (
+                    "kept only with it",
+                    "won",
+                    "runs that keep it only with the cure",
+                    gained,
+                ),
             ):
-                # Each run that was tried might have counted.
-                read = [rows[each].substeps for rows in tried for each in rows]
+                # The count depends on all runs that were made.
+                sources = [row.substeps for rows in tried for row in rows.values()]
                 count = partial(_count_of, len(counted))
-                columns[above].append(
-                    results.value(f"{value}_{name}", formula, count, *read)
+                columns[heading].append(
+                    results.value(f"{value}_{name}", formula, count, *sources)
                 )
-            columns["which are lost"].append(
+            columns["lost cases"].append(
                 some_html([case_html(row) for row in lost]) or "none"
             )
     names = (VARIANTS | STIFF_VARIANTS).values()
-    # Whether the root cure keeps the cube over the map of section envelope.
-    held = results.chosen("held_height", "lower has left the hand", HELD_HEIGHT_M, "m")
+    # Test whether the root cure keeps the cube in all cells of the map of section
+    # envelope.
+    held = results.chosen(
+        "held_height", "a cube that ends lower has left the hand", HELD_HEIGHT_M, "m"
+    )
     lost_cells = lost_count(results, results.trace("map"), "best", held)
     cells = results.row["map-best"].cell_count
     never = all_of(
-        at_most(lost_cells, 0, "no cell is lost"), at_least(cells, 100, "a map")
+        at_most(lost_cells, 0, "all cells keep the cube"),
+        at_least(cells, 100, "enough cells for a map"),
     )
     numbers = {"cells": cells, "lost": lost_cells}
     return Section(
-        tables={"limits": table_of("way", names, columns)},
+        tables={"limits": table_of("remedy", names, columns)},
         claims=[Claim("best_never_drops", never, numbers)],
     )

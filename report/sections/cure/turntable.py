@@ -1,4 +1,4 @@
-"""A box on a table that turns: does it walk outward as the law says?"""
+"""A box on a turning table: how fast it moves outward, compared with the law."""
 
 from dataclasses import replace
 
@@ -23,10 +23,10 @@ from report.shared import (
 
 ENGINES = ("warp", "c")
 CORNERS = 4  # contacts of the box
-NO_HELP = ("noslip", "impratio", "pyramidal")  # that one would try against sliding
+NO_HELP = ("noslip", "impratio", "pyramidal")  # usual remedies against sliding
 CURED = ("term-rk4-impratio", "term-centred-impratio")
-VARIANTS = {  # labels by variant, in the order of the table: without the term and with it
-    "plain": "nothing done",
+VARIANTS = {  # labels by variant, in the order of the table
+    "plain": "unchanged",
     "noslip": "noslip",
     "impratio": "impratio raised",
     "pyramidal": "pyramidal cone",
@@ -46,8 +46,8 @@ VARIANTS = {  # labels by variant, in the order of the table: without the term a
 def derive(results: Results) -> Section:
     resolution = results.chosen(
         "resolution",
-        "a place 200 mm from the axis is rounded to 15 nm in single precision,"
-        " half of it in each step of 2 ms",
+        "rounding to single precision, which is 7.5 nm in each step of 2 ms at 200 mm"
+        " from the axis, gives this rate",
         0.002,
         "%/s",
     )
@@ -61,7 +61,7 @@ def derive(results: Results) -> Section:
         ):
             cells[case] = results.value(
                 f"{case}_{column}",
-                f"{column} of {case}, in percent of the distance from the axis",
+                f"{column} of {case}, relative to the distance from the axis",
                 PERCENT * row[column],
             )
     plain = growths["plain-c"]
@@ -69,7 +69,8 @@ def derive(results: Results) -> Section:
     offs = [
         results.value(
             f"{case}_off",
-            "growth less that of the law, in size, of the latter",
+            "absolute difference between the growth and that of the law, relative to"
+            " the latter",
             departure(growth, law[case]),
         )
         for case, growth in growths.items()
@@ -77,23 +78,27 @@ def derive(results: Results) -> Section:
         and abs(law[case].value) > resolution.value
     ]
     off = results.value(
-        "law_off", "largest of the departures from the law", extreme(max, offs)
+        "law_off", "largest difference from the law", extreme(max, offs)
     )
     count = results.value(
-        "fast_count", "runs for which it gives more", cell_count(offs)
+        "fast_count",
+        "runs for which the law gives a growth above the resolution",
+        cell_count(offs),
     )
     as_law = at_most(off, 0.5, "the same growth")
     follows = all_of(as_law, at_least(growths["plain-warp"], resolution))
 
     # The law by hand, without the contacts' regularization.
-    turn = results.chosen("turn", "given: how fast the table turns", 2.0, "rad/s")
+    turn = results.chosen(
+        "turn", "given: the angular velocity of the table", 2.0, "rad/s"
+    )
     step = results.chosen("step", "given: the time step", 2.0, "ms")
     dmax = results.chosen("dmax", "given: MuJoCo's default", 0.95)
     row = results.row["plain-c"]
     b = results.value("b", "2 / (dmax · timeconst)", 2 / (row.timeconst_s * dmax))
     braking = results.value(
         "braking",
-        "ω² / b, of the distance from the axis",
+        "ω² / b, relative to the distance from the axis",
         lambda turn, b: 100 * turn**2 / b,
         turn,
         b,
@@ -101,16 +106,16 @@ def derive(results: Results) -> Section:
     )
     inward = results.value(
         "inward",
-        "ω² h / 2, of the distance from the axis",
+        "ω² h / 2, relative to the distance from the axis",
         lambda turn, ms: 0.1 * turn**2 * ms / 2,
         turn,
         step,
         unit="%/s",
     )
-    rough = results.value("rough", "the first less the second", braking - inward)
+    rough = results.value("rough", "ω² / b minus ω² h / 2", braking - inward)
     yielding = results.value(
         "yielding",
-        "what the law's growth takes for R m / n, (growth / ω² + h / 2) b − 1",
+        "R m / n that gives the growth of the law: (growth / ω² + h / 2) b − 1",
         lambda growth, turn, ms, b: (growth / turn**2 + 5e-4 * ms) * b - 1,
         row.predicted_growth_per_s,
         turn,
@@ -119,7 +124,8 @@ def derive(results: Results) -> Section:
     )
     rough_off = results.value(
         "rough_off",
-        "how far that is from the growth, of the latter",
+        "absolute difference between that and the measured growth, relative to the"
+        " latter",
         departure(rough, plain),
     )
     contacts = row.loaded_contact_count
@@ -132,7 +138,7 @@ def derive(results: Results) -> Section:
     changes = [
         results.value(
             f"{name}_change",
-            "change of the growth, in size, of the growth with nothing done",
+            "absolute change of the growth, relative to the unchanged scene",
             departure(growths[f"{name}-c"], plain),
         )
         for name in NO_HELP
@@ -141,14 +147,19 @@ def derive(results: Results) -> Section:
         "setting_change", "largest of these changes", combined(max, *changes)
     )
     grows = at_least(plain, resolution)
-    goes_on = all_of(at_most(change, 10.0, "a cure would take more of it away"), grows)
+    goes_on = all_of(at_most(change, 10.0, "a remedy would reduce it by more"), grows)
     if grows == FAILS:
-        goes_on = replace(goes_on, name="unknown", reason="there is no growth to stop")
+        goes_on = replace(
+            goes_on, name="unknown", reason="the box does not move outward"
+        )
     rest = results.value(
         "cured_growth",
-        "largest growth, in size, with the term, without the error of the step and with"
-        " a high impratio",
-        largest_size(growths[f"{way}-{engine}"] for way in CURED for engine in ENGINES),
+        "largest absolute growth with the term, without the error of the step, and"
+        " with a"
+        " high impratio",
+        largest_size(
+            growths[f"{variant}-{engine}"] for variant in CURED for engine in ENGINES
+        ),
     )
     columns = {
         "MuJoCo C": [growths[f"{variant}-c"] for variant in VARIANTS],
@@ -156,7 +167,7 @@ def derive(results: Results) -> Section:
         "Warp": [growths[f"{variant}-warp"] for variant in VARIANTS],
     }
     return Section(
-        tables={"rates": table_of("what is done", VARIANTS.values(), columns)},
+        tables={"rates": table_of("setup", VARIANTS.values(), columns)},
         claims=[
             Claim(
                 "follows_law",

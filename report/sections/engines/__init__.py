@@ -42,19 +42,17 @@ MODELS = {
     "physx": "PhysX, TGS",
     "discrete-20ms": "MuJoCo C, integrator discrete",
 }
-OURS = {
-    "c": "MuJoCo C",
-    "warp": "MuJoCo Warp",
-}  # engines of which other sections have the numbers
+# Engines that were measured in other sections.
+OURS = {"c": "MuJoCo C", "warp": "MuJoCo Warp"}
 CONTINUOUS = "drake-continuous-point"
 
 
 class Line(NamedTuple):
-    """A contact model with its numbers: walk [%/s] and sinking [µm/s]."""
+    """The results of a contact model: the walk [%/s] and the sinking [µm/s]."""
 
     name: str
     release: str
-    walk: Value  # at a step of 2 ms
+    walk: Value  # with a step of 2 ms
     short_walk: Value  # with half the step
     sink: Value
 
@@ -64,17 +62,17 @@ def derive(results: Results) -> Section:
     by_name = {line.name: line for line in lines}
     walk_bound = results.chosen(
         "walk_bound",
-        "a place 200 mm from the axis is rounded to 15 nm in single precision,"
-        " half of it in each step of 2 ms",
+        "rounding to single precision, which is 7.5 nm in each step of 2 ms at 200 mm"
+        " from the axis, gives this rate",
         0.002,
         "%/s",
     )
     sink_bound = results.chosen("sink_bound", "10 nm in a second", 0.01, "µm/s")
     columns = {
         "release": [line.release for line in lines],
-        "walk": _shown([line.walk for line in lines], walk_bound),
-        "half the step": _shown([line.short_walk for line in lines], walk_bound),
-        "sinks": _shown([line.sink for line in lines], sink_bound),
+        "walk": _measurable([line.walk for line in lines], walk_bound),
+        "half the step": _measurable([line.short_walk for line in lines], walk_bound),
+        "sinks": _measurable([line.sink for line in lines], sink_bound),
     }
     step = results.chosen("step", "given: the time step", 2.0, "ms")
     engines = table_of(
@@ -86,7 +84,7 @@ def derive(results: Results) -> Section:
         long=step,
     )
 
-    # MJX ran where the others did.
+    # MJX was run on the same machine as the other engines.
     mine = by_name[MODELS["mjx"]]
     discrete = by_name[MODELS["discrete-20ms"]].walk
     mujoco = {*OURS.values(), MODELS["mjx"], MODELS["discrete-20ms"]}
@@ -95,11 +93,13 @@ def derive(results: Results) -> Section:
         "worst_other", "fastest walk in another engine", extreme(max, others)
     )
     times = results.value(
-        "times", "walk in MuJoCo's MJX, of the fastest elsewhere", mine.walk / worst
+        "times",
+        "walk in MJX over the fastest walk in another engine",
+        mine.walk / worst,
     )
     halved = results.value(
         "kept",
-        "walk in MuJoCo's MJX with half the step, of that with the whole",
+        "walk in MJX with half the step, relative to that with the whole step",
         PERCENT * mine.short_walk / mine.walk,
     )
     tests = [
@@ -109,7 +109,8 @@ def derive(results: Results) -> Section:
     if discrete.value is not None:
         discrete_times = results.value(
             "discrete_times",
-            "walk in MuJoCo C with the integrator discrete, of the fastest elsewhere",
+            "walk in MuJoCo C with the integrator discrete over the fastest walk in"
+            " another engine",
             discrete / worst,
         )
         tests.append(at_least(discrete_times, 1.5, "much faster"))
@@ -128,7 +129,7 @@ def derive(results: Results) -> Section:
     shipped, soft = (results.row[f"fet028-pad-kd-{kd}"] for kd in (100, 5))
     more = results.value(
         "soft_times",
-        "slip with less damped pads, of that as shipped",
+        "slip with less damped pads over that as shipped",
         soft.slip_mm / shipped.slip_mm,
     )
     passes = all_of(
@@ -156,11 +157,13 @@ def derive(results: Results) -> Section:
 
 def _lines(results: Results) -> Iterator[Line]:
     def line(key: str, name: str, release: str, whole, half, sink) -> Line:
-        formula = "in percent of the distance from the axis"
+        formula = "growth of the distance from the axis, relative to that distance"
         walk = results.value(f"{key}_walk", formula, PERCENT * whole)
         halved = results.value(f"{key}_short_walk", formula, PERCENT * half)
         sinking = results.value(
-            f"{key}_sink", "how fast the capsule sinks", constant(1e3, "µm/mm") * sink
+            f"{key}_sink",
+            "speed at which the capsule sinks",
+            constant(1e3, "µm/mm") * sink,
         )
         return Line(name, release, walk, halved, sinking)
 
@@ -180,13 +183,14 @@ def _lines(results: Results) -> Iterator[Line]:
         row = results.row[f"{model}-turntable-{step}"]
         half = results.row[f"{model}-turntable-1ms"].growth_per_s
         if model == CONTINUOUS:
-            half = absent("1/s", "continuous time has no step")
+            half = absent("1/s", "continuous time does not have a step")
         sink = results.row[f"{model}-pinch-{step}"].creep_mm_s
         key = model.replace("-", "_")
         yield line(key, name, row.release, row.growth_per_s, half, sink)
 
 
-def _shown(cells: list[Value], bound: Value) -> list[Quantity | str]:
+def _measurable(cells: list[Value], bound: Value) -> list[Quantity | str]:
+    """Return the cells, with those up to the bound as "not measurable"."""
     return [
         "not measurable"
         if cell.value is not None and abs(cell.value) <= bound.value

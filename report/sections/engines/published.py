@@ -1,4 +1,4 @@
-"""Numbers that others published, beside ours; ``templates/sources.toml`` has their links."""
+"""Published numbers compared with ours. ``templates/sources.toml`` has their links."""
 
 from dataclasses import dataclass
 from decimal import Decimal
@@ -20,19 +20,19 @@ from report.shared import (
 
 @dataclass(frozen=True)
 class Published:
-    """A number as it was published, and where ours is.
+    """A published number, and the cell that is compared with it.
 
-    Half of its last digit counts, unless its source shows noise.
+    It is taken to be correct within half of its last digit, or the noise of its source.
     """
 
     source: str
-    what: str
+    quantity: str
     theirs: str
     case: str
     column: str
     section: str = "engines"
     noise: float = 0.0
-    is_bound: bool = False  # a test passes what is below it
+    is_bound: bool = False  # a test passes below it
 
     @property
     def within(self) -> float:
@@ -52,9 +52,13 @@ PUBLISHED = (
         "critical_friction",
     ),
     Published(
-        "MotrixSim", "fall with a tenth more", "0.0", "friction-motrixsim", "fall_mm"
+        "MotrixSim",
+        "fall with a tenth more friction",
+        "0.0",
+        "friction-motrixsim",
+        "fall_mm",
     ),
-    # By its table five cubes fell to the floor, by 150.5 to 153.5 mm.
+    # In its table, five cubes fell to the floor, by 150.5 to 153.5 mm.
     Published(
         "MotrixSim",
         "the same, MuJoCo C, Euler",
@@ -78,7 +82,7 @@ PUBLISHED = (
     ),
     Published("Genesis", "creep at a wall, MuJoCo C", "4.5", "wall-c", "creep_mm_s"),
     Published("Genesis", "the same, MuJoCo Warp", "4.5", "wall-warp", "creep_mm_s"),
-    *(  # Without the first rate of these: the capsule is as long as makes it come out.
+    *(  # without the first rate, because the length of the capsule was fitted to it
         Published(
             "MuJoCo issue",
             f"capsule, {VARIANTS[name]}",
@@ -108,35 +112,40 @@ def derive(results: Results) -> Section:
     lines = []
     compared = []
     agreed = []
-    for each in PUBLISHED:
-        ours = sections.cell(each.section, each.case, each.column)
-        agrees = "" if ours.value is None else each.agrees(ours.value)
-        name = f"{each.case}_{each.column}"
-        published = constant(float(each.theirs), results.columns[each.column].unit)
+    for number in PUBLISHED:
+        ours = sections.cell(number.section, number.case, number.column)
+        agrees = "" if ours.value is None else number.agrees(ours.value)
+        name = f"{number.case}_{number.column}"
+        published = constant(float(number.theirs), results.columns[number.column].unit)
         theirs = results.value(f"theirs_{name}", AS_PUBLISHED, published)
         cells: list[Quantity | str] = ["", "a bound"]
-        if not each.is_bound:
+        if not number.is_bound:
             compared.append(ours)
             agreed.append(agrees is True)
             off = results.value(
-                f"off_{name}", "ours less theirs, in size", abs(ours - theirs)
+                f"off_{name}",
+                "absolute difference between both numbers",
+                abs(ours - theirs),
             )
             within = results.chosen(
                 f"within_{name}",
-                "half the last digit, or noise of the source",
-                each.within,
+                "half of the last digit, or the noise of the source",
+                number.within,
                 theirs.unit,
             )
             cells = [off, within]
-        lines.append((each.what, theirs, ours, *cells, agrees))
-    above = ("what", "theirs", "ours", "off by", "within", "agrees")
-    columns = dict(zip(above, zip(*lines, strict=True), strict=True))
-    table = table_of("published by", [each.source for each in PUBLISHED], columns)
+        lines.append((number.quantity, theirs, ours, *cells, agrees))
+    headings = ("quantity", "theirs", "ours", "difference", "tolerance", "agrees")
+    columns = dict(zip(headings, zip(*lines, strict=True), strict=True))
+    table = table_of("published by", [number.source for number in PUBLISHED], columns)
     agreeing = results.value(
-        "agreeing", "how many agree", lambda *_: sum(agreed), *compared, across=True
+        "agreeing", "numbers that agree", lambda *_: sum(agreed), *compared, across=True
     )
     count = results.value(
-        "compared", "numbers beside published ones", cell_count(compared), across=True
+        "compared",
+        "numbers compared with published ones",
+        cell_count(compared),
+        across=True,
     )
     are_most = 2 * sum(agreed) > len(agreed)
     claim = Claim(

@@ -1,4 +1,4 @@
-"""The shake itself in other engines: whether the cube slips farthest in MuJoCo."""
+"""The shake in other engines, compared with the slip in MuJoCo."""
 
 from report.shared import (
     Claim,
@@ -10,34 +10,34 @@ from report.shared import (
     all_of,
     cell_count,
     cell_or_lost,
-    creep_or_unseen,
     decided,
     extreme,
     greater,
+    measurable_creep,
     table_of,
 )
 
 MUJOCO = "mujoco-c"
-ARMATURES = {"own": "of its own", "links": "in the links"}
+ARMATURES = {"own": "own parameter", "links": "in the links"}
 
 
 def derive(results: Results, labels: dict[str, str]) -> Section:
-    """Make the table, of models under their ``labels``, and its claims."""
+    """Make the table of the models, named by their ``labels``, and its claims."""
     rows = RowsBy(results, results.rows, "model", "shake")
     models = list(dict.fromkeys(model for model, _ in rows))
     near = [rows[model, "3cm"] for model in models]
     columns = {
         "slip": "slip_mm",
-        "creep": map(creep_or_unseen, near),
-        "shaken 100 mm": [
+        "creep": map(measurable_creep, near),
+        "slip, shaken 100 mm": [
             cell_or_lost(rows[model, "10cm"], "slip_mm") for model in models
         ],
-        "held still": [
+        "slip, held still": [
             cell_or_lost(rows[model, "held"], "slip_mm") for model in models
         ],
-        "along over normal force": "friction_share",
+        "tangential over normal force": "friction_share",
         "penetration": "penetration_mm",
-        "path off": "path_off_mm",
+        "path difference": "path_off_mm",
         "armature": [ARMATURES.get(row.plain.get("armature"), "") for row in near],
     }
     names = [{MUJOCO: "MuJoCo C", **labels}[model] for model in models]
@@ -46,7 +46,8 @@ def derive(results: Results, labels: dict[str, str]) -> Section:
     )
     table = table_of("engine", names, columns, near, step=step)
 
-    # Whether the cube slips farther in MuJoCo than in each other engine that keeps it.
+    # Test whether the cube slips farther in MuJoCo than in any other engine that keeps
+    # it.
     others = [model for model in models if model != MUJOCO]
     mine = rows[MUJOCO, "3cm"].slip_mm
     held = rows[MUJOCO, "held"].slip_mm
@@ -60,10 +61,13 @@ def derive(results: Results, labels: dict[str, str]) -> Section:
         "robot_count", "other contact models that keep the cube", cell_count(slips)
     )
     still_worst = results.value(
-        "robot_worst_held", "the same with the arm held still", extreme(max, still)
+        "robot_worst_held",
+        "farthest slip in another engine with the arm held still",
+        extreme(max, still),
     )
     stiff = Sections(results.others).cell("solver", "stiff-pads-mujoco-c", "slip_mm")
-    # Measured on another machine, in the same engine, which repeats to the last bit.
+    # This slip was measured on another machine. The comparison is valid because MuJoCo
+    # C repeats to the last bit.
     is_less = None not in (stiff.value, mine.value) and stiff.value < mine.value
     farthest = all_of(
         *(greater(mine, slip) for slip in (worst, held, still_worst)),

@@ -1,4 +1,4 @@
-"""Error against run time: the cheapest setting for an error, and what knobs buy."""
+"""Error against run time: the gain of each setting, and its cost."""
 
 import math
 from functools import partial
@@ -54,45 +54,47 @@ def derive(results: Results) -> Section:
     shipped = points[SHIPPED]
     floor = points.floors["as-shipped"]
 
-    # Shipped pads keep their grasp error where the model is solved; stiff ones less.
+    # If the model is solved exactly, shipped pads keep their grasp error, and that of
+    # stiff pads is smaller.
     soft, stiff = map(points.converged, runs.PADS)
     stays = results.value(
         "pads_stays",
-        "converged grasp error, of that as shipped, shipped pads",
+        "converged grasp error of shipped pads, relative to that as shipped",
         PERCENT * soft / shipped[GRASP],
     )
     gain = results.value(
         "pads_gain",
-        "converged grasp error as shipped over that with stiff pads",
+        "converged grasp error with shipped pads over that with stiff pads",
         soft / stiff,
     )
-    seen = results.value(
+    resolution = results.value(
         "pads_seen",
-        "largest distance between Warp and C, as if one cycle made it",
+        "largest distance between Warp and C, taken as the error of one cycle",
         floor / constant(1, "cycle"),
         is_noise=True,
     )
     pads_decide = all_of(
         at_least(stays, 80.0, "nearly all of it"),
-        at_least(gain, 5.0, "an order of magnitude, nearly"),
-        decreases([soft, stiff], by=seen),
+        at_least(gain, 5.0, "nearly an order of magnitude"),
+        decreases([soft, stiff], by=resolution),
     )
 
     rk4 = points["as-shipped/newton-rk4/substeps-2"]
     doubled = results.value(
         "rk4_warp_doubled", "twice the numerical error of RK4", 2 * rk4[ERROR]
     )
-    cost = results.value(  # medians are of their own rounds
+    # Both times are ratios to the shipped settings, because the medians of the times
+    # themselves come from different rounds.
+    cost = results.value(
         "rk4_warp_cost",
-        "run time of RK4 over that as shipped, by what both take of the shipped settings"
-        " in Warp, timed in turn",
+        "run time of RK4 over that as shipped, from the ratios of both to the shipped"
+        " settings in Warp, timed in turn",
         rk4.time_ratio / shipped.time_ratio,
     )
     both = combined(math.hypot, rk4.ratio_resolution, shipped.ratio_resolution)
     cost_seen = results.value(
         "rk4_warp_cost_seen",
-        "to within what share the ratio of these run times is known, by the resolutions"
-        " of both together",
+        "resolution of this ratio, from the resolutions of both run times",
         PERCENT * both,
         is_noise=True,
     )
@@ -100,7 +102,7 @@ def derive(results: Results) -> Section:
     is_as_long = is_as_long and abs(cost.value - 1) <= 0.01 * cost_seen.value
     rk4_pays = all_of(
         decreases([shipped[ERROR], doubled], by=floor),
-        at_most(cost, 1.5, "hardly dearer"),
+        at_most(cost, 1.5, "hardly more expensive"),
     )
 
     coarse = points["stiff/c-rk4/substeps-4"]
@@ -109,23 +111,24 @@ def derive(results: Results) -> Section:
 
     worst = results.value(
         "reference_error",
-        "largest distance between a reference and the same with twice the step",
+        "largest distance between a reference and the same run with twice the step",
         combined(max, *(row[ERROR] for row in points.references)),
     )
     plotted = [row[ERROR] for row in points.settings if runs.counts(row)]
     least = results.value(
         "low_error",
-        "numerical error that nine in ten runs that count exceed",
+        "numerical error that nine in ten plotted runs exceed",
         combined(partial(quantile, 0.1), *plotted),
     )
     margin = results.value(
-        "reference_margin", "this error over the reference's own", least / worst
+        "reference_margin", "this error over that of the reference", least / worst
     )
     bound = results.chosen(
-        "reference_bound", "well below what is measured with it", 10.0
+        "reference_bound", "well below the errors that are measured with it", 10.0
     )
 
-    # Solver, iterations, line search, and contacts made anew in each substep.
+    # Settings of the effort: solver, iterations, line search, and contacts found in
+    # each substep.
     efforts = [
         row
         for row in points.settings
@@ -145,26 +148,26 @@ def derive(results: Results) -> Section:
     ]
     change = results.value(
         "effort_change",
-        "largest change of the numerical error by solver, iterations, line search or"
-        " contacts in each substep",
+        "largest absolute change of the numerical error by solver, iterations, line"
+        " search or contacts found in each substep",
         largest_size(shipped[ERROR] - row[ERROR] for row in converged),
     )
     share = results.value(
         "effort_share",
-        "that change, of the numerical error as shipped",
+        "that change, relative to the numerical error as shipped",
         PERCENT * change / shipped[ERROR],
     )
     count = results.value(
         "effort_count",
-        "runs with other solver effort that hold the cube and converge",
+        "runs with a different solver effort that hold the cube and converge",
         cell_count([row[ERROR] for row in converged]),
     )
     tried = results.value(
         "effort_tried",
-        "runs with other solver effort",
+        "runs with a different solver effort",
         cell_count([row.substeps for row in efforts]),
     )
-    effort = negligible(share, 10.0, "a gain worth an effort")
+    effort = negligible(share, 10.0, "a gain that is worth the effort")
 
     numbers = {"rk4_warp": rk4_pays == HOLDS}
     errors = [row[ERROR] for row in points.settings]
@@ -216,15 +219,15 @@ def derive(results: Results) -> Section:
 
 
 def _crossover(results: Results, points: Points) -> Claim:
-    """Tell whether C is faster with one world, and Warp with many."""
+    """Claim that C is faster with one world, and Warp with many."""
     rows = points.worlds
     if not rows or rows[0].worlds.value != 1:
         names = ("advantage", "engine", "crossover", "gain", "most")
-        lost = Outcome("unknown", "one world was not timed")
-        return Claim("crossover", lost, dict.fromkeys(names, ""))
+        untimed = Outcome("unknown", "one world was not timed")
+        return Claim("crossover", untimed, dict.fromkeys(names, ""))
     second = constant(1e3, "ms·world-s/s²")  # of one world, in ms per s
-    # By the times that it took in turn with each number of worlds: alone a core may
-    # run at another pace.
+    # The speed of C is taken from its comparisons with each number of worlds, because a
+    # core may run at another clock rate alone.
     paces = (second * row.time_ratio / row.ms_per_s for row in rows)
     core = results.value(
         "one_core_rate",
@@ -243,8 +246,8 @@ def _crossover(results: Results, points: Points) -> Claim:
     pairs = zip(rows, rates, strict=True)
     crossover = results.value(
         "crossover_worlds",
-        "least number of worlds with which Warp is as fast as C, interpolated in"
-        " logarithms between measured ones",
+        "smallest number of worlds with which Warp is as fast as C, interpolated"
+        " logarithmically between measured numbers",
         _crossing,
         core,
         *(cell for row, rate in pairs for cell in (row.worlds, rate)),
@@ -274,7 +277,7 @@ def _crossover(results: Results, points: Points) -> Claim:
         {
             "advantage": lead,
             "engine": runs.ENGINES[rows[0].backend],
-            # Nowhere, if one engine is ahead throughout.
+            # There is no crossover if one engine is faster throughout.
             "crossover": "" if crossover.value is None else crossover,
             "gain": gain,
             "most": rows[-1].worlds,
@@ -283,13 +286,16 @@ def _crossover(results: Results, points: Points) -> Claim:
 
 
 def _crossing(level: float, *cells: float) -> float:
-    """Return the worlds with which a rising line first reaches ``level``, else NaN."""
+    """Return the number of worlds at which the rates first reach ``level``, or NaN.
+
+    The cells are numbers of worlds and rates, in turn.
+    """
     worlds = cells[::2]
     rates = cells[1::2]
-    above = [rate >= level for rate in rates]
-    if True not in above or above[0] or min(rates) <= 0.0:
+    is_reached = [rate >= level for rate in rates]
+    if True not in is_reached or is_reached[0] or min(rates) <= 0.0:
         return float("nan")
-    after = above.index(True)
-    pair = slice(after - 1, after + 1)
+    first = is_reached.index(True)
+    pair = slice(first - 1, first + 1)
     logs = np.interp(np.log(level), np.log(rates[pair]), np.log(worlds[pair]))
     return int(np.ceil(np.exp(logs) - 1e-9))

@@ -1,4 +1,4 @@
-"""Error against run time as a diagram."""
+"""The diagram of error against run time."""
 
 from typing import Any
 
@@ -25,9 +25,9 @@ from report.shared.drawing import (
 )
 
 COLOURS = {"warp-cuda": SERIES[0], "warp-cpu": SERIES[4], "mujoco-c": SERIES[2]}
-# Methods whose points have their substeps beside them.
+# Methods whose points are labelled with their substeps.
 NAMED = ("newton", "newton-rk4", "cpu", "c", "c-rk4")
-# Smaller errors are drawn on the lower edge, which leaves the rest the room.
+# Smaller errors are drawn on the lower edge, so that the others have enough room.
 LEAST_ERROR_MM = 1e-5
 
 
@@ -54,10 +54,10 @@ def draw_numerical(points: Points) -> Drawing:
         if floor is not None:
             band = {"color": FAINT, "alpha": 0.5, "linewidth": 0}
             axes.axhspan(LEAST_ERROR_MM, floor, zorder=0, **band)
-            axes.annotate(" Warp's rounding", (0.01, floor), va="top", **left)
+            axes.annotate(" rounding of Warp", (0.01, floor), va="top", **left)
         if creep is not None:
             axes.axhline(creep, color=INK, linewidth=0.8, linestyle=":", marker="")
-            axes.annotate(" creep in a cycle", (0.01, creep), va="bottom", **left)
+            axes.annotate(" creep per cycle", (0.01, creep), va="bottom", **left)
         for backend in points.engines:
             mine = [row for row in rows if row["pads"] == pads]
             best = [row for row in mine if row.case in points.backend_front]
@@ -69,7 +69,8 @@ def draw_numerical(points: Points) -> Drawing:
                 _star(axes, _place(row), row, write(row[ERROR]), (8, 4))
         one = points.shipped(pads, points.engines[0])
         if pads == "stiff" and one and one[ERROR].value:
-            # Many worlds have the settings of one as shipped, and with that its error.
+            # Many worlds run with the shipped settings, so they have the error of one
+            # world.
             for row in most:
                 place = (_frame_ms(row), one[ERROR].value)
                 _star(axes, place, one, f"{write(row.worlds)} worlds, each", (-4, -16))
@@ -78,7 +79,7 @@ def draw_numerical(points: Points) -> Drawing:
 
 
 def _frame_ms(row: Row) -> float:
-    """Return the time of a world's frame, as the figure of the front page has it."""
+    """Return the time per world and frame [ms], as in the figure of the front page."""
     worlds = row.worlds.value if "worlds" in row else 1
     return row[TIME].value / FRAME_RATE / worlds
 
@@ -88,7 +89,10 @@ def _place(row: Row) -> tuple[float, float]:
 
 
 def _draw_engine(axes: Axes, best: list[Row], backend: str) -> None:
-    """Draw the settings of an engine that no other of it beats, the fastest first."""
+    """Draw the settings of an engine that no other of its settings beats.
+
+    They are given with the fastest first.
+    """
     colour = COLOURS[backend]
     x, y = zip(*map(_place, best), strict=True)
     style = {"color": colour, "linestyle": "-", "linewidth": 1.1, "marker": ""}
@@ -101,7 +105,9 @@ def _draw_engine(axes: Axes, best: list[Row], backend: str) -> None:
                 text = f"RK4 {text}"
             write_beside(axes, text, _place(row), (3, 3), fontsize=7, color=colour)
     name = ENGINES[backend].replace("MuJoCo Warp", "Warp")
-    side = "right" if backend == "mujoco-c" else "left"  # the faster engine on the left
+    side = (
+        "right" if backend == "mujoco-c" else "left"
+    )  # to the left of the faster engine
     look = {"color": colour, "ha": side, "fontsize": 9}
     write_beside(axes, name, _place(best[0]), (0, 12), **look)
 

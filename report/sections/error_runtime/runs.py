@@ -1,4 +1,4 @@
-"""Points of the diagram of error against run time, sorted."""
+"""The rows of the diagram of error against run time, grouped by their role."""
 
 from dataclasses import dataclass
 
@@ -16,7 +16,7 @@ ENGINES = {
 ERROR = "numerical_error_mm"
 GRASP = "grasp_error_mm_per_cycle"
 TIME = "ms_per_s"
-LOST_MM = 1e3 * AS_SHIPPED.cube_edge_m  # farther off, the cube has left the grasp
+LOST_MM = 1e3 * AS_SHIPPED.cube_edge_m  # a cube with a larger error has left the grasp
 
 
 def with_shipped_steps(pads: str, method: str) -> str:
@@ -28,31 +28,31 @@ SHIPPED = with_shipped_steps("as-shipped", "newton")
 
 @dataclass(frozen=True)
 class Points:
-    """Rows of the section, sorted."""
+    """The rows of the section, grouped by their role."""
 
     results: Results
     settings: list[Row]
     references: list[Row]
-    worlds: list[Row]  # many worlds at once, fewest first
-    floors: dict[str, Value]  # distance of Warp from C, by pads [mm]
-    backend_front: frozenset[str]  # cases that no other of their backend beats
+    worlds: list[Row]  # rows with many worlds, in ascending order
+    floors: dict[str, Value]  # largest distance of Warp from C [mm], by pads
+    backend_front: frozenset[str]  # cases that no other case of their backend beats
 
     def __getitem__(self, case: str) -> Row:
         return self.results.row[case]
 
     @property
     def engines(self) -> tuple[str, str]:
-        """Return the two backends to compare: Warp's, on a GPU if any, and C."""
+        """Return the backends to compare: that of Warp, preferably on a GPU, and C."""
         return self[SHIPPED].backend, "mujoco-c"
 
     def shipped(self, pads: str, backend: str) -> Row | None:
-        """Return the run with the settings as shipped on a backend, if it counts."""
+        """Return the run with the shipped settings on a backend, if it counts."""
         method = {"mujoco-c": "c", "warp-cpu": "cpu"}.get(backend, "newton")
         row = self[with_shipped_steps(pads, method)]
         return row if row and counts(row) and row.backend == backend else None
 
     def converged(self, pads: str) -> Quantity:
-        """Return the grasp error of the model as shipped, solved to the end."""
+        """Return the grasp error of the shipped model if it is solved exactly."""
         for row in self.references:
             if row["pads"] == pads and is_own_model(row):
                 return row[GRASP]
@@ -75,8 +75,8 @@ def points_of(results: Results) -> Points:
     floors = {
         pads: results.value(
             f"floor_{pads}",
-            "largest distance between a run in Warp and the same in C, from the shipped"
-            " number of substeps on",
+            "largest distance between a run in Warp and the same in C, with at least"
+            " the shipped number of substeps",
             combined(
                 max, *(row.c_difference_mm for row in fine if row["pads"] == pads)
             ),
@@ -95,7 +95,7 @@ def points_of(results: Results) -> Points:
 
 
 def front(rows: list[Row], *groups: str) -> frozenset[str]:
-    """Return the cases that no other of their groups beats in error and run time."""
+    """Return the cases that no other of their group beats in error and run time."""
     places = {
         row.case: ([row[name] for name in groups], row[ERROR].value, row[TIME].value)
         for row in rows
@@ -104,18 +104,18 @@ def front(rows: list[Row], *groups: str) -> frozenset[str]:
     def is_beaten(place: tuple) -> bool:
         group, error, time = place
         return any(
-            other != place
-            and other[0] == group
-            and other[1] <= error
-            and other[2] <= time
-            for other in places.values()
+            rival != place
+            and rival[0] == group
+            and rival[1] <= error
+            and rival[2] <= time
+            for rival in places.values()
         )
 
     return frozenset(case for case, place in places.items() if not is_beaten(place))
 
 
 def counts(row: Row) -> bool:
-    """Tell whether a run was timed, holds the cube, and its solver converged."""
+    """Return whether a run was timed and holds the cube, and its solver converged."""
     is_timed = row[TIME].value is not None
     return is_timed and holds_cube(row) and not uses_all_iterations(row)
 
@@ -131,5 +131,5 @@ def uses_all_iterations(row: Row) -> bool:
 
 
 def is_own_model(row: Row) -> bool:
-    """Tell whether cone and impratio are as shipped, so that errors compare."""
+    """Return whether cone and impratio are as shipped, so that the error counts."""
     return not ("cone" in row or "impratio" in row)

@@ -1,9 +1,9 @@
-"""Other scenes: does one law give the creep of all, and do published grasps fail by it?"""
+"""Other scenes: their creep compared with one law, and published grasps that fail."""
 
 from report.sections.scenes import capsule, creep, pick
 from report.shared import Results, Section, joined
 
-order = 184  # after the sections that creep reads
+order = 184  # after the sections whose values creep reads
 page = "scenes"
 reads = ("contacts", "cure")
 label = "other scenes"

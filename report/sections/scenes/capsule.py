@@ -1,4 +1,4 @@
-"""A pinched capsule that sinks: as fast as was published, and as the law says?"""
+"""A pinched capsule that sinks, compared with published rates and with the law."""
 
 from report.shared import (
     AS_PUBLISHED,
@@ -25,8 +25,8 @@ VARIANTS = {  # labels by variant
     "condim-6": "condim 6",
     "within-pads": "shorter than the pads",
 }
-# The first from google-deepmind/mujoco pull request 3526, which measured it again, the
-# others from issue 3328.
+# The first rate is from google-deepmind/mujoco pull request 3526, which measured it
+# again, and the others are from issue 3328.
 PUBLISHED_MM_S = {
     "recipe": 0.15499,
     "impratio-1": 1.5,
@@ -46,35 +46,39 @@ def derive(results: Results) -> Section:
     offs = [
         results.value(
             f"{variant}_from_published",
-            "rate in MuJoCo C less the published one, in size, of the latter",
+            "absolute difference between the rate in MuJoCo C and the published one,"
+            " relative to"
+            " the latter",
             departure(results.row[f"{variant}-c"].creep_mm_s, rate),
         )
         for variant, rate in published.items()
     ]
     published_off = results.value(
         "published_off",
-        "largest of the departures from what was published",
+        "largest difference from a published rate",
         extreme(max, offs),
     )
     published_count = results.value(
-        "published_count", "rates that were published", cell_count(offs)
+        "published_count", "number of published rates", cell_count(offs)
     )
 
-    # The law gives no rate with noslip.
+    # The law does not cover noslip.
     rows = [
         results.row[f"{variant}-{engine}"] for engine in ENGINES for variant in VARIANTS
     ]
     departures = [
         results.value(
             f"{row.case}_from_law",
-            "steady rate less that of the law, in size, of the latter",
+            "absolute difference between the steady rate and that of the law, relative"
+            " to the"
+            " latter",
             departure(row.steady_creep_mm_s, row.predicted_creep_mm_s),
         )
         for row in rows
         if row.predicted_creep_mm_s.value
     ]
     law_off = results.value(
-        "law_off", "largest of the departures from the law", extreme(max, departures)
+        "law_off", "largest difference from the law", extreme(max, departures)
     )
     law_count = results.value(
         "law_count", "runs for which the law gives a rate", cell_count(departures)
@@ -82,7 +86,7 @@ def derive(results: Results) -> Section:
     columns = {
         "sinks": "creep_mm_s",
         "published": [published.get(variant, "") for variant in VARIANTS],
-        "once steady": "steady_creep_mm_s",
+        "steady rate": "steady_creep_mm_s",
         "by the law": "predicted_creep_mm_s",
     }
     in_c = [results.row[f"{variant}-c"] for variant in VARIANTS]

@@ -1,4 +1,4 @@
-"""The creep predicted and measured, in every scene that there is."""
+"""The measured creep compared with the predicted one, in all scenes."""
 
 from collections.abc import Iterator
 from typing import NamedTuple
@@ -31,22 +31,26 @@ from report.shared.drawing import (
     new_figure,
 )
 
-SCENES = {  # scenes that have a creep and its prediction
+SCENES = {  # scenes with a measured and a predicted creep
     "slope": "box on a slope",
     "capsule": "pinched capsule",
     "pick": "Panda's grasps",
     "turntable": "box on a turntable",
     "contacts": "shake test",
 }
-OTHERS = {"turntable": "cure", "contacts": "contacts"}  # sections with their rows
-# Columns measured and predicted, if they are no creep, or one that also comes in jolts.
+OTHERS = {
+    "turntable": "cure",
+    "contacts": "contacts",
+}  # the sections that have their rows
+# Columns with the measured and predicted motion, in scenes in which the plain creep
+# does not exist or also has jolts.
 COLUMNS = {
     "turntable": ("growth_per_s", "predicted_growth_per_s"),
     "contacts": ("slide_mm", "predicted_slide_mm"),
     "capsule": ("steady_creep_mm_s", "forecast_creep_mm_s"),
 }
 MARKERS = ("o", "s", "^", "D", "v")
-# The slide was watched for two periods of a motion that repeats every second cycle.
+# The slide was recorded for two periods of the shake, each of two cycles of 1 s.
 SHAKE_S = 4.0
 
 
@@ -72,33 +76,34 @@ def derive(results: Results) -> Section:
         across=True,
     )
     fast = results.value(
-        "fastest_creep", "fastest creep measured", combined(max, *measured), across=True
+        "fastest_creep", "fastest measured creep", combined(max, *measured), across=True
     )
     slow = results.value(
-        "slowest_creep", "slowest creep measured", combined(min, *measured), across=True
+        "slowest_creep", "slowest measured creep", combined(min, *measured), across=True
     )
-    spanned = results.value(
-        "creep_range", "the first of these over the second", fast / slow
-    )
+    spanned = results.value("creep_range", "fastest over slowest creep", fast / slow)
     count = results.value(
         "point_count",
-        "runs with a creep and a prediction",
+        "runs with a measured and a predicted creep",
         cell_count(factors),
         across=True,
     )
     scenes = results.value(
         "scene_count",
-        "scenes that these runs are of",
+        "scenes of these runs",
         lambda *_: len(names),
         *factors,
         across=True,
     )
-    bound = results.chosen("factor_bound", "a prediction to go by", 1.5)
+    bound = results.chosen("factor_bound", "a useful prediction", 1.5)
     outcome = all_of(
-        at_most(largest, bound), at_least(spanned, 1000.0, "a range to test it over")
+        at_most(largest, bound),
+        at_least(spanned, 1000.0, "a range wide enough to test it"),
     )
     if missing := [label for scene, label in SCENES.items() if scene not in names]:
-        outcome = Outcome("unknown", f"nothing is there of: {', '.join(missing)}")
+        outcome = Outcome(
+            "unknown", f"these scenes were not measured: {', '.join(missing)}"
+        )
         outcome = outcome.having_read(largest, spanned)
     counts = {"count": count, "scenes": scenes}
     figure = Figure(
@@ -112,12 +117,12 @@ def derive(results: Results) -> Section:
 
 
 def _points(results: Results, scene: str) -> Iterator[Point]:
-    """Derive measured and predicted creep [mm/s], in size, where it would be seen."""
-    least = other_value(results, "cure", "resolution").value or 0.0
+    """Derive the absolute measured and predicted creep [mm/s] of measurable runs."""
+    resolution = other_value(results, "cure", "resolution").value or 0.0
     columns = COLUMNS.get(scene, ("creep_mm_s", "forecast_creep_mm_s"))
     if scene in OTHERS:
-        other = results.others.get(OTHERS[scene])
-        rows = other.rows if other else []
+        source = results.others.get(OTHERS[scene])
+        rows = source.rows if source else []
     else:
         rows = [row for row in results.rows if row.scene == scene]
     for row in rows:
@@ -126,8 +131,8 @@ def _points(results: Results, scene: str) -> Iterator[Point]:
         measured, predicted = (row[column] for column in columns)
         words = "creep"
         if scene == "turntable":
-            # A growth may be below what single precision shows, as that section says.
-            if row.backend == "warp" and 100.0 * abs(predicted.value) < least:
+            # Single precision does not resolve a smaller growth; see section cure.
+            if row.backend == "warp" and 100.0 * abs(predicted.value) < resolution:
                 continue
             words = "growth times the distance at the start"
             measured, predicted = (
@@ -149,7 +154,7 @@ def _points(results: Results, scene: str) -> Iterator[Point]:
         )
         factor = results.value(
             f"{name}_factor",
-            "the larger of measured and predicted creep, of the smaller",
+            "larger over smaller of measured and predicted creep",
             combined(max, measured / predicted, predicted / measured),
         )
         yield Point(scene, measured, predicted, factor)
@@ -176,8 +181,8 @@ def _draw(points: list[Point]) -> Drawing:
     axes.set(
         xscale="log",
         yscale="log",
-        xlabel="creep predicted [mm/s]",
-        ylabel="creep measured [mm/s]",
+        xlabel="predicted creep [mm/s]",
+        ylabel="measured creep [mm/s]",
     )
     drawing.legend(loc="outside upper center", ncols=2 if is_narrow() else 3)
     return drawing

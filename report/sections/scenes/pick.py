@@ -1,4 +1,4 @@
-"""A Panda that picks up a cube or a ball and shakes it: does it fail as published?"""
+"""A Panda that lifts and shakes a cube or a ball, compared with published failures."""
 
 from itertools import product
 
@@ -25,8 +25,8 @@ SETTINGS = {
     "short": "timeconst 4 ms",
 }
 ENGINES = {"c": "MuJoCo C", "newton": "through Newton"}
-# phys-bench's results for MuJoCo of 2026-01-17, with the short step: none held
-# (output/mujoco_grasp_shake_*.json).
+# From the results of phys-bench for MuJoCo of 2026-01-17, with the short step, in which
+# no grasp held (output/mujoco_grasp_shake_*.json).
 PUBLISHED_DROP_S = {"cube": 12.052, "ball": 6.022}
 
 
@@ -43,53 +43,60 @@ def derive(results: Results) -> Section:
     ]
     held = results.value(
         "published_held",
-        "shakes that a grasp stood as published",
+        "shakes that a grasp survives with the published settings",
         gathered(sum, [row.held_count for row in published]),
     )
     count = results.value(
         "published_shakes",
-        "tries as published",
+        "runs with the published settings",
         gathered(sum, [row.seed_count for row in published]),
     )
     latest = results.value(
         "published_latest",
-        "last drop as published",
+        "time of the last drop with the published settings",
         extreme(max, (row.last_drop_s for row in published)),
     )
     lifted = [row.lifted_count for row in published if "-10ms-" in row.case]
     fails = all_of(
-        at_most(held, 0.0, "published: none"),
-        at_most(latest, 20.0, "published: what is held then has passed"),
+        at_most(held, 0.0, "as published, no grasp holds"),
+        at_most(
+            latest, 20.0, "in the published test, an object held for so long has passed"
+        ),
     )
 
-    # Whether the creep of a grasp that is not shaken says when the ball drops.
+    # Test whether the creep in a grasp that is not shaken predicts when the ball drops.
     still = results.row["ball-published-held"]
     ball = results.row["ball-2ms-published-c"]
-    begin = results.chosen("hold_start", "when the creep began to be watched", 4.5, "s")
+    begin = results.chosen(
+        "hold_start", "the time at which the creep is first recorded", 4.5, "s"
+    )
     passes = results.value(
         "ball_passes",
-        "time after which the ball has crept as far as it is from the edge",
+        "time at which the ball has crept to the edge of the pads",
         begin + still.margin_mm / still.forecast_creep_mm_s,
     )
     drop_off = results.value(
         "ball_drop_off",
-        "time of the drop less that, in size, of the latter",
+        "absolute difference between the time of the drop and that time, relative to"
+        " the latter",
         departure(ball.median_drop_s, passes),
     )
     gap = results.value(
         "ball_drop_spread",
-        "last drop of the ball less the first",
+        "time of the last drop of the ball minus that of the first",
         ball.last_drop_s - ball.first_drop_s,
     )
     ball_off = results.value(
         "ball_off",
-        "time of the drop less the published one, in size, of the latter",
+        "absolute difference between the time of the drop and the published one,"
+        " relative to"
+        " the latter",
         departure(ball.median_drop_s, ball_published),
     )
-    soon = "soon after it has passed the edge, from which it still has to fall"
+    soon = "a drop follows soon after the ball has crept to the edge"
     creeps_out = all_of(
         at_most(drop_off, 20.0, soon),
-        at_most(gap, 0.1, "whatever the shake"),
+        at_most(gap, 0.1, "the same time in every shake"),
         at_most(ball_off, 5.0, "the same time"),
     )
 
@@ -97,20 +104,22 @@ def derive(results: Results) -> Section:
     drop = results.row["cube-2ms-published-c"].median_drop_s
     share = results.value(
         "cube_drop_share",
-        "time of the drop, of when its creep alone would take it out",
+        "time of the drop over the time at which creep alone would move the cube out",
         PERCENT * drop / when,
     )
-    shaken_out = at_most(share, 80.0, "well before").having_read(cube_published)
+    shaken_out = at_most(share, 80.0, "well before that time").having_read(
+        cube_published
+    )
 
     elliptic = [results.row[f"{kind}-2ms-elliptic-c"] for kind in OBJECTS]
     elliptic_count = results.value(
         "elliptic_c_count",
-        "shakes with them",
+        "runs with an elliptic cone and impratio 10",
         gathered(sum, [row.seed_count for row in elliptic]),
     )
     elliptic_held = results.value(
         "elliptic_c_held",
-        "shakes that an elliptic cone and impratio 10 stood",
+        "shakes that a grasp survives with an elliptic cone and impratio 10",
         gathered(sum, [row.held_count for row in elliptic]),
     )
 

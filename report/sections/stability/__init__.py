@@ -1,4 +1,4 @@
-"""Where the grasp holds, creeps, drops and explodes."""
+"""The limits of the grasp: where it holds, creeps, drops or explodes."""
 
 import numpy as np
 from markupsafe import Markup
@@ -34,9 +34,9 @@ labels = {
 def derive(results: Results) -> Section:
     critical = claims.family(results, "ke-critical")
     default_kd = claims.family(results, "ke-kd-100")
-    why = "well below the limit, or well above"
+    why = "clearly below or above the limit"
     margin = results.chosen("limit_margin", why, LIMIT_MARGIN, "%")
-    why = "depth in stiff pads, of the edge"
+    why = "depth in stiff pads, relative to the edge of the cube"
     depth = results.chosen("depth_largest", why, DEPTH_LARGEST, "%")
     safe = claims.safe(results, critical, default_kd)
     tests = [
@@ -53,8 +53,8 @@ def derive(results: Results) -> Section:
         claims.long(results),
     ]
     stiffest = max((row.pad_ke.value for row in default_kd), default=None)
-    breaks = [row for row in default_kd if row.pad_ke.value == stiffest]
-    is_so = safe.outcome == HOLDS and not any(map(is_stable, breaks))
+    stiffest_runs = [row for row in default_kd if row.pad_ke.value == stiffest]
+    is_so = safe.outcome == HOLDS and not any(map(is_stable, stiffest_runs))
     lines = limits(results, critical, default_kd)
     cells = [
         cell
@@ -88,16 +88,19 @@ def _maps(
         ),
     ]
     rows = [*critical, *default_kd]
-    ends = []
+    counts = []
     for name in CLASSES:
-        mine = [row for row in rows if row["class"] == name]
+        members = [row for row in rows if row["class"] == name]
         number = claims.count(
-            results, f"maps_{name}_count", f"cells of both maps that are {name}", mine
+            results,
+            f"maps_{name}_count",
+            f"cells of both maps that are {name}",
+            members,
         )
-        if mine:
-            ends.append(Markup("{} {}").format(number, name))
+        if members:
+            counts.append(Markup("{} {}").format(number, name))
     cells = [absent("s", "it was not measured")]
     if critical and default_kd:
         cells = [row.step_ms for row in rows]
-    numbers = {"ends": Markup(", ").join(ends), "is_so": is_so}
+    numbers = {"ends": Markup(", ").join(counts), "is_so": is_so}
     return Figure(lambda: draw_maps(panels), cells, numbers)

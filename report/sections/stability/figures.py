@@ -32,10 +32,10 @@ from report.shared.drawing import (
     write_beside,
 )
 
-# Colours and marks of the classes; a creeping run is marked by its rate.
+# Colours and markers of the classes. A creeping run has its rate instead of a marker.
 COLOURS = ("#cfe8cf", "#d6e6f5", "#f6cf8f", "#f09a86", "#cdb4dd", "#8c939b")
 MARKS = ("o", "", "v", "*", "s", "x")
-CREEPS = {  # colours of creeping cells, by what their rate [mm/s] is below
+CREEPS = {  # colours of creeping cells, by upper bounds of their rate [mm/s]
     0.03: "#eaf3fb",
     0.1: "#d3e5f6",
     0.3: "#b7d3ef",
@@ -46,27 +46,30 @@ Panel = tuple[str, list[Row], Callable[[np.ndarray], np.ndarray], str]
 
 
 def draw_maps(panels: list[Panel]) -> Drawing:
-    """Draw maps one above the other.
+    """Draw the maps as panels, one below the other.
 
-    Each panel has a title, its rows, a bound on the step [s] over ke, and its name.
+    Each panel has a title, its rows, a bound of the step [s] as a function of ke, and
+    the name of the bound.
     """
     drawing, axes = new_figure(
         7.6, 3.5 * len(panels), nrows=len(panels), sharex=True, squeeze=False
     )
     marked = {"shipped": AS_SHIPPED.pad_ke, "stiff": STIFF_PADS.pad_ke}
-    for one, (title, rows, bound, label) in zip(axes[:, 0], panels, strict=True):
-        _draw_map(one, rows, marked)
-        marked.pop("stiff", None)  # whose kd the first map alone has
-        one.set(title=f"{title}; above the line {label}", ylabel="step [ms]")
-        ke = np.geomspace(*one.get_xlim(), 200)
-        draw_line(one, ke, 1e3 * bound(ke), color=MAP_INK, linewidth=1.8, scaley=False)
+    for panel, (title, rows, bound, label) in zip(axes[:, 0], panels, strict=True):
+        _draw_map(panel, rows, marked)
+        marked.pop("stiff", None)  # only the first map has the kd of stiff pads
+        panel.set(title=f"{title}; above the line {label}", ylabel="step [ms]")
+        ke = np.geomspace(*panel.get_xlim(), 200)
+        draw_line(
+            panel, ke, 1e3 * bound(ke), color=MAP_INK, linewidth=1.8, scaley=False
+        )
     axes[-1, 0].set_xlabel("pad ke")
 
     classes = {row["class"] for _, rows, _, _ in panels for row in rows}
     handles: list[Any] = []
     names = []
     edge = {"edgecolor": MAP_INK, "linewidth": 0.4}
-    # A mark that is text is a formula to Matplotlib.
+    # Matplotlib draws a text as a marker only if it may parse it as a formula.
     with matplotlib.rc_context({"text.parse_math": True}):
         for name, colour, mark in zip(CLASSES, COLOURS, MARKS, strict=True):
             if name not in classes:
@@ -79,9 +82,9 @@ def draw_maps(panels: list[Panel]) -> Drawing:
             line = Line2D([], [], marker=mark, **look)
             handles.append((Patch(facecolor=colour, **edge), line))
             names.append(name)
-    if is_narrow():  # a scale in the place of the numbers
+    if is_narrow():  # a scale of colours instead of numbers
         handles += [Patch(facecolor=colour, **edge) for colour in CREEPS.values()]
-        names += [f"creep over {low:g} mm/s" for low in [0.0, *CREEPS][:-1]]
+        names += [f"creep above {low:g} mm/s" for low in [0.0, *CREEPS][:-1]]
     drawing.legend(
         handles,
         names,
@@ -97,7 +100,7 @@ def draw_maps(panels: list[Panel]) -> Drawing:
 def draw_limits(limits: list[Limit]) -> Drawing:
     """Draw each extreme as a bar over multiples of the scene as shipped.
 
-    A cross breaks; an arrow was not seen to.
+    A cross marks a setting that breaks. An arrow means that no tested setting breaks.
     """
     height = 0.46 if is_narrow() else 0.34
     drawing, axes = new_figure(7.6, 0.9 + height * len(limits))
@@ -121,16 +124,16 @@ def draw_limits(limits: list[Limit]) -> Drawing:
             text += f"; {write(limit.broken)} breaks"
             if limit.over:
                 kept, lost = map(write, limit.over)
-                text = f"{kept} % over holds; {lost} % breaks"
-        at = {"xy": (1.02, place), "va": "center"}
+                text = f"{kept} % over holds; {lost} % over breaks"
+        position = {"xy": (1.02, place), "va": "center"}
         if is_narrow():
-            at = {"xy": (0.0, place - 0.22), "va": "bottom"}
+            position = {"xy": (0.0, place - 0.22), "va": "bottom"}
         axes.annotate(
             text,
             xycoords=("axes fraction", "data"),
             fontsize=8.5,
             annotation_clip=False,
-            **at,
+            **position,
         )
     axes.axvline(1.0, color=INK, linewidth=1.0, linestyle=":", marker="")
     axes.annotate(
@@ -172,7 +175,7 @@ def _draw_map(axes: Axes, rows: list[Row], marked: dict[str, float]) -> None:
             corners = [(left, low), (left, high), (right, high), (right, low)]
             outlines.append(Path(corners, closed=False))
         if outlines:
-            # The cells of a colour are one shape, within limits that are set.
+            # All cells of a colour are one shape, which keeps the file small.
             shape = Path.make_compound_path(*outlines)
             patch = PathPatch(shape, color=colour, linewidth=0.2, zorder=0.5)
             axes.add_artist(patch)
@@ -182,8 +185,8 @@ def _draw_map(axes: Axes, rows: list[Row], marked: dict[str, float]) -> None:
             x, y = zip(*places, strict=True)
             axes.scatter(x, y, marker=mark, s=16, color=MAP_INK, linewidths=0.9)
     for (x, y), row in cells.items():
-        if row["class"] == "creeping" and not is_narrow():  # where numbers have room
-            # The line stops behind them.
+        if row["class"] == "creeping" and not is_narrow():  # numbers need room
+            # The box behind the text interrupts the line of the bound.
             behind = {"facecolor": _colour(row), "linewidth": 0, "pad": 0.6}
             look = {"fontsize": 7, "color": MAP_INK, "bbox": behind}
             text = write(row.creep_mm_s, is_short=True)
@@ -199,7 +202,7 @@ def _draw_map(axes: Axes, rows: list[Row], marked: dict[str, float]) -> None:
 
 
 def _colour(row: Row) -> str:
-    """Return the colour of a cell, by its class or by its creep."""
+    """Return the colour of a cell, which depends on its class and its creep."""
     rate = row.creep_mm_s.value
     if row["class"] != "creeping" or rate is None:
         return COLOURS[CLASSES.index(row["class"])]

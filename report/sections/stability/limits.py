@@ -1,4 +1,4 @@
-"""How far each extreme can be pushed: from what holds to what breaks."""
+"""The range in which each setting holds, and the nearest setting that breaks."""
 
 from itertools import filterfalse
 from typing import NamedTuple
@@ -9,31 +9,33 @@ from report.sections.stability.claims import family, least, most
 from report.sections.stability.passing import is_stable
 from report.shared import Quantity, Results, Row, absent
 
-NONE = absent("1", "it was not seen")
+NONE = absent("1", "no tested setting breaks")
 
 
 class Limit(NamedTuple):
-    """One extreme, all in one unit."""
+    """The limits of a setting. All numbers have the same unit."""
 
     name: str
-    low: Quantity  # what holds
-    high: Quantity
-    broken: Quantity  # what breaks beyond it
+    low: Quantity  # smallest value that holds
+    high: Quantity  # largest value that holds
+    broken: Quantity  # nearest value that breaks
     shipped: float
-    over: tuple[Quantity, Quantity] | None = None  # low and high, percent over a limit
+    over: tuple[Quantity, Quantity] | None = (
+        None  # largest that holds and smallest that drops, in percent over a limit
+    )
 
 
 def limits(results: Results, critical: list[Row], default_kd: list[Row]) -> list[Limit]:
-    """Collect them from values of the claims, and from the rows of a family."""
+    """Return the limits, from values of the claims and from the rows of families."""
     value = results.derived
-    found = []
+    ranges = []
 
     def add(label: str, name: str, rows: list[Row], column: str, *rest, **more) -> None:
         held = list(filter(is_stable, rows))
         low = least(
             results,
             f"{name}_low",
-            f"least of the runs of {name} that hold",
+            f"smallest of the runs of {name} that hold",
             held,
             column,
         )
@@ -44,7 +46,7 @@ def limits(results: Results, critical: list[Row], default_kd: list[Row]) -> list
             held,
             column,
         )
-        found.append(Limit(label, low, high, *rest, **more))
+        ranges.append(Limit(label, low, high, *rest, **more))
 
     stiff = [row for row in family(results, "steps") if row.pads == "stiff"]
     step_ms = 1e3 / (FRAME_RATE * AS_SHIPPED.substeps)
@@ -57,7 +59,11 @@ def limits(results: Results, critical: list[Row], default_kd: list[Row]) -> list
     soft = [row for row in known if row.pad_ke.value < first]
     lost = filterfalse(is_stable, soft)
     sunk = most(
-        results, "ke_critical_lost", "largest below these that fails", lost, "pad_ke"
+        results,
+        "ke_critical_lost",
+        "largest ke below safe_ke that fails",
+        lost,
+        "pad_ke",
     )
     add("ke, kd with it", "ke_critical", safe, "pad_ke", sunk, AS_SHIPPED.pad_ke)
     alone = [
@@ -71,8 +77,8 @@ def limits(results: Results, critical: list[Row], default_kd: list[Row]) -> list
     add("ke alone", "ke_alone", alone, "pad_ke", breaks, AS_SHIPPED.pad_ke)
 
     for label, name in (
-        ("shake, of Coulomb's limit", "shake"),
-        ("weaker grip, of that", "grip"),
+        ("shake, relative to Coulomb's limit", "shake"),
+        ("weaker grip, relative to it", "grip"),
     ):
         rows = [row for row in family(results, name) if row.load.value is not None]
         over = value[f"{name}_kept_over"], value[f"{name}_lost_over"]
@@ -82,24 +88,28 @@ def limits(results: Results, critical: list[Row], default_kd: list[Row]) -> list
     low = value["friction_kept"]
     high = value["friction_most"]
     slides = value["friction_lost"]
-    found.append(Limit("pads' friction", low, high, slides, AS_SHIPPED.pad_mu))
+    ranges.append(Limit("pads' friction", low, high, slides, AS_SHIPPED.pad_mu))
 
     sizes = [row for row in family(results, "size") if row.grip == "as-shipped"]
     lost = filterfalse(is_stable, sizes)
-    small = most(results, "edge_lost", "largest that is lost", lost, "cube_edge_mm")
+    small = most(
+        results, "edge_lost", "largest edge that is lost", lost, "cube_edge_mm"
+    )
     edge_mm = 1e3 * AS_SHIPPED.cube_edge_m
     add("cube's edge [mm]", "edge", sizes, "cube_edge_mm", small, edge_mm)
 
     low = value["mass_least"]
     high = value["mass_most"]
-    found.append(Limit("mass, grip to match [kg]", low, high, NONE, MASS_KG))
+    ranges.append(Limit("mass, grip to match [kg]", low, high, NONE, MASS_KG))
 
     pulls = [row for row in family(results, "gravity") if row.gravity_m_s2.value > 0.0]
-    formula = "least that loses it"
+    formula = "smallest gravity that loses the cube"
     lost = filterfalse(is_stable, pulls)
     heavy = least(results, "gravity_lost", formula, lost, "gravity_m_s2")
     add("gravity [m/s²]", "pull", pulls, "gravity_m_s2", heavy, 9.81)
 
     starts = family(results, "overlap")
     add("overlap at the start [mm]", "start", starts, "overlap_mm", NONE, 1.0)
-    return [each for each in found if None not in (each.low.value, each.high.value)]
+    return [
+        limit for limit in ranges if None not in (limit.low.value, limit.high.value)
+    ]

@@ -1,4 +1,4 @@
-"""What a new release changes: numbers, claims, and the contact rows that say why."""
+"""The changes of a new release in numbers and claims, and their cause."""
 
 from dataclasses import replace
 from itertools import pairwise
@@ -43,13 +43,14 @@ labels = {
 
 
 def derive(results: Results, releases: Releases) -> Section:
-    shown = results.edition
-    releases = released(releases, shown)
+    edition = results.edition
+    releases = released(releases, edition)
     names = list(releases)
-    # A release is held against those before it; the oldest against all.
-    count = names.index(shown) + 1 if shown in names[1:] else len(names)
-    seen = {release: releases[release] for release in names[:count]}
-    ends = Ends(seen, names[0], list(seen)[-1])
+    # A release is compared with those before it, and the oldest release with all
+    # others.
+    count = names.index(edition) + 1 if edition in names[1:] else len(names)
+    compared = {release: releases[release] for release in names[:count]}
+    ends = Ends(compared, names[0], list(compared)[-1])
 
     before, after = ends.cells(tables.SLIP)
     share = _change(results, "slip_change", before, after, before)
@@ -69,28 +70,28 @@ def derive(results: Results, releases: Releases) -> Section:
         },
     )
 
-    in_one_step = _in_one_step(results, seen, bound, same_slip)
+    in_one_step = _in_one_step(results, compared, bound, same_slip)
     steps = in_one_step.numbers["steps"] if in_one_step.outcome == HOLDS else []
 
-    flipped = list(flips(seen, shown))
+    flipped = list(flips(compared, edition))
     turned = sum(flip.is_decided for flip in flipped)
     turned_count = results.value(
         "turned_count",
-        "claims that one release upholds and another doesn't",
+        "claims that hold in one release and not in another",
         constant(turned),
     )
     results.value(
         "undecided_count",
-        "other claims that one release can tell and another can't",
+        "other claims that can be decided in one release and not in another",
         constant(len(flipped) - turned),
     )
     answers = [claim.outcome.reads for flip in flipped for _, claim in flip.answers]
     outcome = decided(not turned)
     outcome = replace(outcome, reads=outcome.reads.union(*answers))
-    stand = Claim("claims_stand", ends.one or outcome, {"count": turned_count})
+    claims_stand = Claim("claims_stand", ends.one or outcome, {"count": turned_count})
     return Section(
         tables={
-            "turns": FlipList(list(seen), shown, list(results.others)),
+            "turns": FlipList(list(compared), edition, list(results.others)),
             "tried": tables.side_by_side("slip [mm]", releases, tables.TRIED),
             "speed": tables.side_by_side("", releases, tables.SPEEDS),
             "numbers": tables.number_table(releases),
@@ -100,7 +101,7 @@ def derive(results: Results, releases: Releases) -> Section:
         claims=[
             slip_is_the_same,
             in_one_step,
-            stand,
+            claims_stand,
             *_cause(results, ends, same_slip),
             *_as_before(results, ends),
             _same_speed(results, ends),
@@ -109,10 +110,10 @@ def derive(results: Results, releases: Releases) -> Section:
 
 
 def _within(results: Results, name: str, change: Quantity) -> Value | str:
-    """Derive how large a change may be, by its interval; empty if nobody knows its noise."""
-    why = change.reason or "nobody measured its noise"
+    """Derive the largest change within the interval, or an empty text without noise."""
+    why = change.reason or "its noise was not measured"
     noise = Quantity(change.noise, change.unit, "", why, noise=0.0)
-    formula = "the change, in size, and its noise together"
+    formula = "absolute change plus its noise"
     within = results.value(name, formula, abs(change) + noise, is_noise=True)
     return "" if within.value is None else within
 
@@ -122,7 +123,8 @@ def _change(
 ) -> Value:
     return results.value(
         name,
-        "later release less earlier one, of the slip in the oldest",
+        "slip in the later release minus that in the earlier one, relative to the"
+        " oldest",
         PERCENT * (after - before) / whole,
         across=True,
     )
@@ -131,7 +133,7 @@ def _change(
 def _in_one_step(
     results: Results, releases: Releases, bound: Value, same: Outcome
 ) -> Claim:
-    """Tell whether the slip changes by what matters in one step between releases alone."""
+    """Claim that the slip changes by a relevant amount between just two releases."""
     cells = {name: tables.SLIP.cell(releases[name], name) for name in releases}
     cells = {name: cell for name, cell in cells.items() if cell.value is not None}
     oldest = next(iter(cells.values()), None)
@@ -148,7 +150,7 @@ def _in_one_step(
             outcome = test
             break
     if len(cells) < 3:
-        reason = "no release between was measured"
+        reason = "no release between the two was measured"
         outcome = Outcome("unknown", reason).having_read(*cells.values())
     named = [
         [results.columns.settings.name_of(name) for name in step] for step in steps
@@ -158,15 +160,15 @@ def _in_one_step(
 
 
 def _same_speed(results: Results, ends: Ends) -> Claim:
-    """Compare the frames of all cases of one world, which may differ by little each."""
+    """Claim that the frames of all cases with one world take as long as before."""
     frame = tables.SPEEDS["a frame with shipped pads [ms]"]
     frames = [replace(frame, text=f"speed.{case}.frame_ms") for case in speed.labels]
-    pairs = [ends.cells(each) for each in frames]
+    pairs = [ends.cells(query) for query in frames]
     ratios = [after / before for before, after in pairs]
     numbers: dict[str, Any] = {
         name: results.value(
             f"frame_ratio_{name}",
-            f"{name} time of a frame over the older one",
+            f"{name} ratio of the time of a frame to that in the older release",
             combined(choose, *ratios),
             across=True,
         )
@@ -174,7 +176,7 @@ def _same_speed(results: Results, ends: Ends) -> Claim:
     }
     change = results.value(
         "frame_change",
-        "largest change of the time of a frame, of the older time, in size",
+        "largest absolute change of the time of a frame, relative to the older time",
         combined(max, *(departure(after, before) for before, after in pairs)),
         across=True,
     )
@@ -189,8 +191,10 @@ def _same_speed(results: Results, ends: Ends) -> Claim:
     outcome = negligible(change, numbers["bound"])
     outcome = outcome.having_read(numbers["least"], numbers["most"])
     outcome = machines_differ(ends.releases, "speed") or outcome
-    chapters = [each["speed"] for each in ends.releases.values() if "speed" in each]
-    devices = [DEVICES[each.results.record.machine["device"]] for each in chapters]
+    timed = [
+        chapters["speed"] for chapters in ends.releases.values() if "speed" in chapters
+    ]
+    devices = [DEVICES[chapter.results.record.machine["device"]] for chapter in timed]
     numbers["device"] = devices[-1] if devices else ""
     return Claim("same_speed", ends.one or outcome, ends.names | numbers)
 
@@ -203,29 +207,34 @@ def _nothing_to_explain(same: Outcome) -> Outcome | None:
 
 
 def _cause(results: Results, ends: Ends, same_slip: Outcome) -> list[Claim]:
-    was, own = ends.live(tables.SHIPPED, "friction_timeconst_s")
+    old_timeconst, own = ends.live(tables.SHIPPED, "friction_timeconst_s")
     is_new = ends.one or all_of(
-        decided(not was.value, was), decided((own.value or 0) > 0, own)
+        decided(not old_timeconst.value, old_timeconst),
+        decided((own.value or 0) > 0, own),
     )
     old, new = ends.live(tables.SHIPPED, "slip_mm")
     taken = ends.live(tables.TAKEN, "slip_mm")[1]
     given = ends.live(tables.GIVEN, "slip_mm")[0]
     off = ends.live(tables.SWITCHED, "slip_mm")[1]
-    bound = results.chosen("recovery_bound", "as good as all of the change", 95.0, "%")
+    bound = results.chosen("recovery_bound", "nearly all of the change", 95.0, "%")
     tolerance = results.value(
-        "recovery_tolerance", "what that leaves, either way", PERCENT - bound
+        "recovery_tolerance",
+        "largest deviation from the whole change",
+        PERCENT - bound,
     )
 
     def recovers(name: str, start: Quantity, end: Quantity, goal: Quantity) -> Outcome:
         share = results.value(
             f"{name}_share",
-            "how far the switched case goes from the slip of its own release to that of"
-            " the other",
+            "change of the slip by the switch, relative to the difference between the"
+            " releases",
             PERCENT * (end - start) / (goal - start),
             across=True,
         )
         miss = results.value(
-            f"{name}_share_miss", "how far that is from all of it", abs(share - PERCENT)
+            f"{name}_share_miss",
+            "absolute deviation from the whole change",
+            abs(share - PERCENT),
         )
         return _nothing_to_explain(same_slip) or at_most(miss, tolerance)
 
@@ -246,23 +255,24 @@ def _cause(results: Results, ends: Ends, same_slip: Outcome) -> list[Claim]:
 
 
 def _as_before(results: Results, ends: Ends) -> list[Claim]:
-    """Tell whether the cube slips as before where the change has no effect."""
-    found_before, found = ends.cells(tables.MUJOCO_CONTACTS)
+    """Claim that the slip is the same in settings that the change does not affect."""
+    mujoco_before, mujoco = ends.cells(tables.MUJOCO_CONTACTS)
     c_before, c = ends.cells(tables.MUJOCO_C)
     before, after = ends.cells(tables.PYRAMID)
     elsewhere = results.value(
         "elsewhere_change",
-        "larger change in slip where MuJoCo finds the contacts, of the older slip",
-        combined(max, departure(found, found_before), departure(c, c_before)),
+        "larger change in slip if MuJoCo finds the contacts, relative to the older"
+        " slip",
+        combined(max, departure(mujoco, mujoco_before), departure(c, c_before)),
         across=True,
     )
     moved = results.value(
         "pyramid_change",
-        "change in slip with a pyramidal cone, of the older slip",
+        "change in slip with a pyramidal cone, relative to the older slip",
         departure(after, before),
         across=True,
     )
-    contacts = {"found": found, "c": c, "elsewhere": elsewhere}
+    contacts = {"found": mujoco, "c": c, "elsewhere": elsewhere}
     pyramid = {"before": before, "after": after, "moved": moved}
     return [
         Claim(

@@ -1,4 +1,4 @@
-"""The two releases between which changes are told."""
+"""The two releases between which changes are reported."""
 
 from dataclasses import dataclass
 
@@ -8,12 +8,12 @@ from measured_report.findings.chapters import Releases
 from report.shared import Outcome, Quantity, settings_of
 
 
-def released(releases: Releases, shown: str) -> Releases:
-    """Return the releases without trials with other packages, but for the one shown."""
+def released(releases: Releases, edition: str) -> Releases:
+    """Return the releases without trials of other packages, except the given edition."""
     return {
         name: chapters
         for name, chapters in releases.items()
-        if name == shown or not read_label(name).pins
+        if name == edition or not read_label(name).pins
     }
 
 
@@ -32,7 +32,7 @@ class Ends:
 
     @property
     def one(self) -> Outcome | None:
-        """Return unknown if there is one release alone."""
+        """Return unknown if only one release has results."""
         if self.old != self.new:
             return None
         return Outcome("unknown", f"only Newton {self.old} has results")
@@ -47,11 +47,11 @@ class Ends:
 
 
 def machines_differ(releases: Releases, section: str) -> Outcome | None:
-    """Return unknown if times of the oldest and the newest release do not compare."""
-    chapters = [each[section] for each in releases.values() if section in each]
-    records = [chapter.results.record for chapter in chapters]
+    """Return unknown if the times of the two releases cannot be compared."""
+    timed = [chapters[section] for chapters in releases.values() if section in chapters]
+    records = [chapter.results.record for chapter in timed]
     if not records or records[0].machine_for_speed == records[-1].machine_for_speed:
         return None
     first = records[0].machine_in_full
     last = records[-1].machine_in_full
-    return Outcome("unknown", f"measured on {first} and on {last}")
+    return Outcome("unknown", f"the releases were measured on {first} and on {last}")

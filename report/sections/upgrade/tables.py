@@ -1,4 +1,4 @@
-"""The tables and the figure of what releases have side by side."""
+"""The tables and the figure that compare releases side by side."""
 
 from markupsafe import Markup
 
@@ -11,7 +11,9 @@ SHIPPED = "as-shipped"
 SWITCHED = "as-shipped-kf-off"
 TAKEN = "as-shipped-friction-timeconst-off"
 GIVEN = "as-shipped-friction-timeconst-on"
-"""Cases of this section: the scene, and with the time constant of the friction rows taken away, given, switched off."""
+"""Cases that are as shipped, or whose friction rows have the time constant switched off,
+removed or added.
+"""
 SLIP = Query(f"upgrade.{SHIPPED}.slip_mm")
 MUJOCO_CONTACTS = Query("upgrade.as-shipped-mujoco-contacts.slip_mm")
 MUJOCO_C = Query("reproduction.as-shipped-mujoco-c.slip_mm")
@@ -21,10 +23,10 @@ SPEEDS = {
     for label, place, device in (
         ("a frame with shipped pads [ms]", f"speed.{SHIPPED}", ""),
         ("a frame with stiff pads, all trimmed [ms]", "speed.fixed", ""),
-        ("a frame of the most worlds [ms]", "scaling.worlds-16384", ""),
+        ("a frame with the most worlds [ms]", "scaling.worlds-16384", ""),
         ("on the CPU, a frame exactly as shipped [ms]", "leave_out.untrimmed", "cpu"),
         (
-            "on the CPU, a frame without what is unneeded [ms]",
+            "on the CPU, a frame without the unneeded parts [ms]",
             "leave_out.without-all",
             "cpu",
         ),
@@ -34,8 +36,8 @@ TRIED = {
     label: Query(f"upgrade.{case}.slip_mm")
     for case, label in {
         SHIPPED: "shipped pads",
-        TAKEN: "friction rows' time constant taken out",
-        GIVEN: "two substeps written into it",
+        TAKEN: "time constant of the friction rows removed",
+        GIVEN: "time constant of two substeps added",
         SWITCHED: "switched off: kf below zero",
         "as-shipped-kf-100": "kf 100",
         "as-shipped-kf-10": "kf 10",
@@ -66,10 +68,12 @@ def side_by_side(heading: str, releases: Releases, queries: dict[str, Query]) ->
 
 
 def option_table(releases: Releases) -> Table:
-    """Show the settings that differ; of their rows each has a name and a value."""
+    """Make a table of the settings that differ between the releases."""
     report_settings = settings_of(releases)
     kinds = report_settings.changes.settings
-    measured = {name: each for name, each in releases.items() if "upgrade" in each}
+    measured = {
+        name: chapters for name, chapters in releases.items() if "upgrade" in chapters
+    }
     settings: dict[str, dict[str, Quantity | str]] = {}
     for release, chapters in measured.items():
         for section in ("upgrade", "defaults"):
@@ -83,15 +87,16 @@ def option_table(releases: Releases) -> Table:
         cells = (values.get(release) for release in measured)
         return len({getattr(cell, "value", cell) for cell in cells}) > 1
 
-    shown = {name: values for name, values in settings.items() if differs(values)}
-    shown = shown or {"none": dict.fromkeys(measured, "")}
+    differing = {name: row for name, row in settings.items() if differs(row)}
+    differing = differing or {"none": dict.fromkeys(measured, "")}
     columns = {
         report_settings.short_name(release): [
-            Markup("{}").format(values.get(release, "–")) for values in shown.values()
+            Markup("{}").format(values.get(release, "–"))
+            for values in differing.values()
         ]
         for release in measured
     }
-    return table_of("", shown, columns)
+    return table_of("", differing, columns)
 
 
 def slip_figure(releases: Releases, steps: list[tuple[str, str]]) -> Figure:
@@ -107,7 +112,7 @@ def slip_figure(releases: Releases, steps: list[tuple[str, str]]) -> Figure:
 
 
 def _draw_slips(releases: Releases, lines: dict[Query, list[Quantity]]):
-    # Matplotlib takes long to import, and whoever only compares draws nothing.
+    # Imported here because Matplotlib takes long, and a comparison does not draw.
     from report.shared import drawing as shared
     from report.shared.drawing import INK, new_figure, tick_125
 
@@ -134,7 +139,7 @@ def _draw_slips(releases: Releases, lines: dict[Query, list[Quantity]]):
 
 
 def number_table(releases: Releases) -> Table:
-    """Show the headlines, marked where one differs from the release before."""
+    """Make a table of the headlines that marks those that moved since the last release."""
     settings = settings_of(releases)
     names = []
     columns: dict[str, list[Markup]] = {name: [] for name in releases}

@@ -193,8 +193,8 @@ PUBLISHED = {
                 "agreeing": 12,
                 "compared": 12,
                 "as_others_published": "holds",
-                "published/off by/0": 4e-05,
-                "published/within/2": 3,
+                "published/difference/0": 4e-05,
+                "published/tolerance/2": 3,
             },
         ),
         (

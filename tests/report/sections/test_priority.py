@@ -32,7 +32,7 @@ GIVEN = {
                 "cube_does_not_move_slip": "holds",
                 "mixed_drop": 50,
                 "equal_priorities_mix": "holds",
-                "materials/material/0": "the pads' alone",
+                "materials/material/0": "of the pads",
                 "materials/material/4": "of both",
             },
         ),
@@ -71,7 +71,7 @@ GIVEN = {
         ),
         (
             {"pad-ke-2.5e5": {"timeconst_s": 0.002}},
-            {"materials/material/3": "the pads' alone"},
+            {"materials/material/3": "of the pads"},
         ),
     ],
 )

@@ -65,7 +65,7 @@ CAUSE = {
         ({("contacts", "slide_departure_as-shipped"): 15.1}, {"cause": "fails"}),
         (
             {("hold", "hold_share"): 10.1},
-            {"cause": "fails", "cause/lacking": "that it takes the load cycle"},
+            {"cause": "fails", "cause/lacking": "that the drift needs the load cycle"},
         ),
         (
             {"pad-ke-2.5e3": {"slip_mm": 0.9}},
@@ -144,14 +144,14 @@ READINGS = {
         (
             {},
             {
-                "contacts/reading/0": "slips as far",
-                "contacts/reading/1": "slips farther",
-                "contacts/reading/2": "holds",
-                "contacts/reading/3": "slips as far",
-                "contacts/reading/4": "slips less",
-                "contacts/reading/5": "slips as far",
-                "contacts/reading/6": "slips less",
-                "contacts/reading/7": "holds",
+                "contacts/result/0": "slips as far",
+                "contacts/result/1": "slips farther",
+                "contacts/result/2": "holds",
+                "contacts/result/3": "slips as far",
+                "contacts/result/4": "slips less",
+                "contacts/result/5": "slips as far",
+                "contacts/result/6": "slips less",
+                "contacts/result/7": "holds",
             },
         )
     ],

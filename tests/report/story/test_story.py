@@ -19,7 +19,7 @@ from measured_report.values.evidence import Evidence
 from measured_report.values.quantities import Quantity, absent
 from measured_report.values.results import Results
 from report.shared.arithmetic import Sections
-from report.story.frontier import WAYS, advice, figure
+from report.story.frontier import SETUPS, advice, figure
 from report.story.story import _advice
 from report.story.story import derive as story_of
 
@@ -258,7 +258,7 @@ def test_other_solvers_are_drawn_with_weight_and_what_is_not_seen_at_what_would_
     once = replace(other, evidence=Evidence(repeats=other.evidence.repeats))
     found, ways = (
         Sections(measured | {"newton_solvers": once}),
-        {way.name: way for way in WAYS},
+        {way.name: way for way in SETUPS},
     )
     assert ways["XPBD"].creep_mm(found) > 1.0, "with weight the cube slides out"
     steel = ways["Steel"].slip(found)
@@ -295,7 +295,10 @@ def test_what_is_not_timed_nothing_that_holds_and_a_slip_near_the_bound_are_told
     )
     far = dict.fromkeys((row["case"] for row in found["cure"].record.rows), 5.0)
     none = found | {"cure": with_cells(found["cure"], "slip_mm", far)}
-    assert advised(none)[1].outcome.reason == "none of the ways that were tried does"
+    assert (
+        advised(none)[1].outcome.reason
+        == "no setup that was tried keeps the slip this small"
+    )
     near = with_cells(found["cure"], "slip_mm", {RK4: 0.101})
     near = found | {
         "cure": replace(near, evidence=Evidence(repeats=found["cure"].evidence.repeats))
@@ -513,9 +516,9 @@ def test_every_way_was_run_and_timed():
         "speed",
     )
     found = Sections({name: read(name, "1.8.0") for name in names})
-    assert [way.name for way in WAYS if not way.slip(found).source] == []
-    untimed = [way.name for way in WAYS if not way.ratios(found)]
+    assert [way.name for way in SETUPS if not way.slip(found).source] == []
+    untimed = [way.name for way in SETUPS if not way.ratios(found)]
     assert untimed == ["VBD"], "which loses the cube"
-    kept = {way.name: way.keeps(found, Quantity(1.0, "mm", "")).name for way in WAYS}
+    kept = {way.name: way.keeps(found, Quantity(1.0, "mm", "")).name for way in SETUPS}
     names = ("as shipped", "stiff pads", "Steel", "XPBD")
     assert [kept[name] for name in names] == ["holds", "holds", "holds", "fails"]
