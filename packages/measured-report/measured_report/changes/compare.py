@@ -246,9 +246,9 @@ def compare(
     """Compare the results of two editions; sections that were ``timed`` in turn, in both
     of these editions, by their times there."""
     sides = before.chapters, after.chapters
-    pairs = dict(_common(*sides))
+    pairs = dict(common_chapters(*sides))
     if timed:
-        pairs |= _common(*(edition.chapters for edition in timed))
+        pairs |= common_chapters(*(edition.chapters for edition in timed))
     compared = [cell for pair in pairs.values() for cell in moves_between(*pair)]
     faults = [*_faults_between(before, after), *faults_of(before), *faults_of(after)]
     noise = f"/{after.project.report.settings.noise_section}.json"
@@ -262,7 +262,9 @@ def compare(
     )
 
 
-def _common(before: Chapters, after: Chapters) -> dict[str, tuple[Chapter, Chapter]]:
+def common_chapters(
+    before: Chapters, after: Chapters
+) -> dict[str, tuple[Chapter, Chapter]]:
     """Return the chapters of the sections that both editions have."""
     return {name: (before[name], after[name]) for name in before if name in after}
 
@@ -275,7 +277,7 @@ def _uncompared(before: Edition, after: Edition) -> Iterator[str]:
                 release = side.project.release
                 yield f"{state.section}: {edition} {release} has no results of it"
     sections_by_machines: dict[str, list[str]] = {}
-    for section, pair in _common(before.chapters, after.chapters).items():
+    for section, pair in common_chapters(before.chapters, after.chapters).items():
         records = [chapter.results.record for chapter in pair]
         columns = pair[0].results.columns
         has_costs = any(columns[name].is_cost for name in records[0].units)
@@ -321,7 +323,7 @@ def _faults_between(before: Edition, after: Edition) -> Iterator[Fault]:
             package = after.project.report.settings.edition
             reason = f"no results, which {package} {before.project.release} has"
             yield Fault(after.project.release, state.section, "missing", reason)
-    for section, pair in _common(before.chapters, after.chapters).items():
+    for section, pair in common_chapters(before.chapters, after.chapters).items():
         records = [chapter.results.record for chapter in pair]
         cases = [{row["case"] for row in record.rows} for record in records]
         common = set.intersection(*cases)

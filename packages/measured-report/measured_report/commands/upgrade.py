@@ -18,8 +18,13 @@ from measured_report.changes.alarm import (
     summary,
     upgrade_text,
 )
-from measured_report.changes.compare import Comparison, Fault, compare
-from measured_report.changes.moves import few
+from measured_report.changes.compare import (
+    Comparison,
+    Fault,
+    common_chapters,
+    compare,
+)
+from measured_report.changes.moves import few, moves_between
 from measured_report.changes.query import Query
 from measured_report.commands.options import Arguments, refuse_itself, shared
 from measured_report.editions.project import Project
@@ -38,6 +43,9 @@ from measured_report.values.evidence import is_absolute
 
 # The folder below `results` for the timings of two editions; they are never reused.
 TIMED = "timed"
+MOST_PASSES = 6
+"""Chosen: a pass takes minutes, and six are enough unless times differ by more than half of
+their threshold from one pass to the next."""
 SINCE = {
     "type": partial(release_of, option="SINCE"),
     "help": "edition to compare with (default: the release before)",
@@ -121,10 +129,12 @@ def timed_in_turn(
     measurable: Sequence[str],
     device: str,
 ) -> list[Edition]:
-    """Time two editions twice in turn on this machine and return them.
+    """Time two editions in turn on this machine, and return them.
 
-    The speed and the load of the machine are then the same for both editions. Return an
-    empty list if there is no timed section, or if a timing fails.
+    The speed and the load of the machine are then the same for both editions. They are
+    timed at least twice, and again until each number with a threshold is known well enough
+    to show a change of that size, but at most ``MOST_PASSES`` times. Return an empty list
+    if there is no timed section, or if a timing fails.
     """
     report = sides[0].report
     sections_timed = {
@@ -134,11 +144,16 @@ def timed_in_turn(
     }
     names = [name for name in sections_timed if name in measurable]
     timed = [replace(side, aside=TIMED) for side in sides]
-    for again in (False, True) if names else ():
+    editions: list[Edition] = []
+    for number in range(1, MOST_PASSES + 1) if names else ():
         for index, release in enumerate(releases):
+            if number == 1:
+                _remove_passes(timed[index])
+            else:
+                _keep_pass(timed[index], names, number - 1)
             print(
                 f"{report.settings.edition} {release}: timing {', '.join(names)} in "
-                "turn",
+                f"turn, pass {number}",
                 flush=True,
             )
             timed[index], is_done = measure_available(
@@ -146,16 +161,35 @@ def timed_in_turn(
             )
             if not is_done:
                 return []
-            if not again:
-                records = [
-                    record
-                    for record in records_of(timed[index])
-                    if record.section in names
-                ]
-                write_file(
-                    timed[index].results / FOLDER / "first.tgz", archive_of(records)
-                )
-    return list(map(derive_edition, timed)) if names else []
+        if number > 1:
+            editions = list(map(derive_edition, timed))
+            if not hidden_times(*editions):
+                break
+    return editions
+
+
+def _remove_passes(project: Project) -> None:
+    """Remove the passes of an earlier upgrade, which may have run on another machine."""
+    for path in (project.results / FOLDER).glob("pass-*.tgz"):
+        path.unlink()
+
+
+def _keep_pass(project: Project, names: Sequence[str], number: int) -> None:
+    """Store the records of a pass as a replica, before they are measured again."""
+    records = [record for record in records_of(project) if record.section in names]
+    write_file(project.results / FOLDER / f"pass-{number}.tgz", archive_of(records))
+
+
+def hidden_times(before: Edition, after: Edition) -> list[str]:
+    """Return the times with a threshold that may have changed by more than that unseen."""
+    pairs = common_chapters(before.chapters, after.chapters).values()
+    moves = [move for pair in pairs for move in moves_between(*pair)]
+    return [
+        move.name
+        for move in moves
+        if move.is_named and is_absolute(move.column)
+        if move.noise and move.noise > move.threshold * abs(move.before)
+    ]
 
 
 def base_of(project: Project, names: Sequence[str]) -> str | None:

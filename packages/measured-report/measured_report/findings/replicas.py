@@ -58,10 +58,13 @@ def measured_digest(project: Project) -> str:
 def _compared(project: Project) -> list[Project]:
     """Return the editions whose measurements show how numbers scatter.
 
-    The results of a folder aside scatter like the tracked ones, so both are evaluated.
+    The results of a folder aside scatter like the tracked ones, so both are evaluated. If
+    they were measured several times, it was in turn on one machine. They then scatter less
+    than measurements of several machines do, and are evaluated alone.
     """
     sides = [project]
-    if project.aside:
+    is_repeated = any(replica_files(project.of(name)) for name in project.releases)
+    if project.aside and not is_repeated:
         sides.append(replace(project, aside="", profile="full"))
     return [side.of(release) for side in sides for release in side.releases]
 

@@ -4,12 +4,15 @@ import os
 import subprocess
 import sys
 from argparse import Namespace
+from collections import Counter
 from dataclasses import replace
 
+import numpy as np
 import pytest
 from toys import ROWS, derived, program
 
 from measured_report.changes.compare import compare
+from measured_report.changes.moves import moves_between
 from measured_report.changes.query import Query
 from measured_report.commands import diff, upgrade
 from measured_report.commands.new import SKELETON
@@ -19,6 +22,7 @@ from measured_report.editions.release import release_of
 from measured_report.files.config import report, report_in
 from measured_report.files.errors import UsageError
 from measured_report.files.settings import Columns
+from measured_report.records.replicas import FOLDER
 
 SECTIONS = ["toy"]
 
@@ -132,6 +136,48 @@ def test_an_upgrade_says_first_what_it_measures_of_both(toy, monkeypatch, capsys
         f"newton {name}: sections to measure: toy" for name in ("1.9.0", "1.8.0")
     ]
     assert not [line for line in lines if "not measured" in line or "rerun" in line]
+
+
+@pytest.mark.parametrize(
+    ("deviation", "slower", "passes", "is_listed"),
+    [(0.001, 1.0, 2, False), (0.001, 1.1, 2, True), (0.02, 1.0, 6, False)],
+)
+def test_releases_are_timed_until_a_change_of_the_threshold_would_show(
+    toy, monkeypatch, deviation, slower, passes, is_listed
+):
+    """Times of one machine differ by 0.1 or 2 % from pass to pass; the threshold is 5 %."""
+    chance = np.random.default_rng(1)
+    count = Counter()
+
+    def measure(project, release, names, device):
+        count[project.release] += 1
+        scale = slower if project.release == "1.9.0" else 1.0
+        times = 10.0 * scale * chance.normal(1.0, deviation, 6)
+        rows = [
+            {"case": f"c{index}", "frame_ms": float(time)}
+            for index, time in enumerate(times)
+        ]
+        replace(toy, project=project).measure([*ROWS, *rows])
+        return project, True
+
+    monkeypatch.setattr(upgrade, "measure_available", measure)
+    changes = replace(report().settings.changes, thresholds={"toy.c0.frame_ms": 0.05})
+    settings = replace(report().settings, changes=changes, repeating={})
+    monkeypatch.setitem(vars(report()), "settings", settings)
+    vars(report()).pop("columns", None)
+    sides = [toy.project.of(name) for name in ("1.8.0", "1.9.0")]
+    releases = [release_of(side.release) for side in sides]
+    stale = sides[0].results.parent / "timed" / sides[0].results.name / FOLDER
+    stale.mkdir(parents=True)
+    (stale / "pass-5.tgz").write_bytes(b"of an earlier upgrade")
+    timed = upgrade.timed_in_turn(sides, releases, ["toy"], "cpu")
+    assert count == {"1.8.0": passes, "1.9.0": passes}
+    [pair] = zip(*(edition.chapters.values() for edition in timed), strict=True)
+    named = next(move for move in moves_between(*pair) if move.is_named)
+    assert named.exceeds_threshold == is_listed
+    if passes == 2:
+        assert named.noise < 0.05 * named.before
+    assert not upgrade.timed_in_turn(sides, releases, ["another"], "cpu")
 
 
 def test_why_names_what_was_set_otherwise_and_an_edition_without_a_name_is_not_named(
