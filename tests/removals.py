@@ -5,7 +5,10 @@ numbers are made non-finite, and what the report says is derived again. A senten
 claim; it reads the cells of its test and of its numbers. How numbers scatter is known
 from all measurements together, so the evidence of all other numbers stays as it is here.
 
-    .venv/bin/python -m tests.removals [EVERY]    each EVERYth removal; 1: all
+    .venv/bin/python -m tests.removals [EVERY [FIRST]]
+
+EVERY=1, the default, tries all of them. A larger number tries each EVERYth, from the one
+with the index FIRST, so that several processes can share them.
 """
 
 import sys
@@ -16,9 +19,8 @@ from importlib import import_module
 from inspect import signature
 from typing import Any
 
-from current_columns import REASON, column_of, is_number
-
 from measured_report.editions.project import Project, own_release
+from measured_report.files.columns import REASON, is_number
 from measured_report.files.config import report
 from measured_report.files.errors import ReportError
 from measured_report.findings.chapters import Chapter, Releases
@@ -86,7 +88,7 @@ def broken(row: Mapping[str, Any]) -> dict[str, Any]:
     lost = [
         name
         for name, cell in row.items()
-        if is_number(cell) and not column_of(name).is_setting
+        if is_number(cell) and not report().columns[name].is_setting
     ]
     gone = dict.fromkeys(lost) | {name + REASON: NON_FINITE for name in lost}
     failed = {"failure": NON_FINITE} if "failure" in row else {}
@@ -271,9 +273,11 @@ def tracked_world() -> World:
 
 def main() -> int:
     """Print each sentence that changes unread, and what fails; 1 if there is any."""
-    every = int(sys.argv[1]) if len(sys.argv) > 1 else 1
+    numbers = [int(text) for text in sys.argv[1:]]
+    every = numbers[0] if numbers else 1
+    first = numbers[1] if len(numbers) > 1 else 0
     world = tracked_world()
-    removals = list(removals_of(world, (own_release(), "1.8.0")))[::every]
+    removals = list(removals_of(world, (own_release(), "1.8.0")))[first::every]
     count = 0
     for removal in removals:
         world.faults.clear()
