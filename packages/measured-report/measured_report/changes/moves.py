@@ -106,8 +106,7 @@ class Move:
     @property
     def may_be_odd(self) -> bool:
         """Return whether a single run that ended otherwise by chance might explain it."""
-        is_known = self.is_setting or self.column.is_exact
-        return self.is_single and bool(self.rows) and not is_known
+        return self.is_single and bool(self.rows) and not self.is_setting
 
     @property
     def noise(self) -> float | None:

@@ -135,7 +135,6 @@ class RowScatter(NamedTuple):
 
     level: float  # the variance of a number of size 1
     freedom: float  # degrees of freedom of the variance
-    least_size: float = 0.0  # smaller numbers scatter like one of this size
 
 
 @dataclass(frozen=True)
@@ -146,11 +145,17 @@ class Scatter:
     slope: float  # the exponent by which the variance grows with the size
     freedom: float  # degrees of freedom of the variance of a row measured once
     rows: Mapping[Hashable, RowScatter] = field(default_factory=dict)
+    least_sizes: Mapping[Hashable, float] = field(default_factory=dict)
+    """The size below which the numbers of a row scatter like a row of their own."""
+
+    def key(self, row: Hashable, size: float) -> Hashable:
+        """Return the key in ``rows`` of a number of this size."""
+        return ("small", row) if size < self.least_sizes.get(row, 0.0) else row
 
     def of(self, row: Hashable, size: float) -> tuple[float, float]:
         """Return the variance of a number of this size, and its degrees of freedom."""
-        known = self.rows.get(row, RowScatter(self.level, self.freedom))
-        size = max(size, known.least_size)
+        column = RowScatter(self.level, self.freedom)
+        known = self.rows.get(self.key(row, size), column)
         variance = max(known.level * size**self.slope, rounding_variance(size))
         return variance, known.freedom
 

@@ -47,8 +47,8 @@ CLEARLY = 1.25
 """Chosen: the factor by which the spread of the variances has to shrink with another
 exponent. The first exponent is the usual one, and few rows favour others by chance."""
 LEAST_SHARE = 1e-3
-"""Chosen: a number below this share of the same row in another edition scatters like one of
-this share. Its relative scatter can be huge, and does not apply to the larger number."""
+"""Chosen: a number below this share of the same row in another edition scatters like another
+row. Its relative scatter can be huge, and does not apply to the larger number."""
 QUIET_SHARE = 0.1
 """Chosen: if a smaller share of the rows scatters at all, a row that was measured once is
 taken to repeat exactly, like most of its column."""
@@ -166,12 +166,13 @@ def _with_rows(
 ) -> Scatter:
     """Return the scatter with that of each row that was measured more than once.
 
-    A row that is close to zero in one edition and not in another has a least size.
+    If the numbers of a row are close to zero in some editions and not in others, these
+    scatter separately.
     """
-    least: dict[Hashable, float] = {}
+    least_sizes: dict[Hashable, float] = {}
     for row, size in zip(rows, sizes, strict=True):
-        least[row] = max(least.get(row, 0.0), LEAST_SHARE * float(size))
-    sizes = np.maximum(sizes, [least[row] for row in rows])
+        least_sizes[row] = max(least_sizes.get(row, 0.0), LEAST_SHARE * float(size))
+    prior = replace(prior, least_sizes=least_sizes)
     sums: dict[Hashable, list[float]] = {}
     is_repeated = counts > 1
     variances = np.full(len(samples), np.nan)
@@ -179,7 +180,8 @@ def _with_rows(
     for index in np.flatnonzero(is_repeated):
         freedom = float(counts[index] - 1)
         level = float(variances[index] / sizes[index] ** prior.slope)
-        entry = sums.setdefault(rows[index], [0.0, 0.0])
+        key = prior.key(rows[index], sizes[index])
+        entry = sums.setdefault(key, [0.0, 0.0])
         entry[0] += freedom * level
         entry[1] += freedom
     levels = {}
@@ -189,7 +191,7 @@ def _with_rows(
         if -ndtri(fdtrc(freedom, prior.freedom, ratio)) > WILD:
             prior_freedom = 0.0
         level = (prior_freedom * prior.level + weighted) / (prior_freedom + freedom)
-        levels[row] = RowScatter(level, prior_freedom + freedom, least[row])
+        levels[row] = RowScatter(level, prior_freedom + freedom)
     return replace(prior, rows=levels)
 
 
@@ -208,11 +210,12 @@ def left_out(samples: Array, rows: Sequence[Hashable], fit: Fit) -> LeftOut:
     column, towards which that of the row is shrunk, stays as it is.
     """
     unknown = RowScatter(np.nan, np.nan)
-    known = [fit.scatter.rows.get(row, unknown) for row in rows]
-    levels, freedoms, least = np.array(known).T[:, :, None]
+    keys = map(fit.scatter.key, rows, abs(fit.values))
+    known = [fit.scatter.rows.get(key, unknown) for key in keys]
+    levels, freedoms = np.array(known).T[:, :, None]
     counts = (~np.isnan(samples)).sum(axis=1)[:, None]
     means = fit.values[:, None]
-    sizes = np.maximum(abs(means), np.maximum(least, 1e-12))
+    sizes = np.maximum(abs(means), 1e-12)
     shapes = sizes**fit.scatter.slope
     with np.errstate(invalid="ignore", divide="ignore"):
         own = (fit.fenced - means) ** 2 * counts / (counts - 1)

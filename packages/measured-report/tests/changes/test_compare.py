@@ -300,16 +300,6 @@ def test_single_runs_count_if_more_end_otherwise_than_chance_explains(
     assert sum(move.is_real for move in found) == wild, "measured again"
 
 
-def test_a_number_that_is_computed_is_never_taken_for_an_odd_run(chapter):
-    exact = {"column": "frame_count", "odd_rows": 1.0}
-    old = side(chapter, cases(40), **exact)
-    new = side(chapter, cases(40) | {"c0": 30.0}, **exact)
-    column = old.results.columns["frame_count"]
-    assert column.is_exact
-    [real] = [move for move in moves_between(old, new) if move.is_real]
-    assert real.place["case"] == "c0"
-
-
 def test_a_number_that_is_named_counts_even_if_its_run_may_be_odd(chapter, monkeypatch):
     changes = replace(report().settings.changes, thresholds={"toy.c0.drift_mm_s": 0.05})
     settings = replace(report().settings, changes=changes)

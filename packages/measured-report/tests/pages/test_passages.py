@@ -76,7 +76,7 @@ def test_a_passage_falls_with_a_number_that_is_not_there(toy):
             '"toy.hepls"',
             "section toy does not have a claim 'hepls': .*helps",
         ),
-        (PLAIN, PLAIN.replace("toy", "top"), "there is no report/sections/top.py"),
+        (PLAIN, PLAIN.replace("toy", "top"), "report/sections/top.py does not exist"),
         ("toy.helps.gain", "toy.helps.bound", "has no attribute 'bound'"),
         (
             "toy.helps.gain",
