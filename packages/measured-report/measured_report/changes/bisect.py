@@ -142,7 +142,7 @@ def points_between(project: Project, first: Release, last: Release) -> list[str]
 
 
 def bisect(search: Bisection, first: Release, last: Release) -> str:
-    """Return a text that names the first edition with the new answer and its cause."""
+    """Return a text that names the neighbours of the change and its cause."""
     report = search.project.report
     # Start with the newer edition: it is often measured, and its claims are the names
     # that exist.

@@ -329,7 +329,7 @@ def _uncompared(before: Edition, after: Edition) -> Iterator[str]:
 def faults_of(edition: Edition) -> list[Fault]:
     """Return the faults of an edition.
 
-    These are records that cannot be read or shown or that are gone, and claims that cannot
+    These are records that are missing or cannot be read or shown, and claims that cannot
     tell because a run broke down.
     """
     release = edition.project.release

@@ -70,7 +70,7 @@ class Move:
     limit: float = FALSE_SHARE  # the largest chance that counts as a change
     scale: float = 0.0  # a number below this size is close to zero
     is_single: bool = False  # whether one edition has measured it only once
-    is_odd: bool = False  # whether a run that ended otherwise by chance may explain it
+    is_odd: bool = False  # whether it may be due to a run that ended oddly by chance
     row_count: int = 1  # the number of rows that this change has in common
 
     @property
@@ -105,7 +105,7 @@ class Move:
 
     @property
     def may_be_odd(self) -> bool:
-        """Return whether a single run that ended otherwise by chance might explain it."""
+        """Return whether it may be due to a single run that ended oddly by chance."""
         is_known = self.is_setting or self.column.is_exact
         return self.is_single and bool(self.rows) and not is_known
 
