@@ -159,10 +159,10 @@ def test_what_is_hidden_in_the_kernels_is_told_as_changed(measured_as, plants, p
     found = measured_as(plants[f"3.10.0.{plant}"])
     assert len(
         found.moves
-    ) >= 50 and "numbers changed; by more than its threshold: " in summary(found)
+    ) >= 50 and "numbers changed; changes above their threshold: " in summary(found)
     assert (
         any("slip " in line for line in largest(found)[:3])
-        and settings_text(found.settings) == "all as they were"
+        and settings_text(found.settings) == "unchanged"
     )
 
 

@@ -1,1 +1,1 @@
-"""Changes: what editions have differently."""
+"""Differences between editions, and the search for their causes."""

@@ -1,6 +1,6 @@
-"""Alarm: the results of a comparison and of a check, worst first.
+"""Write the results of a comparison or of a check for people and for programs.
 
-They are written for people and for programs; docs/alarm.md describes both forms.
+The worst results come first. docs/alarm.md describes the formats.
 """
 
 import json
@@ -23,7 +23,7 @@ from measured_report.values.noise import FALSE_SHARE, SURE
 from measured_report.values.quantities import VALUES_FILE, Quantity, Value
 
 SCHEMA = 1
-LINES = 5  # chosen: the count of the largest moves that a text lists
+LINES = 5  # chosen: a text lists at most so many of the largest changes
 MARKDOWN_LIMIT = 60_000  # characters; a comment on GitHub holds 65,536
 
 
@@ -98,7 +98,7 @@ def diff_text(comparison: Comparison, rate: str, form: str, say: Say) -> str:
         f"{comparison.report.settings.edition} {release}"
         for release in comparison.releases
     )
-    counts = f"can't be trusted: {len(comparison.faults)}; what matters: {len(comparison.alarms)}"
+    counts = f"faults: {len(comparison.faults)}; alarms: {len(comparison.alarms)}"
     counts += f"; claims that flipped: {len(comparison.flips)}; values that changed: {len(comparison.moves)}"
     lines = [f"{editions}: {summary(comparison)}", f"{counts}; false alarms: {rate}"]
     lines += [
@@ -117,7 +117,7 @@ def upgrade_text(
 ) -> str:
     """Return the verdict on an upgrade as text, markdown or json.
 
-    Markdown and json include the whole comparison.
+    Only the text leaves out the details of the comparison.
     """
     if form == "json":
         return _json(
@@ -131,7 +131,7 @@ def upgrade_text(
 
 
 def _details(comparison: Comparison, say: Say) -> list[str]:
-    """Return the lines of a comparison that its verdict does not include."""
+    """Return the lines about a comparison that its verdict does not include."""
     lines = [
         fault.text(comparison.report.settings) for fault in comparison.faults[NAMED:]
     ]
@@ -140,11 +140,11 @@ def _details(comparison: Comparison, say: Say) -> list[str]:
             f"{flip.claim}: {flip.outcomes}",
             *(f"  {say(flip.section, claim)}" for claim in flip.ends),
         ]
-    for section, sums in _sums(comparison).items():
-        lines.append(
-            f"{section}: {', '.join(f'{count} {direction}' for direction, count in sums.items() if count)}"
-        )
-    lines += ["FORMAT=json lists them"] if comparison.moves else []
+    for section, counts in _counts(comparison).items():
+        texts = [f"{count} {verdict}" for verdict, count in counts.items() if count]
+        lines.append(f"{section}: {', '.join(texts)}")
+    if comparison.moves:
+        lines.append("FORMAT=json lists every value that moved")
     lines += ["", *(f"not compared: {note}" for note in comparison.notes)]
     if comparison.missing:
         lines.append(
@@ -154,12 +154,15 @@ def _details(comparison: Comparison, say: Say) -> list[str]:
     return lines
 
 
-def _sums(comparison: Comparison) -> dict[str, Counter[str]]:
-    sums: dict[str, Counter[str]] = {}
+def _counts(comparison: Comparison) -> dict[str, Counter[str]]:
+    """Return by section how many values moved, got better and got worse."""
+    counts: dict[str, Counter[str]] = {}
     for move in comparison.moves:
-        counts = sums.setdefault(move.section, Counter(moved=0, better=0, worse=0))
-        counts.update(filter(None, ("moved", move.direction)))
-    return sums
+        of_section = counts.setdefault(
+            move.section, Counter(moved=0, better=0, worse=0)
+        )
+        of_section.update(filter(None, ("moved", move.direction)))
+    return counts
 
 
 def _diff_data(comparison: Comparison, say: Say) -> dict[str, Any]:
@@ -183,7 +186,7 @@ def _diff_data(comparison: Comparison, say: Say) -> dict[str, Any]:
         "alarms": [move.name for move in comparison.alarms],
         "sensitivity": sensitivity(comparison),
         "largest": largest(comparison),
-        "moved": _sums(comparison),
+        "moved": _counts(comparison),
         "moves": [_move_data(move) for move in comparison.moves],
         "notes": comparison.notes,
     }
@@ -217,17 +220,18 @@ def _move_data(move: Move) -> dict[str, Any]:
 
 
 def summary(comparison: Comparison) -> str:
-    """Return how many numbers changed, and how many by more than their threshold."""
+    """Return how many numbers changed, and how many moves exceed their threshold."""
     count = comparison.number_count
     if not (changed := sum(move.chance is not None for move in comparison.moves)):
-        return f"none of {count} numbers changed by more than the noise"
-    return f"{changed} of {count} numbers changed; by more than its threshold: {len(comparison.alarms) or 'none'}"
+        return f"0 of {count} numbers changed by more than their noise"
+    return f"{changed} of {count} numbers changed; changes above their threshold: {len(comparison.alarms)}"
 
 
 def largest(comparison: Comparison) -> list[str]:
-    """Return a line for each of the largest changes, alarms first.
+    """Return lines for the columns with the largest changes, alarms first.
 
-    A line has the largest change of a column, and the count of its other rows that changed.
+    A line contains the largest change of a column and the number of its other rows that
+    changed.
     """
     columns: dict[str, list[Move]] = {}
     for move in sorted(
@@ -261,10 +265,11 @@ def largest(comparison: Comparison) -> list[str]:
 
 
 def _rank(move: Move, rules: Changes) -> tuple[bool | float, ...]:
-    """Return the rank of a change: alarms come first.
+    """Return the rank of a change; alarms have the highest.
 
-    Among them parameters that the engine was given, then numbers that ``report.toml``
-    names, sections that decide, columns with a threshold, and the largest changes.
+    Among alarms, computed parameters of the engine come first because they may be the
+    cause. Numbers that ``report.toml`` names follow, then deciding sections, columns with
+    a threshold, and finally the largest changes.
     """
     is_cause = move.exceeds_threshold and "computed" in move.column.kinds
     is_column = any(name.endswith(f".{move.column.name}") for name in rules.thresholds)
@@ -280,7 +285,7 @@ def _rank(move: Move, rules: Changes) -> tuple[bool | float, ...]:
 
 
 def settings_text(settings: Sequence[Move]) -> str:
-    """Return the settings that changed, alarms first, and those of only one edition."""
+    """Return the settings that changed, alarms first, and those that one edition lacks."""
     changed = [move for move in settings if None not in (move.before, move.after)]
     changed.sort(key=lambda move: not move.exceeds_threshold)
     texts = (
@@ -289,16 +294,17 @@ def settings_text(settings: Sequence[Move]) -> str:
         else []
     )
     for label, side in (("new", "before"), ("gone", "after")):
-        if lone := [
+        if names := [
             move.place["case"] for move in settings if getattr(move, side) is None
         ]:
-            texts.append(f"{label}: {', '.join(lone)}")
-    return "; ".join(texts) or "all as they were"
+            texts.append(f"{label}: {', '.join(names)}")
+    return "; ".join(texts) or "unchanged"
 
 
 def sensitivity(comparison: Comparison) -> dict[str, float]:
-    """Return by section the relative change that would be listed for its median number, if
-    all numbers of the section changed alike.
+    """Return by section the relative change that would be listed for most of its numbers.
+
+    This is the median of the noise of its numbers, as a share of their size.
     """
     shares: dict[str, list[float]] = {}
     for cell in comparison.cells:
@@ -312,35 +318,39 @@ def sensitivity(comparison: Comparison) -> dict[str, float]:
 
 
 def blind_sections(comparison: Comparison) -> list[str]:
-    """Return the sections in which a change beyond its threshold might not be listed."""
+    """Return the sections in which a change above the threshold might not be listed."""
     threshold = comparison.report.settings.changes.threshold
     shares = sensitivity(comparison)
     return [section for section, share in shares.items() if share > threshold]
 
 
 def sensitivity_text(comparison: Comparison) -> str:
-    """Return the least change that each section would list, the largest first."""
+    """Return for each section the change that would be listed, the largest first."""
     shares = sensitivity(comparison)
     sections = sorted(shares, key=shares.__getitem__, reverse=True)
     texts = [f"{section} {format_share(shares[section])}" for section in sections]
     missing = comparison.missing
     text = few(texts, 2 * NAMED) or "no section has numbers to compare"
-    return text + (f"; not measured in both: {', '.join(missing)}" if missing else "")
+    if missing:
+        text += f"; not measured in both editions: {', '.join(missing)}"
+    return text
 
 
 def false_alarm_counts(edition: Edition) -> Counter[str]:
-    """Return counts of comparisons between measurements of an edition, of those that list
-    a change, and of the numbers in them.
+    """Count false alarms in comparisons between the measurements of an edition.
 
-    Nothing changed between the measurements, so each change is a false alarm. There are no
-    counts if no section was measured three times.
+    The counts are those of comparisons, of comparisons that list a change (``told``), of
+    numbers, and of numbers that are listed (``moves``). All measurements used the same
+    release, so each listed change is a false alarm. There are no counts if no section was
+    measured three times.
     """
     counts: Counter[str] = Counter()
     for evidence in edition.evidence.values():
         for numbers, moves in evidence.changed:
             if numbers:
-                told = int(moves > 0)
-                counts.update(comparisons=1, told=told, numbers=numbers, moves=moves)
+                counts.update(
+                    comparisons=1, told=int(moves > 0), numbers=numbers, moves=moves
+                )
     return counts
 
 
@@ -352,10 +362,10 @@ def rate_values(edition: Edition) -> dict[str, Value]:
 
 
 def calibration_values(edition: Edition) -> dict[str, Value]:
-    """Return the share of measurements that lie within the noise which the others predict.
+    """Return the share of measurements that lie within the noise predicted by the others.
 
-    For each kind of number there are the share [%] and the count of measurements. They
-    include all editions.
+    The values are the share [%] and the number of measurements, over all editions, for
+    each kind of number.
     """
     values = {}
     for kind, (inside, total) in edition.calibration.items():
@@ -369,7 +379,8 @@ def calibration_values(edition: Edition) -> dict[str, Value]:
         # Shares are printed to a tenth; their own sampling error is about as large.
         values[f"{kind}_share"] = replace(share, unit="%", noise=0.2)
     if values:
-        aim = _count(edition, "aim", 100 * SURE, "chosen: as is usual for an interval")
+        formula = "chosen: the usual level of a confidence interval"
+        aim = _count(edition, "aim", 100 * SURE, formula)
         values["aim"] = replace(aim, unit="%")
     return values
 
@@ -380,10 +391,8 @@ def _count(edition: Edition, name: str, number: float, formula: str) -> Value:
 
 
 def rate_text(rate: Mapping[str, int]) -> str:
-    """Return how often a change was listed although nothing had changed."""
-    text = "in {told} of {comparisons} comparisons in which nothing changed, and of {moves} of {numbers} numbers"
-    return (
-        text.format_map(rate)
-        if rate
-        else "not known: no section has been measured three times"
-    )
+    """Return how often a change was listed although the release was the same."""
+    if not rate:
+        return "not known, because no section has been measured three times"
+    text = "in {told} of {comparisons} comparisons of one release with itself, for {moves} of {numbers} numbers"
+    return text.format_map(rate)

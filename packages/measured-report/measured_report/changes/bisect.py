@@ -36,7 +36,7 @@ class Bisection:
         """Return the answer of a release, which is measured if records are missing."""
         answer = self._measured(release, [self.query.section])
         noise = self.project.settings.noise_section
-        # Most differences can be told only with the section that measures noise.
+        # Most claims need the section that measures the noise.
         if answer is None and noise in sections(self.project.root):
             answer = self._measured(release, [self.query.section, noise])
         print(f"{release}: {self.query.text} {answer_text(answer)}", flush=True)
@@ -124,9 +124,10 @@ def first_change(
 
 
 def points_between(project: Project, first: Release, last: Release) -> list[str]:
-    """Return the points of a search, named as in a command.
+    """Return the editions from the first to the last, named as on the command line.
 
-    They are the commits of a local repository, or else the releases in between.
+    They are commits if both ends are commits of one local repository, and otherwise
+    releases.
     """
     path, _, old = first.spec.rpartition("@")
     new_path, _, new = last.spec.rpartition("@")
@@ -141,7 +142,7 @@ def points_between(project: Project, first: Release, last: Release) -> list[str]
 
 
 def bisect(search: Bisection, first: Release, last: Release) -> str:
-    """Return a text that names the first edition with the new answer and its cause."""
+    """Return a text that names the neighbours of the change and its cause."""
     report = search.project.report
     # Start with the newer edition: it is often measured, and its claims are the names
     # that exist.
@@ -171,16 +172,16 @@ def bisect(search: Bisection, first: Release, last: Release) -> str:
     def is_first_at(name: str) -> bool | None:
         return is_first(release_of(name, report=report))
 
-    old, new, untold = first_change(points, is_first_at)
+    old, new, undecided = first_change(points, is_first_at)
     before = release_of(old, report=report)
     after = release_of(new, report=report)
     lines = [
         f"{search.query.text} changes between {before} and {after}: "
         f"{answer_text(a)} → {answer_text(b)}"
     ]
-    if untold:  # each of these may be the first with the new answer
+    if undecided:
         lines.append(
-            f"no answer from {', '.join(untold)}: the first edition with the new "
+            f"no answer from {', '.join(undecided)}: the first edition with the new "
             f"answer is one of these or {after}"
         )
     return "\n".join([*lines, _which_package(search, before, after, is_first)])
@@ -191,8 +192,8 @@ def _which_package(
 ) -> str:
     """Return a text that names the package which caused the change.
 
-    The older edition gets the newer versions of the other packages in turn, because it
-    may also run with newer ones.
+    To find it, the newer versions of the other packages are installed beside the older
+    edition, one group after another. An older edition often runs with newer packages.
     """
     settings = search.project.settings
     old = search.packages(before)

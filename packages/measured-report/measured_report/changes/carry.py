@@ -28,8 +28,8 @@ from measured_report.measuring.measure import MODULE
 from measured_report.records.identity import identity_of
 from measured_report.records.record import Carried, Record, basis_of, load_record
 
-COMMIT_LIMIT = 200  # the number of commits among which the old code is searched
-SHORT = 12  # length of an abbreviated commit
+COMMIT_LIMIT = 200  # chosen: the old code is searched in so many of the newest commits
+SHORT = 12  # chosen: the length of an abbreviated commit
 
 
 def carried(
@@ -64,9 +64,9 @@ def carry(project: Project, name: str, sides: Sequence[Project], python: Path) -
         raise ReportError(
             f"more than its code has changed: use make rerun SECTION={name}"
         )
-    columns = [project.report.columns[each] for each in record.units]
+    columns = [project.report.columns[name] for name in record.units]
     # The run time of a whole batch is a cost, but it is never compared.
-    if any(each.is_cost and "uncompared" not in each.kinds for each in columns):
+    if any(column.is_cost and "uncompared" not in column.kinds for column in columns):
         raise ReportError(
             f"it measures times, which cannot be carried: use make rerun SECTION={name}"
         )
@@ -109,16 +109,16 @@ def worktree(root: Path) -> Iterator[Path]:
         run_git(root, "worktree", "add", "--quiet", "--detach", str(tree))
         try:
             tree_root = tree / git(root, "rev-parse", "--show-prefix")
-            # Creating environments takes minutes.
-            for made in root.glob(".venv-*"):
-                (tree_root / made.name).symlink_to(made)
+            # Link the environments, because creating them takes minutes.
+            for environment_folder in root.glob(".venv-*"):
+                (tree_root / environment_folder.name).symlink_to(environment_folder)
             yield tree_root
         finally:
             git(root, "worktree", "remove", "--force", str(tree))
 
 
 def _check_out_measured(record: Record, root: Path) -> str:
-    """Check out the newest commit with the code of a record and return its name."""
+    """Check out the newest commit that contains the code of a record; return its name."""
     identity = record.identity
     files = [f":(top,glob)**/{file}" for file in identity.files]
     head = git(root, "rev-parse", "HEAD")
@@ -131,10 +131,10 @@ def _check_out_measured(record: Record, root: Path) -> str:
     for commit in dict.fromkeys([*noted, head, *parents]):
         with suppress(ReportError):  # the commit or its section may not exist
             check_out(commit)
-            found = identity_of(
+            candidate = identity_of(
                 record.section, identity.profile, root, identity.packages
             )
-            if found.code == identity.code:
+            if candidate.code == identity.code:
                 return git(root, "rev-parse", "HEAD")
     raise ReportError(
         f"its measured code is not in the {COMMIT_LIMIT} newest commits of its "
@@ -173,7 +173,7 @@ def _run(name: str, python: Path, log: Path, side: Project) -> Record:
 
 
 def _places(log: Path) -> set[Place]:
-    """Return the functions that were called."""
+    """Return the functions that ``executed.py`` logged."""
     places = set()
     for text in log.read_text(encoding="utf-8").splitlines():
         file, line, name = text.split("\t")

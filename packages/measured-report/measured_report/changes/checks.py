@@ -24,7 +24,7 @@ def refuse_unknown_names(
 ) -> None:
     """Raise ReportError for the first name in report.toml that does not exist.
 
-    Sections that were not measured yet do not need to have the value.
+    The values of sections that were not measured yet are not checked.
     """
     if edition is None or edition.project.profile != "full":
         return
@@ -38,13 +38,13 @@ def refuse_unknown_names(
     _refuse("noise_section", [settings.noise_section], "section", measurable)
     for setting in ("upgrade_sections", "equivalent_sections"):
         _refuse(f"changes.{setting}", getattr(rules, setting), "section", measurable)
-    asked = [("thresholds", Query(name)) for name in rules.thresholds]
-    asked += [("headlines", Query(name)) for name in rules.headlines.values()]
+    queries = [("thresholds", Query(name)) for name in rules.thresholds]
+    queries += [("headlines", Query(name)) for name in rules.headlines.values()]
     if rules.explanation:
-        asked.append(("explanation", Query(rules.explanation, is_claim=True)))
-    for setting, query in asked:
+        queries.append(("explanation", Query(rules.explanation, is_claim=True)))
+    for setting, query in queries:
         _refuse(f"changes.{setting}", [query.section], "section", measurable)
-        if query.section in edition.chapters and not _is_there(query, edition):
+        if query.section in edition.chapters and not _exists(query, edition):
             names = [*query.names(edition.chapters)]
             _refuse(f"changes.{setting}", [query.text], "value", names)
     groups = chain(*rules.package_groups)
@@ -52,17 +52,17 @@ def refuse_unknown_names(
     if edition.left_out:
         return
     columns = {*report.columns.parameters}
-    for each in editions.values():
-        columns.update(_columns_of(each))
+    for measured_edition in editions.values():
+        columns.update(_columns_of(measured_edition))
     for table in settings.columns:
-        others = (
+        related_columns = (
             table.rate_of,
             table.known_within,
             table.grows_with,
             table.trials,
             table.unless,
         )
-        _refuse("columns", (*table.names, *others), "column", columns)
+        _refuse("columns", (*table.names, *related_columns), "column", columns)
     for setting in ("repeating", "cost_terms"):
         _refuse(setting, getattr(settings, setting), "column", columns)
 
@@ -79,8 +79,8 @@ def _refuse(
             )
 
 
-def _is_there(query: Query, edition: Edition) -> bool:
-    """Return whether an edition has a claim or a number, which may be missing."""
+def _exists(query: Query, edition: Edition) -> bool:
+    """Return whether a claim or number exists, even if the number could not be measured."""
     if query.is_claim:
         return query.claim(edition.chapters) is not None
     number = query.quantity(edition.chapters)
@@ -100,7 +100,8 @@ def gaps(edition: Edition) -> list[str]:
     """Return a line for each gap in the results.
 
     Gaps are rows that cannot be distinguished, missing numbers, figures without
-    sources, and claims that cannot tell or that print other numbers than they test.
+    sources, claims that cannot tell, and claims that print numbers which their test does
+    not read.
     """
     lines = []
     for name, chapter in edition.chapters.items():
@@ -110,14 +111,16 @@ def gaps(edition: Edition) -> list[str]:
             for row in chapter.results.record.rows
             if not is_repeat(row, name, columns)
         ]
-        exact = [
-            tuple(item for item in row.items() if not isinstance(item[1], float))
+        exact_cells = [
+            tuple(cell for cell in row.items() if not isinstance(cell[1], float))
             for row in rows
         ]
-        doubles = [
-            dict(cells)["case"] for cells, count in Counter(exact).items() if count > 1
+        duplicate_cases = [
+            dict(cells)["case"]
+            for cells, count in Counter(exact_cells).items()
+            if count > 1
         ]
-        for case in dict.fromkeys(doubles):
+        for case in dict.fromkeys(duplicate_cases):
             lines.append(
                 f"{name}: case {case} has several rows that cannot be distinguished"
             )
@@ -140,31 +143,31 @@ def gaps(edition: Edition) -> list[str]:
 
 
 def blind_spots(edition: Edition) -> list[str]:
-    """Return the thresholds that are below the noise or whose number is missing."""
-    late = []
+    """Return a line for each threshold below the noise or with a missing number."""
+    lines = []
     for name, threshold in edition.project.report.settings.changes.thresholds.items():
         query = Query(name)
         number = query.quantity(edition.chapters)
         if not isinstance(number, Quantity) or query.section not in edition.chapters:
             continue
         if number.value is None:
-            late.append(f"{name} cannot raise an alarm: {number.reason}")
+            lines.append(f"{name} cannot raise an alarm: {number.reason}")
         elif number.value:
             least = CHOSEN_SHARE
             if number.noise is not None:
                 least = math.sqrt(2) * number.noise / abs(number.value)
             if least > threshold:
                 hidden = f"noise hides changes below {format_share(least)}"
-                late.append(
+                lines.append(
                     f"{name} has the threshold {format_share(threshold)}, but {hidden}"
                 )
-    return late
+    return lines
 
 
 def idle_settings(edition: Edition) -> list[str]:
-    """Return the settings that name columns or cells which no row has.
+    """Return a line for each setting that names a column or cell which no row has.
 
-    For example, a pattern may have a typing error.
+    The cause may be a typing error in a pattern.
     """
     if edition.left_out:
         return []

@@ -1,4 +1,4 @@
-"""Comparison of editions: claims that flip, results that cannot be trusted, and values that moved."""
+"""Compare editions: claims that flipped, numbers that moved, and faults of the results."""
 
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
@@ -22,23 +22,23 @@ from measured_report.values.quantities import Pointer
 
 @dataclass(frozen=True)
 class Flip:
-    """Holds a claim that editions answer differently."""
+    """Holds a claim whose outcome differs between editions."""
 
     section: str
     name: str
     label: str
     page: Page
     answers: Sequence[tuple[Sequence[str], Claim]]
-    """Oldest first: neighbours that agree, and the claim as one of them has it."""
+    """Neighbouring editions that agree, with the claim of one of them, oldest first."""
 
     @property
     def claim(self) -> str:
-        """Return the name that CLAIM= takes."""
+        """Return the name of the claim, as the option CLAIM= takes it."""
         return f"{self.section}.{self.name}"
 
     @property
     def ends(self) -> tuple[Claim, Claim]:
-        """Return the claim as the oldest and as the newest edition have it."""
+        """Return the claim of the oldest and of the newest edition."""
         return self.answers[0][1], self.answers[-1][1]
 
     @property
@@ -47,13 +47,16 @@ class Flip:
 
     @property
     def is_decided(self) -> bool:
-        """Return whether one edition upholds it and another does not."""
+        """Return whether the claim holds in one edition and fails in another."""
         return len({claim.outcome.name for _, claim in self.answers} - {"unknown"}) > 1
 
 
 def flips(releases: Releases, page_release: str) -> Iterator[Flip]:
-    """Yield the claims that editions answer differently; the words are those of the
-    page's own edition, or else of the newest."""
+    """Yield the claims whose outcome differs between editions.
+
+    Each group of neighbouring editions that agree is represented by the claim of the
+    page's own edition if it belongs to the group, or else of the newest of the group.
+    """
     sections = set().union(*releases.values())
     claims: dict[tuple[str, str], dict[str, Claim]] = {}
     for release, chapters in releases.items():
@@ -61,7 +64,8 @@ def flips(releases: Releases, page_release: str) -> Iterator[Flip]:
         for section, chapter in chapters.items():
             for claim in chapter.section.claims:
                 outcome = claim.outcome
-                # Without a section that it reads a claim cannot tell, which is no answer.
+                # A claim also cannot tell if a section that it reads is missing. This
+                # does not count as an answer.
                 if outcome.name != "unknown" or outcome.is_inconclusive or is_whole:
                     claims.setdefault((section, claim.name), {})[release] = claim
     for (section, name), answers in claims.items():
@@ -79,33 +83,43 @@ def flips(releases: Releases, page_release: str) -> Iterator[Flip]:
         }
         groups = [list(group) for _, group in groupby(outcomes, outcomes.__getitem__)]
         if len(groups) > 1:
-            worded = [
-                page_release if page_release in each else each[-1] for each in groups
+            representatives = [
+                page_release if page_release in group else group[-1] for group in groups
             ]
-            answered = list(zip(groups, map(answers.__getitem__, worded), strict=True))
+            claims_of_groups = map(answers.__getitem__, representatives)
+            group_answers = list(zip(groups, claims_of_groups, strict=True))
             chapter = releases[next(iter(answers))][section]
-            yield Flip(section, name, chapter.results.label, chapter.page, answered)
+            label = chapter.results.label
+            yield Flip(section, name, label, chapter.page, group_answers)
 
 
 def _terms_of(
     section: str, claim: Claim, chapters: Chapters
 ) -> frozenset[tuple[Any, ...]]:
-    """Return what editions must share for their answers to a claim to be compared: the
-    machine, for a claim on costs or on the noise."""
+    """Return the terms that two answers to a claim must share to be comparable.
+
+    For a claim on costs these are the machine and the amount of work, and for a claim on
+    the noise the processor. Other claims have no terms.
+    """
     results = chapters[section].results
     columns = results.columns
     if section == columns.settings.noise_section:
         return frozenset({(results.record.processor,)})
-    read = cells(claim.outcome.reads, chapters)
-    costs = [(record, row) for record, row, name in read if columns[name].is_cost]
+    costs = [
+        (record, row)
+        for record, row, name in cells(claim.outcome.reads, chapters)
+        if columns[name].is_cost
+    ]
     return frozenset(cost_terms(record, row, columns) for record, row in costs)
 
 
 def cells(
     pointers: Collection[str], chapters: Chapters
 ) -> list[tuple[Record, Mapping[str, Any], str]]:
-    """Return record, row and column of each pointer to a cell of these chapters."""
-    records = {each.results.source: each.results.record for each in chapters.values()}
+    """Return the record, row and column of each pointer to a cell of these chapters."""
+    records = {
+        chapter.results.source: chapter.results.record for chapter in chapters.values()
+    }
     return [
         (records[pointer.file], records[pointer.file].rows[cell[0]], cell[1])
         for pointer in map(Pointer, sorted(pointers))
@@ -114,8 +128,11 @@ def cells(
 
 
 def flips_between(before: Chapters, after: Chapters) -> list[Flip]:
-    """Return the claims that one of two editions upholds and the other does not, or, if
-    both have the same sections, cannot tell."""
+    """Return the claims that hold in one of two editions and fail in the other.
+
+    If both editions have the same sections, also return claims that can be decided in
+    only one of them. Claims that cannot tell because of noise are left out.
+    """
     is_whole = set(before) == set(after)
     return [
         flip
@@ -125,61 +142,81 @@ def flips_between(before: Chapters, after: Chapters) -> list[Flip]:
     ]
 
 
-def backed(flips: Sequence[Flip], compared: Sequence[Move], noise: str) -> list[Flip]:
-    """Return the flips of claims that read a cell that moved, of another section than
-    that on ``noise``; others may flip back when they are measured again."""
-    of_rows = grouped((row.source, move) for move in compared for row in move.rows)
+def backed(
+    flips: Sequence[Flip], compared: Sequence[Move], noise_file: str
+) -> list[Flip]:
+    """Return the flips of claims that read a cell that moved, or that read no cells.
+
+    Other claims may flip back when they are measured again. The cells of the section on
+    noise, whose records are called ``noise_file``, do not count.
+    """
+    moves_by_row = grouped((row.source, move) for move in compared for row in move.rows)
     backed_flips = []
     for flip in flips:
-        is_untold = False
-        read = set()
+        may_lack_trace = False
+        cells_read = set()
         for _, claim in flip.answers:
             pointers = list(map(Pointer, claim.outcome.reads))
-            read |= {each for each in pointers if each.cell and noise not in each.file}
-            has_traces = any(
-                each.is_trace for each in pointers
-            )  # which records may lack
-            is_untold |= has_traces and claim.outcome.name == "unknown"
-        moved = (_has_moved(pointer, of_rows) for pointer in read)
-        if not is_untold and (not read or any(moved)):
+            cells_read |= {
+                pointer
+                for pointer in pointers
+                if pointer.cell and noise_file not in pointer.file
+            }
+            # A record may be stored without its traces.
+            has_traces = any(pointer.is_trace for pointer in pointers)
+            may_lack_trace |= has_traces and claim.outcome.name == "unknown"
+        moved = (_has_moved(pointer, moves_by_row) for pointer in cells_read)
+        if not may_lack_trace and (not cells_read or any(moved)):
             backed_flips.append(flip)
     return backed_flips
 
 
-def _has_moved(pointer: Pointer, of_rows: Mapping[str, Sequence[Move]]) -> bool:
-    """Return whether a cell moved, or its row is lost in one edition; a row that nothing
-    compares counts as moved."""
-    row, _, name = pointer.text.rpartition("/")
-    moved = [move for move in of_rows.get(row, ()) if move.is_real]
-    names = [name if move.chance is None else move.column.name for move in moved]
-    return row not in of_rows or name in names
+def _has_moved(pointer: Pointer, moves_by_row: Mapping[str, Sequence[Move]]) -> bool:
+    """Return whether a cell moved.
+
+    All cells of a row count as moved if a text or flag in it changed, or if the row was
+    not compared, for example because one edition lacks it.
+    """
+    row, _, column = pointer.text.rpartition("/")
+    moves = [move for move in moves_by_row.get(row, ()) if move.is_real]
+    columns = [column if move.chance is None else move.column.name for move in moves]
+    return row not in moves_by_row or column in columns
 
 
 @dataclass(frozen=True)
 class FlipList:
-    """Lists flips of some releases by section, as others than the page's own word them."""
+    """Lists the flips between some editions for a page, by section.
 
-    seen: Sequence[str]
-    shown: str
+    It prints the sentences of the editions that differ from the page's own.
+    """
+
+    editions: Sequence[str]
+    page_edition: str
     sections: Collection[str]
     flips: Sequence[Flip] = ()
     settings: Config = field(default_factory=Config)
 
     def of(self, releases: Releases) -> "FlipList":
-        """Return the same with the flips, whose words are not kept between builds."""
-        seen = {release: releases[release] for release in self.seen}
-        decided = [flip for flip in flips(seen, self.shown) if flip.is_decided]
-        chapters = next(iter(releases[self.shown].values()))
-        return replace(self, flips=decided, settings=chapters.results.columns.settings)
+        """Return this list with its flips.
+
+        The cache of derived sections does not contain them, because the words of a claim
+        come from templates.
+        """
+        compared = {edition: releases[edition] for edition in self.editions}
+        decided = [
+            flip for flip in flips(compared, self.page_edition) if flip.is_decided
+        ]
+        chapter = next(iter(releases[self.page_edition].values()))
+        return replace(self, flips=decided, settings=chapter.results.columns.settings)
 
     def __html__(self) -> Markup:
         names = self.settings.short_name
-        return macros().turns(self.flips, self.shown, self.sections, names)
+        return macros().turns(self.flips, self.page_edition, self.sections, names)
 
 
 @dataclass(frozen=True)
 class Fault:
-    """Gives a reason not to trust results."""
+    """Holds a reason why results cannot be trusted."""
 
     release: str
     section: str
@@ -207,7 +244,7 @@ class Comparison:
 
     @cached_property
     def moves(self) -> list[Move]:
-        """Return the cells that changed, beyond the noise of so many."""
+        """Return the values that changed; numbers must change by more than their noise."""
         return [cell for cell in self.cells if cell.is_real]
 
     @cached_property
@@ -216,12 +253,12 @@ class Comparison:
 
     @property
     def settings(self) -> list[Move]:
-        """Return defaults and options that are not the same."""
+        """Return the defaults and options that changed."""
         return [move for move in self.moves if move.is_setting]
 
     @cached_property
     def alarms(self) -> list[Move]:
-        """Return settings and named numbers that moved by more than their threshold."""
+        """Return the settings and numbers that changed by more than their threshold."""
         return [move for move in self.moves if move.exceeds_threshold]
 
     @property
@@ -236,26 +273,29 @@ class Comparison:
 
     @property
     def is_alarm(self) -> bool:
-        """Return whether somebody has to look at it."""
+        """Return whether the comparison raises an alarm."""
         return bool(self.faults or self.flips or self.alarms)
 
 
 def compare(
     before: Edition, after: Edition, timed: Sequence[Edition] = ()
 ) -> Comparison:
-    """Compare the results of two editions; sections that were ``timed`` in turn, in both
-    of these editions, by their times there."""
+    """Compare the results of two editions.
+
+    ``timed`` may contain the same two editions with sections that were timed in turn on
+    one machine. For these sections, the results in ``timed`` are compared.
+    """
     sides = before.chapters, after.chapters
     pairs = dict(common_chapters(*sides))
     if timed:
         pairs |= common_chapters(*(edition.chapters for edition in timed))
     compared = [cell for pair in pairs.values() for cell in moves_between(*pair)]
     faults = [*_faults_between(before, after), *faults_of(before), *faults_of(after)]
-    noise = f"/{after.project.report.settings.noise_section}.json"
+    noise_file = f"/{after.project.report.settings.noise_section}.json"
     return Comparison(
         releases=(before.project.release, after.project.release),
         faults=list(dict.fromkeys(faults)),
-        flips=backed(flips_between(*sides), compared, noise),
+        flips=backed(flips_between(*sides), compared, noise_file),
         cells=compared,
         notes=[*_uncompared(before, after)],
         report=after.project.report,
@@ -275,7 +315,7 @@ def _uncompared(before: Edition, after: Edition) -> Iterator[str]:
         for state in side.left_out:
             if state.kind == "missing" and state.section in opposite.chapters:
                 release = side.project.release
-                yield f"{state.section}: {edition} {release} has no results of it"
+                yield f"{state.section}: {edition} {release} has no results"
     sections_by_machines: dict[str, list[str]] = {}
     for section, pair in common_chapters(before.chapters, after.chapters).items():
         records = [chapter.results.record for chapter in pair]
@@ -289,8 +329,11 @@ def _uncompared(before: Edition, after: Edition) -> Iterator[str]:
 
 
 def faults_of(edition: Edition) -> list[Fault]:
-    """Return what an edition's own results say against it: records that fail, and claims
-    that cannot tell because a run broke down."""
+    """Return the faults of an edition.
+
+    These are records that are missing or cannot be read or shown, and claims that cannot
+    tell because a run broke down.
+    """
     release = edition.project.release
     manifest = edition.project.manifest
     faults = []
@@ -299,14 +342,17 @@ def faults_of(edition: Edition) -> list[Fault]:
             kind = "damaged" if state.kind == "damaged" else "not shown"
             faults.append(Fault(release, state.section, kind, state.words))
         elif manifest and state.section in manifest.sections:
-            reason = "it was measured, and its results are gone"
+            reason = "it was measured, but its results are missing"
             faults.append(Fault(release, state.section, "missing", reason))
     for name, chapter in edition.chapters.items():
         for claim in chapter.section.claims:
             if claim.outcome.name == "unknown" and not claim.outcome.is_inconclusive:
-                read = cells(claim.outcome.reads, edition.chapters)
-                lost = [row for _, row, column in read if row.get(column) is None]
-                for reason in list(filter(None, map(_breakdown, lost)))[:1]:
+                lost_rows = [
+                    row
+                    for _, row, column in cells(claim.outcome.reads, edition.chapters)
+                    if row.get(column) is None
+                ]
+                for reason in list(filter(None, map(_breakdown, lost_rows)))[:1]:
                     faults.append(
                         Fault(release, name, "cannot tell", reason, claim.name)
                     )
@@ -314,14 +360,18 @@ def faults_of(edition: Edition) -> list[Fault]:
 
 
 def _faults_between(before: Edition, after: Edition) -> Iterator[Fault]:
-    """Yield what speaks against one of two editions because the other is sound; if both
-    are broken, their claims decide."""
+    """Yield the faults that only one of two editions has.
+
+    If runs broke down in both editions, this is not a fault; the claims show the effect.
+    """
     for state in after.left_out:
-        # An edition with a manifest says itself what it misses.
+        # If an edition has a manifest, `faults_of` finds its missing sections.
         is_missing = state.kind == "missing" and not after.project.manifest
         if is_missing and state.section in before.chapters:
             package = after.project.report.settings.edition
-            reason = f"no results, which {package} {before.project.release} has"
+            reason = (
+                f"it has no results, but {package} {before.project.release} has some"
+            )
             yield Fault(after.project.release, state.section, "missing", reason)
     for section, pair in common_chapters(before.chapters, after.chapters).items():
         records = [chapter.results.record for chapter in pair]
@@ -344,6 +394,6 @@ def _faults_between(before: Edition, after: Edition) -> Iterator[Fault]:
 
 
 def _breakdown(row: Mapping[str, Any]) -> str:
-    """Return which run it is and why it cannot be trusted; empty if nothing says so."""
+    """Return the case of a run that broke down and the reason, or an empty string."""
     reason = row.get("failure") or next(iter(implausible_cells(row).values()), "")
     return reason and f"{row['case']}: {reason}"

@@ -1,8 +1,8 @@
-"""Write a line for each function in a folder that a program calls.
+"""Log each function in a folder that a program calls.
 
-Python imports this file as ``sitecustomize`` before anything else, in all processes of
-the program. A line contains the file, first line and name of the code object. It is
-written at the first call, because a process of a pool may end by a signal.
+Python imports this file as ``sitecustomize`` before any other module, in all processes of
+the program. Each line of the log contains the file, first line and name of a code object.
+It is written at the first call, because a signal may end a process of a pool.
 """
 
 import os
@@ -15,19 +15,21 @@ VARIABLE = "MEASURED_REPORT_EXECUTED"
 
 
 def follow(log: str, folder: str) -> None:
+    """Append the functions in ``folder`` that this process calls to the file ``log``."""
     descriptor = os.open(log, os.O_WRONLY | os.O_APPEND | os.O_CREAT)
-    known: dict[int, CodeType] = {}  # keeps the objects, so that no id is used twice
+    # Keep the code objects, so that Python does not use their ids again.
+    logged: dict[int, CodeType] = {}
 
-    def called(frame: FrameType, event: str, argument: object) -> None:
+    def log_call(frame: FrameType, event: str, argument: object) -> None:
         code = frame.f_code
-        if id(code) not in known:
-            known[id(code)] = code
+        if id(code) not in logged:
+            logged[id(code)] = code
             if code.co_filename.startswith(folder):
                 line = f"{code.co_filename}\t{code.co_firstlineno}\t{code.co_name}\n"
                 os.write(descriptor, line.encode())
 
-    threading.settrace(called)
-    sys.settrace(called)
+    threading.settrace(log_call)
+    sys.settrace(log_call)
 
 
 if __name__ == "sitecustomize" and VARIABLE in os.environ:

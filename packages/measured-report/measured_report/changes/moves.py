@@ -1,4 +1,4 @@
-"""Moves: the numbers and texts of two editions, and the test whether they changed."""
+"""Moves: pairs of values of two editions, with a test of whether they differ."""
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
@@ -37,18 +37,18 @@ from measured_report.values.quantities import Quantity
 from measured_report.values.results import Results, Row
 
 NAMED = 4  # chosen: a line names at most so many claims, and twice as many settings
-CHOSEN_SHARE = 0.1  # chosen: the relative noise of a number if none was measured
+CHOSEN_SHARE = 0.1  # chosen: the relative noise of a number whose noise is not known
 NEAR_ZERO = 0.01
 """Chosen: a number below this share of the median of its column is close to zero."""
 ODD_SHARE = 0.4
-"""Chosen: if no row was measured twice, at most this share of the rows of a section may
-differ by chance, because single runs may end in two ways."""
+"""Chosen: at most this share of the rows of a section may differ by chance if no row was
+measured twice, because a single run may end in one of two ways."""
 LEAST_SWEEP = 6
-"""Chosen: a section with fewer rows is not a sweep, and each of its rows counts by itself."""
+"""Chosen: in a section with fewer rows, each row that changed counts as a change."""
 COST_SHARE = 1e-3
-"""Chosen: a smaller relative difference of costs does not count, because clocks and the
-rounding of times are not better."""
-LEAST_SHIFTED = 3  # chosen: fewer times do not show a change that they have in common
+"""Chosen: a smaller relative difference of costs does not count, because clocks are not
+more precise and times are rounded."""
+LEAST_SHIFTED = 3  # chosen: fewer times do not show a common shift
 
 
 @dataclass(frozen=True)
@@ -56,13 +56,13 @@ class Move:
     """Holds a value of two editions, and the probability that it differs by chance."""
 
     column: Column
-    before: Any  # a number, a text, yes or no; None if the edition lacks it
+    before: Any  # a number, a text or a flag; None if the edition lacks it
     after: Any
-    chance: float | None = None  # the probability; None for a text, yes or no
+    chance: float | None = None  # the probability; None for a text or a flag
     error: float = 0.0  # standard error of the difference
     freedom: float = math.inf  # degrees of freedom of that error
     least: float = 0.0  # a difference below this does not count
-    is_chosen: bool = False  # whether the noise is not known, and CHOSEN_SHARE is used
+    is_chosen: bool = False  # whether CHOSEN_SHARE is used because the noise is unknown
     section: str = ""
     place: Mapping[str, Any] = field(default_factory=dict)  # the key of its row
     rows: Sequence[Row] = ()  # its row in both editions; empty for a mean or a median
@@ -70,12 +70,12 @@ class Move:
     limit: float = FALSE_SHARE  # the largest chance that counts as a change
     scale: float = 0.0  # a number below this size is close to zero
     is_single: bool = False  # whether one edition has measured it only once
-    is_odd: bool = False  # whether it may be one run that ended otherwise by chance
-    row_count: int = 1  # of rows whose common change this is
+    is_odd: bool = False  # whether it may be due to a run that ended oddly by chance
+    row_count: int = 1  # the number of rows that this change has in common
 
     @property
     def sides(self) -> list[Any]:
-        """Return before and after as quantities, if they are numbers."""
+        """Return both values, as quantities if they are numbers."""
         if self.rows:
             return [row[self.column.name] for row in self.rows]
         ends = [self.before, self.after]
@@ -85,7 +85,7 @@ class Move:
 
     @property
     def name(self) -> str:
-        """Return the name of the value, as ``make history VALUE=`` takes it."""
+        """Return the name of the value, as the option VALUE= takes it."""
         names = self.section, self.place.get("case"), self.column.name
         return ".".join(filter(None, names))
 
@@ -96,7 +96,7 @@ class Move:
 
     @property
     def is_real(self) -> bool:
-        """Return whether the value changed, for a number: beyond its noise."""
+        """Return whether the value changed; a number must change beyond its noise."""
         if self.is_odd:
             return False
         if self.is_setting or self.chance is None:
@@ -110,7 +110,7 @@ class Move:
 
     @property
     def noise(self) -> float | None:
-        """Return the least difference that would count, or None if it is not a number."""
+        """Return the smallest difference that would count, or None without numbers."""
         if self.chance is None:
             return None
         return self.least + t_quantile(1 - self.limit, self.freedom) * self.error
@@ -135,26 +135,33 @@ class Move:
 
     @property
     def is_named(self) -> bool:
-        """Return whether report.toml has a threshold or a headline for it."""
-        named = self.rules.named
+        """Return whether ``report.toml`` has a threshold or a headline for it.
+
+        For the outcome of a run, return whether it has one for any number of the run.
+        """
+        names = self.rules.named
         if "failure" in self.column.kinds:
             run = self.name.rpartition(".")[0]
-            return any(name.rpartition(".")[0] == run for name in named)
-        return self.name in named
+            return any(name.rpartition(".")[0] == run for name in names)
+        return self.name in names
 
     @property
     def threshold(self) -> float:
-        """Return the relative change that is not an alarm yet."""
+        """Return the largest relative change that does not raise an alarm."""
         if self.is_setting:
             return self.rules.setting_threshold
-        usual = self.rules.threshold
+        default = self.rules.threshold
         if self.column.is_cost:
-            usual = self.rules.cost_threshold
-        return self.rules.thresholds.get(self.name, usual)
+            default = self.rules.cost_threshold
+        return self.rules.thresholds.get(self.name, default)
 
     @property
     def exceeds_threshold(self) -> bool:
-        """Return whether it changed by more than its threshold, or one edition lost it."""
+        """Return whether the change raises an alarm.
+
+        It does if it exceeds its threshold, if a run newly fails or no longer fails, or if
+        a setting or a named number exists in only one of the editions.
+        """
         if "failure" in self.column.kinds:
             return self.is_real
         if self.share is None:
@@ -175,7 +182,7 @@ class Move:
 
     @property
     def ends(self) -> str:
-        """Return before and after in words, with enough digits to show the change."""
+        """Return the text "before → after", with enough digits to show the change."""
         ends = self.before, self.after
         if self.is_setting:
             return " → ".join("none" if end is None else f"{end:.7g}" for end in ends)
@@ -197,7 +204,7 @@ def direction(column: Column, before: Any, after: Any) -> str:
 
 
 def few(names: Sequence[str], count: int = NAMED) -> str:
-    """Return at most ``count`` names in words, and the number of the others."""
+    """Return a text with at most ``count`` names and the number of the others."""
     more = f"; and {len(names) - count} more" if len(names) > count else ""
     return "; ".join(names[:count]) + more
 
@@ -209,18 +216,20 @@ def _text(cell: Any) -> str:
 
 
 Pair = tuple[Move, Sequence[Estimate | None]]
-"""A number that is not tested yet, and its estimates in both editions."""
+"""A number that has not been tested yet, and its estimates in both editions."""
 
 
 def moves_between(before: Chapter, after: Chapter) -> list[Move]:
-    """Return all values of a section that can be compared between two editions, and the
-    settings that only one of them has."""
+    """Return all values of a section that can be compared between two editions.
+
+    Settings that only one edition has are included.
+    """
     sides = before.results, after.results
     columns = after.results.columns
     rules = columns.settings.changes
     edges = sides[0].evidence.edges | sides[1].evidence.edges
     pairs = list(_means_between(sides))
-    means = {(move.place["case"], move.column) for move, _ in pairs}
+    with_means = {(move.place["case"], move.column) for move, _ in pairs}
     old, new = map(_rows_by_key, sides)
     moves = []
     for key in dict.fromkeys((*old, *new)):
@@ -243,7 +252,7 @@ def moves_between(before: Chapter, after: Chapter) -> list[Move]:
             move = move_of(column, *ends, rows=rows)
             if not all(map(is_number, ends)):
                 moves.append(move)
-            elif (place["case"], column) not in means:
+            elif (place["case"], column) not in with_means:
                 pairs.append((move, [row.estimate(column.name) for row in rows]))
     numbers = _judged(pairs)
     shifts = _shifts(numbers, sides)
@@ -253,8 +262,10 @@ def moves_between(before: Chapter, after: Chapter) -> list[Move]:
 
 
 def _rows_by_key(results: Results) -> dict[RowKey, Row]:
-    """Return rows by key, without those that share one, and without the repeated runs of
-    the section on noise, which are compared by their means."""
+    """Return the rows whose key is unique, by key.
+
+    Repeated runs of the section on noise are left out, because their means are compared.
+    """
     section = results.record.section
     columns = results.columns
     rows = [row for row in results.rows if not is_repeat(row.plain, section, columns)]
@@ -262,7 +273,7 @@ def _rows_by_key(results: Results) -> dict[RowKey, Row]:
 
 
 def _means_between(sides: Sequence[Results]) -> Iterator[Pair]:
-    """Yield the means over the runs of each case, for the section on noise."""
+    """Yield the means over the runs of each case if this is the section on noise."""
     columns = sides[1].columns
     rules = columns.settings.changes
     section = sides[1].record.section
@@ -278,7 +289,7 @@ def _means_between(sides: Sequence[Results]) -> Iterator[Pair]:
 
 
 def cost_terms(record: Record, row: Cells, columns: Schema) -> tuple[Any, ...]:
-    """Return the machine and the amount of work, which two costs must have in common."""
+    """Return the machine and the amount of work, which must agree to compare two costs."""
     work = [row.get(name) for name in columns.settings.cost_terms]
     return record.machine_for_speed, *work
 
@@ -303,7 +314,7 @@ def _comparable(rows: Sequence[Cells], sides: Sequence[Results]) -> Iterator[Col
         if None not in (a[name], b.get(name)) and a[name] != b[name]
         if "setting" in columns[name].kinds or name in columns.parameters
     ]
-    is_longer = all("setting" in column.kinds for column in changed)
+    only_settings_changed = all("setting" in column.kinds for column in changed)
     ignored = (*columns.settings.changes.keys, "")
     for name in a:
         column = columns[name]
@@ -318,14 +329,14 @@ def _comparable(rows: Sequence[Cells], sides: Sequence[Results]) -> Iterator[Col
             continue
         elif not changed or column.is_setting:
             yield column
-        elif is_longer and column.unit.endswith(("/s", "/cycle")):
-            yield column  # a rate of two runs that differ only in their length
+        elif only_settings_changed and column.unit.endswith(("/s", "/cycle")):
+            yield column  # a rate does not depend on the length of the run
 
 
 def _judged(pairs: Sequence[Pair]) -> list[Move]:
-    """Return numbers with the probability that they differ as much by noise alone.
+    """Return numbers with the probability that noise alone makes them differ as much.
 
-    The share of false changes among those of this section is bounded by ``FALSE_SHARE``.
+    At most the share ``FALSE_SHARE`` of the changes listed in a section is false.
     """
     import numpy as np  # slow to import, and most commands do not compare editions
 
@@ -366,7 +377,7 @@ def _judged(pairs: Sequence[Pair]) -> list[Move]:
 def _scales(pairs: Sequence[Pair]) -> dict[Column, float]:
     """Return by column the size below which a number is close to zero.
 
-    A percentage of such a number has no meaning, so its change is a share of this size.
+    A percentage of such a number has no meaning, so its change is divided by this size.
     """
     sizes: dict[Column, list[float]] = {}
     for move, _ in pairs:
@@ -377,10 +388,10 @@ def _scales(pairs: Sequence[Pair]) -> dict[Column, float]:
 def _known(
     move: Move, estimates: Sequence[Estimate | None]
 ) -> tuple[list[Estimate], float, bool]:
-    """Return the estimates of both sides, the least difference that counts, and whether
-    that is chosen because the noise is not known.
+    """Return the estimates of both sides and the smallest difference that counts.
 
-    If the scatter of only one side is known, it is used for both.
+    Also return whether this difference is chosen because the noise is not known. If the
+    scatter of only one side is known, it is used for both.
     """
     ends = move.before, move.after
     size = max(map(abs, ends))
@@ -399,12 +410,12 @@ def _known(
 
 
 def _without_chance(moves: Sequence[Move], sides: Sequence[Results]) -> list[Move]:
-    """Return the moves, and mark those as odd that single runs may explain.
+    """Return the moves; those that a single odd run may explain are marked as odd.
 
-    Now and then one run ends unlike all others although nothing changed. If one side
-    measured a number only once, this looks like a change. So such rows count only if there
-    are more of them than the measurements of this section explain, or if ``report.toml``
-    names the number.
+    Occasionally a run ends differently although nothing changed. If one edition measured a
+    number only once, this looks like a change. Such rows therefore count only if there are
+    more of them than the measurements of this section explain, or if ``report.toml`` names
+    the number.
     """
     single_rows = {
         move.rows[0].source for move in moves if move.may_be_odd and move.is_real
@@ -413,7 +424,7 @@ def _without_chance(moves: Sequence[Move], sides: Sequence[Results]) -> list[Mov
     row_count = len({move.rows[0].source for move in numbers})
     odd_rows = [side.evidence.odd_rows for side in sides]
     if 1 < row_count <= len(single_rows):
-        is_change = True  # not all rows end otherwise by chance at once
+        is_change = True  # chance does not change all rows at once
     elif None not in odd_rows:
         is_change = exceeds_chance(len(single_rows), sum(filter(None, odd_rows)))
     elif row_count < LEAST_SWEEP:
@@ -431,9 +442,9 @@ def _without_chance(moves: Sequence[Move], sides: Sequence[Results]) -> list[Mov
 def _shifts(moves: Sequence[Move], sides: Sequence[Results]) -> list[Move]:
     """Return for each column of times the change that all its rows have in common.
 
-    All times of one measurement share the error of its host and card, so the median of many
-    changes is compared with the scatter between hosts. It can be significant although the
-    change of each single row is within the noise of that row.
+    All times of one measurement share the error of its host and card. The median of their
+    changes is therefore compared with the scatter between hosts. It can be significant
+    although the change of each single row is within the noise of that row.
     """
     by_column: dict[Column, list[Move]] = {}
     for move in moves:

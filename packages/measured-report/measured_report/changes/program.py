@@ -1,9 +1,9 @@
 """Check whether runs of the old and the new code of a section cover all changes.
 
-A run covers a change in a function that it calls. It does not cover a constant, an
-operator or a name that only the full profile uses. Therefore the changed functions
-together must contain the same constants, operators and names before and after the
-change.
+A quick run covers a change in a function that it calls. However, it may not use a
+constant, an operator or a name that only the full profile needs. Therefore the changed
+functions together must contain the same constants, operators and names before and after
+the change.
 """
 
 import ast
@@ -27,14 +27,12 @@ Token = tuple[str, str]  # kind and text
 
 
 class Program:
-    """Hold the code of a section in the folder ``root``."""
+    """Holds the code of a section in the folder ``root``."""
 
     def __init__(self, section: str, root: Path):
         self.code = Code(root)
         self.functions: dict[str, tuple[str, Any]] = {}
-        """The file and syntax tree of each function or method, including inner
-        functions.
-        """
+        """The file and the syntax tree of each function and method, by qualified name."""
         self.statements: dict[str, Any] = {}
         """The statements of each file that run when it is imported."""
         self.defined: set[str] = set()  # all names that the project defines
@@ -177,15 +175,16 @@ def _import_time(body: Sequence[ast.stmt]) -> list[Any]:
     Imports and definitions of functions are left out.
     """
     skipped = (*FUNCTIONS, ast.Import, ast.ImportFrom)
-    forms: list[Any] = []
+    statements: list[Any] = []
     for node in body:
         if isinstance(node, ast.ClassDef):
             header = [*node.bases, *node.keywords, *node.decorator_list]
-            inside = [*plain(header), *_import_time(node.body)]
-            forms += [[node.name, inside]] if inside else []
+            class_statements = [*plain(header), *_import_time(node.body)]
+            if class_statements:
+                statements.append([node.name, class_statements])
         elif not isinstance(node, skipped) and not is_docstring(node):
-            forms.append(plain(node))
-    return forms
+            statements.append(plain(node))
+    return statements
 
 
 def _names_defined(tree: ast.AST, with_attributes: bool = True) -> set[str]:

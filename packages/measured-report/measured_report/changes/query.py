@@ -18,12 +18,13 @@ from measured_report.values.quantities import Quantity, absent
 from measured_report.values.results import Results, Row
 
 Answer = str | float
-# A chosen value: fewer differences between neighbours do not show the noise.
-LEAST_STEPS = 3
+LEAST_STEPS = 3  # chosen: fewer differences between neighbours do not show the noise
 
 
 @dataclass(frozen=True)
 class Query:
+    """Holds the name of a claim or a value, and looks it up in editions."""
+
     text: str
     """The name in CLAIM= or VALUE=.
 
@@ -32,8 +33,9 @@ class Query:
     is_claim: bool = False
     label: str = ""
     device: str = ""
-    """The device of the case, if it was run on several; the row with the lowest cost
-    counts.
+    """The device of the case, if it ran on several.
+
+    If a case ran several times on a device, the row with the lowest cost counts.
     """
 
     @property
@@ -53,14 +55,14 @@ class Query:
         """Return the answer of an edition, or None if it cannot tell."""
         if self.is_claim:
             claim = self.claim(chapters)
-            known = claim and claim.outcome.name != "unknown"
-            return claim.outcome.name if claim and known else None
+            is_known = claim and claim.outcome.name != "unknown"
+            return claim.outcome.name if claim and is_known else None
         quantity = self.quantity(chapters)
         value: Any = getattr(quantity, "value", quantity)
         return None if isinstance(value, str) else value
 
     def quantity(self, chapters: Chapters) -> Quantity | bool | str | None:
-        """Return the value, or the text or flag in its place; None if there is none."""
+        """Return the number, text or flag with this name, or None if it does not exist."""
         if self.case:
             return self.cell(chapters)
         chapter = chapters.get(self.section)
@@ -69,8 +71,8 @@ class Query:
     def cell(self, chapters: Chapters, release: str = "") -> Quantity:
         """Return a cell of a row of the edition ``release``, or an absent number."""
         columns = schema_of(chapters)
-        alike = columns.settings.changes.equivalent_sections if columns else ()
-        sections = (self.section, *(alike if self.section in alike else ()))
+        equivalent = columns.settings.changes.equivalent_sections if columns else ()
+        sections = (self.section, *(equivalent if self.section in equivalent else ()))
         rows = [
             self._row(chapters[name].results) for name in sections if name in chapters
         ]
@@ -87,12 +89,13 @@ class Query:
         if not self.device:
             return results.row[self.case]
         terms = results.columns.settings.cost_terms
-        wanted = self.case, self.device
         rows = [
-            row for row in results.rows if (row.case, row.plain.get("device")) == wanted
+            row
+            for row in results.rows
+            if row.case == self.case and row.plain.get("device") == self.device
         ]
-        cost = [[row.plain.get(term) or 0 for term in terms] for row in rows]
-        return rows[cost.index(min(cost))] if rows else None
+        costs = [[row.plain.get(term) or 0 for term in terms] for row in rows]
+        return rows[costs.index(min(costs))] if rows else None
 
     def claim(self, chapters: Chapters) -> Claim | None:
         chapter = chapters.get(self.section)
@@ -101,9 +104,10 @@ class Query:
         return claims[names.index(self.text)] if self.text in names else None
 
     def names(self, chapters: Chapters) -> Iterator[str]:
-        """Yield the names that a query can use.
+        """Yield the names that exist.
 
-        These are claims, or else values and the numbers of rows in the query's section.
+        For a claim, these are all claims. Otherwise they are all values, and the numbers of
+        the rows in the query's section.
         """
         for name, chapter in chapters.items():
             claims = [claim.name for claim in chapter.section.claims]
@@ -114,7 +118,7 @@ class Query:
         for name in get_close_matches(self.section, chapters, n=1):
             for case, row in chapters[name].results.row.items():
                 numbers = [
-                    each for each in row.plain if isinstance(row[each], Quantity)
+                    column for column in row.plain if isinstance(row[column], Quantity)
                 ]
                 yield from (f"{name}.{case}.{column}" for column in numbers)
 
@@ -135,19 +139,18 @@ def schema_of(chapters: Chapters) -> Schema | None:
 
 @dataclass(frozen=True)
 class Point:
+    """Holds the answer of one edition."""
+
     release: str
     answer: Answer
-    noise: float | None  # the possible deviation from the truth; None if it is unknown
+    noise: float | None  # None if it is not known
     text: str
-    mark: str = ""  # the change from the answer before: better, worse, moved or flipped
+    mark: str = ""  # the change since the point before: better, worse, moved or flipped
 
 
 def points(releases: Releases, query: Query) -> list[Point]:
-    """Return the answers of all editions that have one, oldest first.
-
-    Changes are marked.
-    """
-    answered: list[Point] = []
+    """Return a point for each edition that has an answer, oldest first."""
+    all_points: list[Point] = []
     columns = None
     for release, chapters in releases.items():
         answer = query.answer(chapters)
@@ -158,27 +161,28 @@ def points(releases: Releases, query: Query) -> list[Point]:
         noise = None if claim else getattr(query.quantity(chapters), "noise", None)
         text = claim.outcome.answer if claim else f"{answer:.4g}"
         text += f" ± {noise:.2g}" if noise else ""
-        answered.append(Point(release, answer, noise, text))
-    # A trial is not a release: it neither changes a series nor ends it.
+        all_points.append(Point(release, answer, noise, text))
+    # A trial is not a release, so it is not part of the series.
     trials = columns.settings.trials if columns else {}
-    every = answered
-    answered = [point for point in every if point.release not in trials]
+    series = [point for point in all_points if point.release not in trials]
     marks = {}
     if query.is_claim:
-        for index, (before, after) in enumerate(pairwise(answered), 1):
+        for index, (before, after) in enumerate(pairwise(series), 1):
             if before.answer != after.answer:
                 marks[index] = "flipped"
-    elif columns and answered:
+    elif columns and series:
         column = columns[query.column]
-        numbers = [float(point.answer) for point in answered]
-        noises = [point.noise for point in answered]
+        numbers = [float(point.answer) for point in series]
+        noises = [point.noise for point in series]
         starts = changes_in(numbers, noises, column.resolution)
         ends = [0, *starts, len(numbers)]
         means = [fmean(numbers[start:end]) for start, end in pairwise(ends)]
         for start, (old, new) in zip(starts, pairwise(means), strict=True):
             marks[start] = direction(column, old, new) or "moved"
-    by_release = {answered[at].release: mark for at, mark in marks.items()}
-    return [replace(point, mark=by_release.get(point.release, "")) for point in every]
+    by_release = {series[index].release: mark for index, mark in marks.items()}
+    return [
+        replace(point, mark=by_release.get(point.release, "")) for point in all_points
+    ]
 
 
 def changes_in(
@@ -186,48 +190,54 @@ def changes_in(
 ) -> list[int]:
     """Return the positions at which a series of numbers changes.
 
-    The series is split where its parts differ most if this difference is significant.
-    Each part is then split in the same way.
+    The series is split at the position at which its parts differ most, if this difference
+    is significant. Each part is then split in the same way.
 
     The method is that of Scott and Knott (1974), Biometrics 30, 507-512, with a
-    two-sample test that uses the noise. An unknown noise is estimated from the
-    differences between neighbours; it is 0 if there are few.
+    two-sample test that uses the noise. If a noise is not known, it is estimated from the
+    differences between neighbours, or assumed to be 0 if there are fewer than
+    ``LEAST_STEPS`` of them.
     """
     if None in noises:
         steps = [abs(after - before) for before, after in pairwise(numbers)]
-        usual = 0.0
+        estimate = 0.0
         if len(steps) >= LEAST_STEPS:
-            usual = Z * median(steps) / (math.sqrt(2) * NORMAL.inv_cdf(0.75))
-        noises = [usual if noise is None else noise for noise in noises]
+            estimate = Z * median(steps) / (math.sqrt(2) * NORMAL.inv_cdf(0.75))
+        noises = [estimate if noise is None else noise for noise in noises]
     count = len(numbers)
-    known = [noise or 0.0 for noise in noises]
-    apart = {
+    known_noises = [noise or 0.0 for noise in noises]
+    differences = {
         split: abs(fmean(numbers[split:]) - fmean(numbers[:split]))
         for split in range(1, count)
     }
-    weighted = {at: apart[at] * math.sqrt(at * (count - at)) for at in apart}
+    # The sum of squares between both parts grows as the square of these numbers.
+    weighted = {
+        split: difference * math.sqrt(split * (count - split))
+        for split, difference in differences.items()
+    }
     best = max(weighted, key=weighted.__getitem__, default=0)
-    if not best or apart[best] <= resolution:
+    if not best or differences[best] <= resolution:
         return []
     errors = (
-        math.hypot(*known[:best]) / best,
-        math.hypot(*known[best:]) / (count - best),
+        math.hypot(*known_noises[:best]) / best,
+        math.hypot(*known_noises[best:]) / (count - best),
     )
     error = math.hypot(*errors) / Z
-    chance = math.erfc(apart[best] / error / math.sqrt(2)) if error else 0.0
+    chance = math.erfc(differences[best] / error / math.sqrt(2)) if error else 0.0
+    # There are count - 1 possible splits (Bonferroni).
     if (count - 1) * chance > FALSE_SHARE:
         return []
-    later = changes_in(numbers[best:], known[best:], resolution)
-    earlier = changes_in(numbers[:best], known[:best], resolution)
+    later = changes_in(numbers[best:], known_noises[best:], resolution)
+    earlier = changes_in(numbers[:best], known_noises[:best], resolution)
     return [*earlier, best, *(best + index for index in later)]
 
 
 def history(releases: Releases, query: Query) -> str:
     """Return a line for each edition with an answer or a reason, oldest first."""
-    answered = {point.release: point for point in points(releases, query)}
+    points_by_release = {point.release: point for point in points(releases, query)}
     lines = []
     for release, chapters in releases.items():
-        if point := answered.get(release):
+        if point := points_by_release.get(release):
             lines.append((release, point.text, point.mark))
         elif reason := _reason(query, chapters):
             lines.append((release, "cannot tell", reason))

@@ -7,7 +7,7 @@ import sys
 from functools import cache
 from pathlib import Path
 
-from measured_report.commands.status import damage, say_damage, states_by_release
+from measured_report.commands.status import damage, print_damage, states_by_release
 from measured_report.editions.project import Project, own_release
 from measured_report.editions.status import records_of
 from measured_report.files.config import report
@@ -19,7 +19,10 @@ from measured_report.values.evidence import Evidence
 
 
 def main() -> int:
-    """Run the package number-audit, if it is installed; 1 if anything cannot be read."""
+    """Run the package number-audit if it is installed, and return the exit status.
+
+    The status is also 1 if a record or replica of this report cannot be read.
+    """
     try:
         from number_audit.command import main as number_audit
     except ImportError:
@@ -37,7 +40,7 @@ def main() -> int:
     )
     own = own_release()
     project = Project(own, root=report().root, own_release=own)
-    is_damaged = say_damage(damage(project, states_by_release(project)))
+    is_damaged = print_damage(damage(project, states_by_release(project)))
     return status or int(is_damaged)
 
 
@@ -58,5 +61,5 @@ def evidence_of(folder: str) -> dict[str, Evidence]:
     settings = report().settings
     project = Project(settings.edition_in(folder), root=report().root)
     tracked = {record.section: record for record in records_of(project)}
-    cache_of_report = DerivedCache(project.root, project.report)
-    return dict(measurements_of(project, tracked, cache_of_report).evidence)
+    derived_cache = DerivedCache(project.root, project.report)
+    return dict(measurements_of(project, tracked, derived_cache).evidence)

@@ -1,4 +1,4 @@
-"""Carry records over a code change that changes no number (quick runs on a CPU)."""
+"""Renew stale records if quick runs show that no number has changed."""
 
 from measured_report.changes.carry import carried
 from measured_report.commands.options import Arguments, read_section, shared
@@ -10,17 +10,18 @@ OPTIONS = {"section": SECTION, **shared("edition")}
 
 
 def run(project: Project, arguments: Arguments) -> int:
-    """Print whether each section was carried, and the reason if it was not.
+    """Print for each section whether it was carried, or the reason why it was not.
 
     Return 1 if any section was not carried.
     """
-    stale = [state.section for state in states_of(project) if state.kind == Kind.STALE]
-    chosen = [read_section(arguments.section)] if arguments.section else stale
-    if not chosen:
+    names = [state.section for state in states_of(project) if state.kind == Kind.STALE]
+    if arguments.section:
+        names = [read_section(arguments.section)]
+    if not names:
         print("no section is stale, so there is nothing to carry")
         return 0
     is_refused = False
-    for name, reason in carried(project, arguments.release, chosen):
+    for name, reason in carried(project, arguments.release, names):
         print(
             f"{name}: not carried: {reason}" if reason else f"{name}: carried",
             flush=True,

@@ -59,16 +59,16 @@ def main() -> int:
         # A program that reads the output, such as head, may close it early.
         if not isinstance(error, BrokenPipeError):
             subject = error.filename or "the output cannot be written"
-            _say(f"{subject}: {error.strerror or error}")
+            _print_error(f"{subject}: {error.strerror or error}")
         os.dup2(os.open(os.devnull, os.O_WRONLY), 1)
         return 1
     except ReportError as error:
         if str(error):  # the text is empty if the message was printed already
-            _say(str(error))
+            _print_error(str(error))
         return 2 if isinstance(error, UsageError) else 1
 
 
-def _say(text: str) -> None:
+def _print_error(text: str) -> None:
     line = UNPRINTABLE.sub("?", " ".join(without_secrets(text).split()))
     print(line, file=sys.stderr)
 
@@ -92,7 +92,7 @@ def _run(name: str, *typed: str) -> int:
     edition = arguments.edition or own
     arguments.release = release_of(edition, arguments.pins, report=report)
     project = Project(str(arguments.release), arguments.profile, report.root, own)
-    # All imports are done, which may take seconds. From here on, Ctrl-C prints a
+    # The imports, which may take seconds, are done. From here on, Ctrl-C prints a
     # message.
     for stop in (signal.SIGINT, signal.SIGTERM):
         signal.signal(stop, signal.default_int_handler)
@@ -103,7 +103,7 @@ def _run(name: str, *typed: str) -> int:
 def commands(root: Path) -> dict[str, str]:
     """Return the module of each command by name, the generator's commands first.
 
-    No module is imported, because that takes long.
+    The modules are not imported, because this takes long.
     """
     folders = {__package__: Path(__file__).parent, OWN: root.joinpath(*OWN.split("."))}
     names = {}

@@ -14,8 +14,8 @@ def run(project: Project, arguments: Arguments) -> int:
         options = {**options_of(module, project.settings)}
         if not project.settings.needs_device:
             options.pop("DEVICE", None)
-        shown = f" [{' '.join(options)}]" if options else ""
-        print(f"make {name:9} {help_of(module)}{shown}")
+        names = f" [{' '.join(options)}]" if options else ""
+        print(f"make {name:9} {help_of(module)}{names}")
         texts |= {variable: option["help"] for variable, option in options.items()}
     texts["PYTHON"] = "a Python with all packages installed, for a host without network"
     print()

@@ -19,8 +19,8 @@ def run(project: Project, arguments: Arguments) -> int:
         return 0
     query = query_of(arguments)
     if not any(
-        query.answer(side) is not None or query.text in query.names(side)
-        for side in releases.values()
+        query.answer(chapters) is not None or query.text in query.names(chapters)
+        for chapters in releases.values()
     ):
         similar = suggestion(query.text, query.names(releases[project.release]))
         raise UsageError(f"no edition has {query.text}{similar}: use SECTION.NAME")

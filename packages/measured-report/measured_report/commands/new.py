@@ -77,9 +77,9 @@ def new(folder: Path) -> None:
             path = template.relative_to(SKELETON).as_posix().replace("dot.", ".")
             write_file(folder / path, text)
     write_file(folder / FILE, reference(report_in(folder)))
-    shown = shlex.quote(os.path.relpath(folder))
+    short_path = shlex.quote(os.path.relpath(folder))
     print(
-        f"wrote {folder}: run cd {shown} && make report to measure and to build "
+        f"wrote {folder}: run cd {short_path} && make report to measure and to build "
         "site/index.html"
     )
 

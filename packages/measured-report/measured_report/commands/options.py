@@ -60,7 +60,7 @@ SHARED: dict[str, dict[str, Any]] = {
     "profile": {
         "choices": PROFILES,
         "default": "full",
-        "help": "quick: measure small grids and short runs, kept in results/quick/",
+        "help": "quick: use small grids and short runs, stored in results/quick/",
     },
     "device": {
         "type": read_device,
@@ -68,12 +68,12 @@ SHARED: dict[str, dict[str, Any]] = {
     },
     "cluster": {
         "type": read_cluster,
-        "help": "Dask scheduler whose workers measure, as tls://HOST:8786",
+        "help": "Dask scheduler whose workers measure, such as tls://HOST:8786",
     },
     "address": {
         "type": read_address,
         "default": "",
-        "help": "address of the published site, as https://example.org/report/",
+        "help": "address of the published site, such as https://example.org/report/",
     },
     "a": {
         "type": partial(release_of, option="A"),
@@ -112,7 +112,7 @@ def refuse_unmeasured(project: Project, name: str) -> None:
     """Raise UsageError if an edition, other than the project's own, has no results."""
     paths = map(project.record_path, sections(project.root))
     if not project.is_own and not any(path.exists() for path in paths):
-        others = [each for each in project.releases if each != project.release]
+        others = [release for release in project.releases if release != project.release]
         name = f"{project.settings.option}={name}"
         raise UsageError(
             f"{name} has no results (editions with results: "

@@ -24,7 +24,10 @@ from measured_report.records.replicas import SUMS
 from measured_report.site.check import check_site
 
 OPTIONS = {
-    "target": {"default": "", "help": "place to publish to: dir:PATH or git:REMOTE"},
+    "target": {
+        "default": "",
+        "help": "place to publish to: dir:PATH or git:REMOTE#BRANCH",
+    },
     **shared("address"),
 }
 DEFAULT = "git:origin"
@@ -34,7 +37,8 @@ SUBJECT = "Publish the report with make publish"
 MARK = ".published"
 ASIDE = ".site-copy"  # a folder beside the site for the temporary copy
 DOMAIN = "CNAME"  # a file of GitHub that stays on the branch
-ALONE = (
+# Settings of the clone that must not apply to the copy.
+OVERRIDES = (
     "core.autocrlf=false",
     "core.bare=false",
     "push.followTags=false",
@@ -45,15 +49,15 @@ AUTHOR = {
     for role in ("AUTHOR", "COMMITTER")
     for field, value in (("NAME", "make publish"), ("EMAIL", "publish@localhost"))
 }
-PROTOCOLS = "file:git:http:https:ssh"
+PROTOCOLS = "file:git:http:https:ssh"  # without ext, which runs a command
 # Marks a page that shows small grids and short runs.
 QUICK = '<meta name="profile" content="quick">'
 
 
 def run(project: Project, arguments: Arguments) -> int:
-    """Build the site if its sources have changed, and publish it.
+    """Build the site again if it exists, and publish it.
 
-    Return 1 if a record is damaged.
+    Return 1 if a record cannot be read or shown.
     """
     page = project.site / "index.html"
     is_damaged = False
@@ -69,8 +73,8 @@ def run(project: Project, arguments: Arguments) -> int:
 def publish(site: Path, target: str) -> str:
     """Put a checked copy of ``site`` at its target and return the place.
 
-    The target is ``dir:PATH`` or ``git:REMOTE#BRANCH``. A reader of the target never
-    sees half of a copy.
+    The target is ``dir:PATH`` or ``git:REMOTE#BRANCH``. Readers of the target get either
+    the previous site or the complete new one.
     """
     scheme, _, location = (target or DEFAULT).partition(":")
     option = f"TARGET={target}"
@@ -82,11 +86,11 @@ def publish(site: Path, target: str) -> str:
     ):
         raise UsageError(
             f"{option!r} is not a place to publish to: use TARGET=dir:PATH or "
-            "git:REMOTE"
+            "git:REMOTE#BRANCH"
         )
     try:
         (site.parent / ASIDE).mkdir(exist_ok=True)
-        # The copy of a command that was killed is removed here too.
+        # This also removes the copy of a command that was killed.
         with staging_folder(site.parent / ASIDE / "copy") as folder:
             return without_secrets(
                 TARGETS[scheme](_checked_copy(site, folder / "site"), location, site)
@@ -98,9 +102,9 @@ def publish(site: Path, target: str) -> str:
 
 
 def _checked_copy(site: Path, copy: Path) -> Path:
-    """Copy the site and check it; raise ReportError if there is a problem.
+    """Copy the site and check the copy; raise ReportError if there is a problem.
 
-    The copy is readable for everyone, whatever the umask is.
+    Everyone can read the copy, even if the umask is strict.
     """
     if not (site / "index.html").is_file():
         raise UsageError(
@@ -190,7 +194,7 @@ def _pushed(copy: Path, location: str, root: Path) -> str:
     # Use the clone's settings to authenticate, and override settings that affect the
     # copy.
     config = root / here("rev-parse", "--git-path", "config")
-    settings = [f"include.path={config}", *ALONE]
+    settings = [f"include.path={config}", *OVERRIDES]
     options = [option for setting in settings for option in ("-c", setting)]
     there = partial(run_git, copy, *options, GIT_ALLOW_PROTOCOL=PROTOCOLS, **AUTHOR)
     there("init", "--quiet")
@@ -213,7 +217,7 @@ def _pushed(copy: Path, location: str, root: Path) -> str:
     there("push", "--quiet", lease, address, f"{commit}:{ref}")
     if _tip(there, address, ref) != commit:
         raise ReportError(
-            f"not published, because {remote} does not have the new commit on its "
+            f"not published, because {remote} does not have the new commit on the "
             f"branch {branch}: run make publish again"
         )
     return f"{remote}, branch {branch}"

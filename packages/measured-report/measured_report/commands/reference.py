@@ -26,8 +26,8 @@ NAMES = {
     "parts/claim": "Claim decided at_least at_most negligible greater decreases all_of",
     **dict.fromkeys(("parts/words", "pages/passages", "parts/citations"), ""),
 }  # the names that are listed for each module, below its docstring
-# The modules whose classes a report receives; their properties and methods are listed.
-HANDED = "values/"
+# A report receives objects of these modules, so their properties and methods are listed.
+WITH_METHODS = "values/"
 
 
 def run(project: Project, arguments: Arguments) -> int:
@@ -49,7 +49,7 @@ def reference(report: Report) -> str:
         parts += [f"## {title.rstrip('.')}", description.strip("\n")]
         for node in tree.body:
             if getattr(node, "name", "") in names.split():
-                parts += _entry(node, text.splitlines(), HANDED in module)
+                parts += _entry(node, text.splitlines(), WITH_METHODS in module)
     ends = ", ".join(f"`_{end}` {unit}" for end, unit in report.columns.units.items())
     parts += ["## Units by the end of a column's name", ends]
     return "\n\n".join(filter(None, parts))

@@ -44,22 +44,22 @@ def run(project: Project, arguments: Arguments) -> int:
     ]
     if not names:
         raise UsageError(lacks())
-    again = replace(project.of(project.release), aside=ASIDE)
-    # Keep the sections that an interrupted command has measured already.
-    lacking = [name for name in names if not again.record_path(name).exists()]
+    repeated = replace(project.of(project.release), aside=ASIDE)
+    # Sections that an interrupted command has measured are not measured again.
+    lacking = [name for name in names if not repeated.record_path(name).exists()]
     if lacking:
         device = device or "cpu"
-        again = measure(
-            again, arguments.release, lacking, device, cluster=arguments.cluster
+        repeated = measure(
+            repeated, arguments.release, lacking, device, cluster=arguments.cluster
         )
-    records = {record.section: record for record in records_of(again)}
+    records = {record.section: record for record in records_of(repeated)}
     _keep(project, records, "this measurement")
-    shutil.rmtree(again.results)
+    shutil.rmtree(repeated.results)
     return 0
 
 
 def _keep(project: Project, records: Records, source: str) -> None:
-    """Keep the records that measured the same code and packages as this edition.
+    """Write a replica with the records of the same code and packages as this edition.
 
     ``source`` is the name of the records in messages.
     """

@@ -1,4 +1,4 @@
-"""Measure what is missing or stale, and build site/."""
+"""Measure missing and stale sections, and build site/."""
 
 from measured_report.commands.options import Arguments, refuse_unmeasured, shared
 from measured_report.commands.page import build_site
@@ -22,7 +22,7 @@ def run(project: Project, arguments: Arguments) -> int:
         project, is_done = measure_available(
             project, arguments.release, names, device, cluster
         )
-    damaged, lacking = build_site(project, arguments.address)
-    if lacking and not device:
-        print(f"{lacks()}, in up to hours")
-    return int(damaged or not is_done)
+    is_damaged, is_incomplete = build_site(project, arguments.address)
+    if is_incomplete and not device:
+        print(f"{lacks()} (this may take hours)")
+    return int(is_damaged or not is_done)

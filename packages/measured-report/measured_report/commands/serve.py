@@ -27,7 +27,7 @@ def run(project: Project, arguments: Arguments) -> int:
     print(
         f"serving {project.site.name}/ at http://127.0.0.1:{arguments.port}", flush=True
     )
-    # Build in another process, because the change may be in the generator itself.
+    # Each build is a new process, because the change may be in the generator itself.
     command = [sys.executable, "build.py", "page", "--profile", project.profile]
     command += [f"--{project.settings.flag}", arguments.release.spec]
     build = partial(subprocess.run, command, cwd=project.root, check=False)
@@ -43,8 +43,7 @@ class _Handler(SimpleHTTPRequestHandler):
         """
         host = self.headers.get("Host", "").partition(":")[0]
         if host not in ("127.0.0.1", "localhost"):
-            # The request comes from a foreign page whose host name resolves to this
-            # machine.
+            # A foreign page whose host name resolves to this machine sent the request.
             return self.send_error(HTTPStatus.MISDIRECTED_REQUEST)
         name = self.translate_path(self.path)
         below = os.path.relpath(name, self.directory)
@@ -82,9 +81,9 @@ def follow(
     while True:
         # Take the stamp before the build, so that a change during the build causes
         # another one.
-        now = stamp(folders)
-        if now != before:
-            before = now
+        current = stamp(folders)
+        if current != before:
+            before = current
             build()
         time.sleep(0.5)
 

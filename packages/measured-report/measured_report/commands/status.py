@@ -1,4 +1,4 @@
-"""List which sections are fresh, and what changed for the others."""
+"""List the state of each section, and the changes that made sections stale."""
 
 import sys
 from collections.abc import Iterable, Iterator, Sequence
@@ -17,19 +17,22 @@ OPTIONS = shared("edition", "profile")
 
 
 def run(project: Project, arguments: Arguments) -> int:
-    """Print the state of each section of each edition; 1 if anything cannot be read."""
+    """Print the state of each section in each edition.
+
+    Return 1 if a record or a replica cannot be read.
+    """
     refuse_unmeasured(project, arguments.release.spec)
     states = states_by_release(project)
     print(_matrix(project, states))
     for line in replicas_text(project):
         print(line)
-    own = [*_states_of_commands(project)]
-    for state in own:
+    states_of_edition = [*_states_of_commands(project)]
+    for state in states_of_edition:
         print(f"{state.section}: {state.summary}")
-    own += states[project.release]
-    if changed := changes_text(own):
-        print(f"\n{project.settings.edition} {project.release}\n{changed}")
-    return int(say_damage(damage(project, states)))
+    states_of_edition += states[project.release]
+    if changes := changes_text(states_of_edition):
+        print(f"\n{project.settings.edition} {project.release}\n{changes}")
+    return int(print_damage(damage(project, states)))
 
 
 States = dict[str, list[State]]  # by release
@@ -43,21 +46,21 @@ def states_by_release(project: Project) -> States:
 
 
 def _states_of_commands(project: Project) -> Iterator[State]:
-    """Yield the states of what the report's own commands measure of an edition."""
+    """Yield the states of the results that the report's own commands measure."""
     for name in commands(project.root).values():
         if name.startswith(OWN) and hasattr(module := import_module(name), "state"):
             yield module.state(project)
 
 
 def damage(project: Project, states: States) -> Iterator[State]:
-    """Yield all that cannot be read, in any edition."""
-    for release, of_release in states.items():
+    """Yield the states of all results that cannot be read, in all editions."""
+    for release, section_states in states.items():
         edition = project.of(release)
-        yield from damage_of(edition, [*of_release, *_states_of_commands(edition)])
+        yield from damage_of(edition, [*section_states, *_states_of_commands(edition)])
 
 
-def say_damage(states: Iterable[State]) -> bool:
-    """Name all that cannot be read, or not be shown; return whether there is anything."""
+def print_damage(states: Iterable[State]) -> bool:
+    """Print which results cannot be read or shown, and return whether there are any."""
     faulty = [state for state in states if state.kind in (Kind.DAMAGED, Kind.NOT_SHOWN)]
     for state in faulty:
         print(f"{state.kind}: {state.words}", file=sys.stderr)
@@ -68,16 +71,16 @@ def _matrix(project: Project, states: States) -> str:
     """Return a table of sections by editions."""
     package = project.settings.edition
     columns = [["section", *sections(project.root)]]
-    for release, of_release in states.items():
-        summaries = (state.summary for state in of_release)
+    for release, section_states in states.items():
+        summaries = (state.summary for state in section_states)
         columns.append([f"{package} {release}", *summaries])
     return aligned(list(zip(*columns, strict=True)))
 
 
 def changes_text(states: Sequence[State]) -> str:
-    """Return each change since a measurement once, with the sections that it concerns."""
+    """Return a line for each change since a measurement, with the stale sections."""
     sections_of = grouped(
         (note, state.section) for state in states for note in state.notes
     )
-    lines = [f"{note} ({', '.join(each)})" for note, each in sections_of.items()]
+    lines = [f"{note} ({', '.join(names)})" for note, names in sections_of.items()]
     return "\n".join(sorted(lines))

@@ -1,4 +1,4 @@
-"""Run the tests; they do not need an accelerator."""
+"""Run the tests, which do not need an accelerator."""
 
 import subprocess
 
@@ -9,7 +9,7 @@ from measured_report.editions.status import expected_packages
 
 FAST = {
     "action": "store_true",
-    "help": "1: run only the tests that a change of words or figures can break",
+    "help": "1: run only the tests that a change of texts or figures can break",
 }
 OPTIONS = {**shared("edition"), "fast": FAST}
 

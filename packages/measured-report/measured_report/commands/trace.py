@@ -1,4 +1,4 @@
-"""Print where a number comes from: its pages, rows, cases and command."""
+"""Print where a number comes from: its pages, rows and cases, and how to repeat it."""
 
 import re
 from collections.abc import Iterable, Iterator, Mapping
@@ -45,20 +45,20 @@ def provenance(project: Project, editions: Mapping[str, Edition], name: str) -> 
     The name is ``section.name``, ``section.case.column`` or a pointer of a page.
     """
     chapters = editions[project.release].chapters
-    records = {
-        owner.results.source: owner
+    chapters_by_file = {
+        chapter.results.source: chapter
         for edition in editions.values()
-        for owner in edition.chapters.values()
+        for chapter in edition.chapters.values()
     }
     values = {
         value.source: value
-        for chapter in records.values()
+        for chapter in chapters_by_file.values()
         for value in chapter.results.derived.values()
     }
     query = Query(name)
     folder = project.results.name
     pointer = name if "/" in name.partition("#")[0] else f"{folder}/{name}"
-    quantity: Any = values.get(pointer) or _cell(records, pointer)
+    quantity: Any = values.get(pointer) or _cell(chapters_by_file, pointer)
     quantity = quantity or query.quantity(chapters)
     if not isinstance(quantity, Quantity) or not quantity.source:
         hint = suggestion(name, query.names(chapters))
@@ -69,9 +69,10 @@ def provenance(project: Project, editions: Mapping[str, Edition], name: str) -> 
     lines = [f"{name}: {_text(quantity)}"]
     if isinstance(quantity, Value):
         lines.append(f"  formula     {quantity.formula}")
-        for value in (values[each] for each in quantity.sources if each in values):
-            source = ".".join(value.source.split("/")[2:])
-            lines.append(f"  from value  {source}, {_text(value)}: {value.formula}")
+        for source in filter(values.__contains__, quantity.sources):
+            value = values[source]
+            value_name = ".".join(source.split("/")[2:])
+            lines.append(f"  from value  {value_name}, {_text(value)}: {value.formula}")
     for page in _pages(project, quantity.source) or ["no page"]:
         lines.append(f"  printed on  {page}")
     for section, chapter in chapters.items():
@@ -79,10 +80,13 @@ def provenance(project: Project, editions: Mapping[str, Edition], name: str) -> 
             if quantity.source in claim.outcome.reads:
                 answer = claim.outcome.answer
                 lines.append(f"  decides     {section}.{claim.name}: {answer}")
-    pointers = [each for each in sorted(quantity.reads) if VALUES_FILE not in each]
-    for file, of_file in groupby(pointers, key=_file_of):
-        trace = re.sub(r"\.[^/]*\.csv\.gz$", ".json", file)
-        lines += ["", f"from {file}", *_of_record(project, records, trace, of_file)]
+    pointers = sorted(read for read in quantity.reads if VALUES_FILE not in read)
+    for file, file_pointers in groupby(pointers, key=_file_of):
+        # The record of a trace has the name of the trace without its case.
+        record_file = re.sub(r"\.[^/]*\.csv\.gz$", ".json", file)
+        chapter = chapters_by_file[record_file]
+        cell_lines = _lines_of_record(project, chapter, chapters_by_file, file_pointers)
+        lines += ["", f"from {file}", *cell_lines]
     return "\n".join(lines)
 
 
@@ -104,25 +108,25 @@ def _pages(project: Project, source: str) -> list[str]:
     return [*places]
 
 
-def _cell(records: Mapping[str, Chapter], text: str) -> Quantity | None:
+def _cell(chapters_by_file: Mapping[str, Chapter], text: str) -> Quantity | None:
     """Return the number of the cell that a pointer names."""
     pointer = Pointer(text)
-    if not pointer.cell or pointer.file not in records:
+    if not pointer.cell or pointer.file not in chapters_by_file:
         return None
     index, column = pointer.cell
-    for row in records[pointer.file].results.rows:
+    for row in chapters_by_file[pointer.file].results.rows:
         if row.source.endswith(f"/{index}"):
             return row[column]
     return None
 
 
-def _of_record(
+def _lines_of_record(
     project: Project,
-    records: Mapping[str, Chapter],
-    file: str,
+    chapter: Chapter,
+    chapters_by_file: Mapping[str, Chapter],
     pointers: Iterable[str],
 ) -> Iterator[str]:
-    chapter = records[file]
+    """Yield lines about cells of a record and about its measurement."""
     record = chapter.results.record
     columns = chapter.results.columns
     for pointer in pointers:
@@ -136,22 +140,22 @@ def _of_record(
         changes = (
             f" ({columns.settings.baseline}{exception})" if columns.parameters else ""
         )
-        number = _cell(records, pointer)
+        number = _cell(chapters_by_file, pointer)
         text = _text(number) if number else row[column]
         yield f"  row {index}, case {row['case']}{changes}: {column} = {text}"
     commit = record.measured["commit"]
-    measured = (
+    circumstances = (
         record.machine_text,
         record.time_text,
         f"{columns.settings.edition} {record.origin.release}",
         *([f"commit {commit}"] if commit else []),
     )
-    yield f"  measured on {', '.join(measured)}"
+    yield f"  measured on {', '.join(circumstances)}"
     yield from (f"  carried     {carried}" for carried in record.carried)
     if chapter.state.notes:
         yield f"  stale:      {chapter.state.words}"
-    again = project.of(record.origin.release)
-    yield f"  repeat with {again.rerun(record.section, record.machine['device'])}"
+    edition = project.of(record.origin.release)
+    yield f"  repeat with {edition.rerun(record.section, record.machine['device'])}"
 
 
 def _text(number: Quantity) -> str:

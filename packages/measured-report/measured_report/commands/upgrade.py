@@ -1,4 +1,4 @@
-"""Measure the deciding sections of a release in minutes, and print the changes."""
+"""Measure the deciding sections of a release, and print the changes."""
 
 import os
 import shlex
@@ -48,7 +48,7 @@ MOST_PASSES = 6
 their threshold from one pass to the next."""
 SINCE = {
     "type": partial(release_of, option="SINCE"),
-    "help": "edition to compare with (default: the release before)",
+    "help": "edition to compare with (default: the previous release)",
 }
 OPTIONS = {"since": SINCE, **shared("edition", "device", "profile", "format")}
 
@@ -65,32 +65,32 @@ def run(project: Project, arguments: Arguments) -> int:
     own = project.own_release or project.release
     base = arguments.since or release_of(base_of(project, names) or own)
     refuse_itself(project, str(base), project.release)
-    answer = sys.stdout if arguments.format == "text" else _answer_file()
-    # Measure the newer edition first: if it cannot be installed, measuring its base
-    # would be useless.
+    output = sys.stdout if arguments.format == "text" else _output_file()
+    # The newer edition is measured first: if it cannot be installed, there is no need to
+    # measure its base.
     releases = [arguments.release, base]
     sides = [project.of(str(release)) for release in releases]
     unmeasured = []
     for side in sides:
-        # Measure the missing sections of both editions. For the newer edition, also
-        # measure sections whose code has changed.
+        # The missing sections of both editions are measured. For the newer edition,
+        # sections whose code has changed are measured too.
         kinds = {Kind.MISSING}
         if device and side.release == project.release:
             kinds |= {Kind.STALE, Kind.DAMAGED}
-        found = {state.section for state in states_of(side) if state.kind in kinds}
-        wanted = [name for name in names if name in found]
-        unmeasured.append(wanted)
-        if wanted and not device:
-            raise UsageError(f"{lacks()} (takes minutes with PROFILE=quick)")
-        if wanted:
-            shown = f"{report.settings.edition} {side.release}"
-            print(f"{shown}: sections to measure: {', '.join(wanted)}", flush=True)
-    for index, wanted in enumerate(unmeasured):
-        if wanted and device:
+        states = {state.section for state in states_of(side) if state.kind in kinds}
+        to_measure = [name for name in names if name in states]
+        unmeasured.append(to_measure)
+        if to_measure and not device:
+            raise UsageError(f"{lacks()} (this takes minutes with PROFILE=quick)")
+        if to_measure:
+            label = f"{report.settings.edition} {side.release}"
+            print(f"{label}: sections to measure: {', '.join(to_measure)}", flush=True)
+    for index, to_measure in enumerate(unmeasured):
+        if to_measure and device:
             label = f"{report.settings.edition} {releases[index]}"
-            print(f"{label}: measuring {', '.join(wanted)}", flush=True)
+            print(f"{label}: measuring {', '.join(to_measure)}", flush=True)
             sides[index], _ = measure_available(
-                sides[index], releases[index], wanted, device
+                sides[index], releases[index], to_measure, device
             )
     after, before = sides
     editions = editions_of(project, among=[before.release, after.release])
@@ -99,28 +99,27 @@ def run(project: Project, arguments: Arguments) -> int:
     if device:
         timed = timed_in_turn([before, after], releases[::-1], measurable, device)
     comparison = compare(old, new, timed)
-    lost = [
+    missing = [
         Fault(after.release, name, "missing", "it could not be measured")
         for name in lacking(after, names)
     ]
-    comparison = replace(comparison, faults=[*lost, *comparison.faults])
+    comparison = replace(comparison, faults=[*missing, *comparison.faults])
     say = sentences_of(project)
     lines = verdict(comparison, say, before=old, after=new, names=names)
     text = upgrade_text(comparison, lines, arguments.format, say)
-    print(text, file=answer, flush=True)
+    print(text, file=output, flush=True)
     return int(comparison.is_alarm)
 
 
-def _answer_file() -> TextIO:
-    """Return a file for an answer that a program reads.
+def _output_file() -> TextIO:
+    """Return a file that writes to standard output, for text that a program reads.
 
-    Anything that is printed afterwards goes to standard error, including the output of
-    other programs.
+    All other output of this process and its children then goes to standard error.
     """
     sys.stdout.flush()
-    answer = os.fdopen(os.dup(1), "w", encoding="utf-8")
+    output = os.fdopen(os.dup(1), "w", encoding="utf-8")
     os.dup2(2, 1)
-    return answer
+    return output
 
 
 def timed_in_turn(
@@ -137,12 +136,12 @@ def timed_in_turn(
     if there is no timed section, or if a timing fails.
     """
     report = sides[0].report
-    sections_timed = {
+    timed_sections = {
         name.partition(".")[0]: None
         for name in report.settings.changes.thresholds
         if is_absolute(report.columns[name.rpartition(".")[2]])
     }
-    names = [name for name in sections_timed if name in measurable]
+    names = [name for name in timed_sections if name in measurable]
     timed = [replace(side, aside=TIMED) for side in sides]
     editions: list[Edition] = []
     for number in range(1, MOST_PASSES + 1) if names else ():
@@ -193,20 +192,22 @@ def hidden_times(before: Edition, after: Edition) -> list[str]:
 
 
 def base_of(project: Project, names: Sequence[str]) -> str | None:
-    """Return the published release of this version, or else the newest one before it.
+    """Return the published release of this version, or else the release before it.
 
-    Only editions that have records of all these sections count.
+    Only editions that have records of all these sections are considered.
     """
     profiles = project, replace(project, profile="full")
     sides = [side.of(release) for side in profiles for release in side.releases]
-    before = [
+    candidates = [
         side
         for side in sides
         if side.release == side.named.version != project.release
         and side.named.order <= project.named.order
         and not lacking(side, names)
     ]
-    return max(before, key=attrgetter("named.order")).release if before else None
+    if not candidates:
+        return None
+    return max(candidates, key=attrgetter("named.order")).release
 
 
 def lacking(project: Project, names: Sequence[str]) -> list[str]:
@@ -221,7 +222,10 @@ def verdict(
     after: Edition,
     names: Sequence[str],
 ) -> list[str]:
-    """Return at most a dozen lines about these sections, the worst first."""
+    """Return the summary of an upgrade in at most a dozen lines.
+
+    ``names`` are the sections that were measured for it.
+    """
     settings = comparison.report.settings
     a, b = comparison.releases
     old, new = (
@@ -232,13 +236,13 @@ def verdict(
         ]
         for side in (before, after)
     )
-    others = []
+    other_packages = []
     for record in (*old[:1], *new[:1]):
         versions = record.identity.packages.items()
-        others.append(
-            {name: each for name, each in versions if name != settings.edition}
+        other_packages.append(
+            {name: version for name, version in versions if name != settings.edition}
         )
-    packages = ", ".join(package_changes(*others)) if old and new else ""
+    packages = ", ".join(package_changes(*other_packages)) if old and new else ""
     packages = packages and f" ({packages})"
     machines = " and ".join(sorted({record.machine_text for record in new}))
     measured_names = ", ".join(record.section for record in new) or "nothing"
@@ -249,7 +253,7 @@ def verdict(
     return [
         f"{settings.edition_name} {b} against {a}{packages}: {summary(comparison)}",
         f"measured: {measured}",
-        *([f"can't be trusted: {faults}"] if faults else []),
+        *([f"faults: {faults}"] if faults else []),
         f"settings: {settings_text(comparison.settings)}",
         f"flipped: {few(flips) if flips else 'no claim'}",
         *(largest(comparison) or ["changed: nothing"]),
@@ -260,20 +264,20 @@ def verdict(
 
 
 def _why(comparison: Comparison, say: Say, after: Edition) -> list[str]:
-    """Return a line about the cause of a flip or of an alarming number, if any."""
+    """Return a line about the cause if a claim flipped or a number raised an alarm."""
     if not comparison.flips and all(move.is_setting for move in comparison.alarms):
         return []
     query = Query(comparison.report.settings.changes.explanation, is_claim=True)
     cause = query.claim(after.chapters)
     if cause and cause.outcome == HOLDS:
         return [f"why: {say(query.section, cause)}"]
-    given = [
+    settings = [
         f"{move.name} {move.ends}"
         for move in comparison.moves
         if move.is_setting or "computed" in move.column.kinds
     ]
-    if given:
-        return [f"why: settings changed: {few(given)}"]
+    if settings:
+        return [f"why: settings changed: {few(settings)}"]
     return ["why: the measured sections do not show the cause"]
 
 
@@ -287,9 +291,9 @@ def _advice(comparison: Comparison, before: Project, after: Project) -> str:
     # A number that no longer exists cannot be followed between the editions.
     values = [f"VALUE={move.name}" for move in comparison.alarms if not move.is_gone]
     if queries := [*(f"CLAIM={flip.claim}" for flip in comparison.flips), *values]:
-        asked = shlex.join([f"A={before.spec}", f"B={after.spec}"])
+        specs = shlex.join([f"A={before.spec}", f"B={after.spec}"])
         return (
-            f"make bisect {queries[0]} {asked} finds the change that caused it; {lists}"
+            f"make bisect {queries[0]} {specs} finds the change that caused it; {lists}"
         )
     if comparison.moves:
         return f"check whether the changes were intended: {lists}"

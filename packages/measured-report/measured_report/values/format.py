@@ -1,4 +1,4 @@
-"""Numbers as they are written: the digits that its noise carries, and what was chosen as it was chosen."""
+"""Write numbers with the digits that their noise allows, and typed numbers in full."""
 
 import math
 import re
@@ -8,26 +8,23 @@ from decimal import ROUND_CEILING, ROUND_FLOOR, ROUND_HALF_UP, Decimal
 MINUS = "\u2212"
 THIN_SPACE = "\u202f"  # narrow and no-break, so that a number never wraps
 ABSENT = "n/a"
-BELOW = "<"  # begins what is below its noise
-DIGITS_KNOWN, DIGITS_UNKNOWN = (
-    3,
-    2,
-)  # the most significant digits: with a noise, which may allow fewer, and without
-DIGITS_TYPED = 6  # the most significant digits of what was chosen; what has more was computed, and gets `DIGITS_KNOWN`
-DIGITS_EXACT = (
-    12  # so many significant digits of what was computed are those of its numbers
-)
-PLAIN_EXPONENTS = range(
-    -4, 7
-)  # powers of ten that are written plainly; anything smaller or larger gets a power of ten
+BELOW = "<"  # the first character of a number that is below its noise
+DIGITS_KNOWN = 3  # chosen: the most significant digits if the noise is known
+DIGITS_UNKNOWN = 2  # chosen: the most significant digits if the noise is not known
+DIGITS_TYPED = 6
+"""Chosen: an exact number with at most so many digits was typed and is written in full. One
+with more digits was computed, and is written with `DIGITS_KNOWN` digits."""
+DIGITS_EXACT = 12  # chosen: later digits may be rounding errors of floating point
+# Chosen: numbers of these powers of ten are written without an exponent.
+PLAIN_EXPONENTS = range(-4, 7)
 SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 DIGITS = {power: digit for digit, power in SUPERSCRIPTS.items()}
-NAMED = r"(\d[\d.]*(?:e[+-]?\d+)?)"
+NAMED = r"(\d[\d.]*(?:e[+-]?\d+)?)"  # a number in the name of a case
 WRITTEN = re.compile(r"(-?\d+(?:\.\d+)?)?(?:×?10([⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+))?")
 
 
 def unit_label(unit: str) -> str:
-    """Write a unit; a bare number has none."""
+    """Return the text of a unit, which is empty for a bare number."""
     return "" if unit == "1" else unit
 
 
@@ -37,43 +34,45 @@ def format_number(
     noise: float | None = None,
     rounding: str = ROUND_HALF_UP,
 ) -> str:
-    """Write ``value`` as people do, an integer in full, to what its ``noise`` carries: None where nobody knows it."""
+    """Write ``value`` with the digits that its ``noise`` allows.
+
+    The noise is 0 for an exact number and None if it is not known. Integers are written in
+    full. A number below its noise is written as "< noise".
+    """
     if value is None:
         return ABSENT
     if isinstance(value, int):
         return _typeset(f"{value:,}")
-    value = float(value)  # what is drawn may come from NumPy
+    value = float(value)  # numbers in figures may come from NumPy
     if value == 0:
         return "0"
     if noise == 0:
         exact = Decimal(repr(value)).normalize()
         is_computed = len(exact.as_tuple().digits) > DIGITS_TYPED
-        return (
-            _format_rounded(exact, DIGITS_KNOWN, rounding)
-            if is_computed
-            else _format_decimal(exact)
-        )
+        if is_computed:
+            return _format_rounded(exact, DIGITS_KNOWN, rounding)
+        return _format_decimal(exact)
     if noise and abs(value) <= noise:
         return f"{BELOW}{THIN_SPACE}{_format_noise(noise, value)}"
     return _format_decimal(rounded(value, noise, rounding))
 
 
 def format_most(value: float | int | None, *, noise: float | None = None) -> str:
-    """Write ``value`` as what something is at most, or what it is within: rounded up, and never below the noise."""
-    least_said = noise if noise and value == 0.0 else undusted(value)
-    return format_number(least_said, noise=noise, rounding=ROUND_CEILING).removeprefix(
-        f"{BELOW}{THIN_SPACE}"
-    )
+    """Write ``value`` as an upper bound: rounded up, and at least the noise."""
+    bound = noise if noise and value == 0.0 else without_rounding_error(value)
+    text = format_number(bound, noise=noise, rounding=ROUND_CEILING)
+    return text.removeprefix(f"{BELOW}{THIN_SPACE}")
 
 
 def format_least(value: float | int | None, *, noise: float | None = None) -> str:
-    """Write ``value`` as what something is at least, or more than: rounded down; nothing below the noise."""
-    text = format_number(undusted(value), noise=noise, rounding=ROUND_FLOOR)
+    """Write ``value`` as a lower bound: rounded down, and 0 if it is below the noise."""
+    bound = without_rounding_error(value)
+    text = format_number(bound, noise=noise, rounding=ROUND_FLOOR)
     return "0" if text.startswith(BELOW) else text
 
 
 def format_interval(value: float | int | None, *, noise: float | None = None) -> str:
-    """Write ``value`` and its noise, to two digits of the noise, as 0.042 ± 0.010."""
+    """Write ``value`` and two digits of its noise, such as 0.042 ± 0.010."""
     if value is None or not noise:
         return format_number(value, noise=noise)
     exact = Decimal(repr(float(noise)))
@@ -83,41 +82,43 @@ def format_interval(value: float | int | None, *, noise: float | None = None) ->
     return f"{_format_decimal(middle)} ± {_format_decimal(half)}"
 
 
-MOST, LEAST = (
-    "most",
-    "least",
-)  # said on the page of a number that is a bound from above or below
+MOST = "most"
+LEAST = "least"
 INTERVAL = "interval"
+# The functions that write a number, by the form in which a page prints it.
 WRITES = {
     "": format_number,
     MOST: format_most,
     LEAST: format_least,
     INTERVAL: format_interval,
-}  # by what the page says of a number
+}
 
 
-def undusted(value: float | int | None) -> float | int | None:
-    """Return ``value`` without what floating point leaves behind its digits, which no bound is for."""
+def without_rounding_error(value: float | int | None) -> float | int | None:
+    """Return ``value`` without the rounding error of floating point.
+
+    A bound would otherwise round 0.020000000000000462 up to 0.021.
+    """
     return float(f"{value:.{DIGITS_EXACT}g}") if isinstance(value, float) else value
 
 
 def read_number(text: str) -> Decimal | None:
-    """Read the number that was written so; None for what is none."""
+    """Return the number that this module wrote as ``text``, or None for another text."""
     match = WRITTEN.fullmatch(text.replace(THIN_SPACE, "").replace(MINUS, "-"))
-    return (
-        Decimal(match[1] or 1).scaleb(int((match[2] or "⁰").translate(DIGITS)))
-        if match
-        else None
-    )
+    if not match:
+        return None
+    power = int((match[2] or "⁰").translate(DIGITS))
+    return Decimal(match[1] or 1).scaleb(power)
 
 
 def rounded(
     value: float, noise: float | None, rounding: str = ROUND_HALF_UP
 ) -> Decimal:
-    """Round ``value`` to the last digit that it carries; halves, as its shortest decimal has them, away from zero.
+    """Round ``value`` to the last digit that its noise allows.
 
-    Two runs are apart by the noise, so that one is off by half of it: the last digit is worth at least that, but where
-    rounding itself would move the value by more, there is a digit more. What is beyond the noise has one in any case.
+    The last digit is worth at least half the noise, and there is at least one digit. If
+    rounding would then change the value by more than half the noise, there is one digit
+    more. By default halves of the shortest decimal are rounded away from zero.
     """
     exact = Decimal(repr(value))
     exponent = (
@@ -132,17 +133,17 @@ def rounded(
         exponent -= 1
         decimal = exact.quantize(Decimal(1).scaleb(exponent), rounding)
     if decimal.adjusted() > exact.adjusted():
-        return rounded(float(decimal), noise, rounding)  # 9.996 is 10.0 and not 10.00
+        return rounded(float(decimal), noise, rounding)  # 9.996 gives 10.0, not 10.00
     return decimal
 
 
 def format_code(value: float | int | None) -> str:
-    """Write ``value`` as a program reads it, without zeros at its end."""
+    """Write ``value`` for a program, without zeros at the end."""
     return ABSENT if value is None else f"{value:.{DIGITS_TYPED}g}"
 
 
 def format_short(value: float) -> str:
-    """Write ``value`` up to 99, in two digits and as few characters as can be."""
+    """Write a ``value`` from 0 to 99 with two digits and as few characters as possible."""
     if value < 0.005:
         return "<.01"
     exact = Decimal(repr(float(value)))
@@ -160,7 +161,10 @@ def format_short(value: float) -> str:
 
 
 def format_share(share: float, sign: str = "") -> str:
-    """Write a share in percent, in two digits; ``sign`` as Python's formats have it."""
+    """Write a share as a percentage with two digits.
+
+    ``sign`` is a sign option of Python's format specification, such as "+".
+    """
     return f"{float(f'{100 * share:.2g}'):{sign},.12g} %"
 
 
@@ -169,7 +173,10 @@ def format_power(exponent: int) -> str:
 
 
 def label_of(case: str, labels: Mapping[str, str]) -> str:
-    """Return the words of the first of ``labels`` that fits, where # stands for a number; or its own name, spaced.
+    """Return the first of ``labels`` whose pattern matches a case, with its numbers.
+
+    In a pattern, # stands for a number. Without a match, return the name of the case with
+    spaces instead of hyphens and underscores.
 
     >>> label_of("length-2.5e6", {"length-#": "{} m long"})
     '2.5×10⁶ m long'
@@ -181,7 +188,10 @@ def label_of(case: str, labels: Mapping[str, str]) -> str:
 
 
 def number_of(text: str) -> str:
-    """Return a number of a case's name as one reads it: ``2.5e6`` as 2.5×10⁶ and ``0.2`` as it is."""
+    """Return a number in the name of a case as text: 2.5×10⁶ for ``2.5e6``.
+
+    A number without an exponent is returned unchanged.
+    """
     mantissa, _, power = text.partition("e")
     if not power:
         return text
@@ -192,6 +202,10 @@ def number_of(text: str) -> str:
 
 
 def _format_noise(noise: float, value: float) -> str:
+    """Write the noise, rounded up, with as few digits as possible.
+
+    Rounding may add at most the size of the value.
+    """
     texts = [
         _format_rounded(Decimal(repr(noise)), digits, ROUND_CEILING)
         for digits in range(1, DIGITS_KNOWN + 1)

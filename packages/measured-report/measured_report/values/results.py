@@ -1,4 +1,4 @@
-"""Results: one section's record as its section module sees it."""
+"""Results: the measurements of a section, as its module receives them."""
 
 import operator
 import re
@@ -26,23 +26,22 @@ from measured_report.values.quantities import (
     combined,
 )
 
-if (
-    TYPE_CHECKING
-):  # it takes long to import, and what is kept from before needs none of it
+if TYPE_CHECKING:  # slow to import, and a cached build does not need it
     import pandas as pd
 
-MEANS = (
-    "rows"  # begins the names of values that are means of several measurements of a row
-)
+MEANS = "rows"  # the first part of the names of means over measurements of a row
 
 
 class ResultsError(ReportError):
-    """Tells that from its results a section can't be derived, or can't be said, as by a name that they don't have."""
+    """Signals that a section cannot be derived or printed from its results.
+
+    For example, the results do not have a column that it uses.
+    """
 
 
 @dataclass(frozen=True)
 class Series:
-    """Holds a per-frame series, or the reason why there is none."""
+    """Holds the series of a trace by frame, or the reason why it is missing."""
 
     value: "pd.DataFrame | None"
     source: str
@@ -51,14 +50,16 @@ class Series:
 
     @property
     def reads(self) -> frozenset[str]:
-        """Return a pointer to itself."""
+        """Return the pointer to the series."""
         return frozenset({self.source})
 
 
 class Row:
-    """Reads one row: ``row.drag_n`` is a Quantity, an absent one where there is none; text, yes and no stay so.
+    """Gives access to the cells of a row: ``row.drag_n`` is a Quantity.
 
-    ``plain`` has its cells as the record has them, ``source`` its pointer below the site's ``data/``.
+    If the number is missing, the Quantity has no value, but a reason. Texts and flags are
+    returned unchanged. ``plain`` contains the cells as the record stores them, and
+    ``source`` is the pointer to the row below the site's ``data/``.
     """
 
     def __init__(self, results: "Results", index: int | None, case: str = ""):
@@ -81,7 +82,7 @@ class Row:
         self._lack = lack if index is None else ""
         self.source = f"{results.source}#/rows/{index}"
         self._origins = frozenset({self._record.origin})
-        self._read = cache(self._cell)  # a section asks for the same again and again
+        self._read = cache(self._cell)  # a section reads the same cell many times
 
     def __getitem__(self, column: str) -> Any:
         return self._read(column)
@@ -92,13 +93,10 @@ class Row:
         if column not in self.plain:
             if column in units:
                 return absent(units[column], self._lack or f"{case} has no {column}")
-            if not any(
-                column in row for row in self._record.rows
-            ):  # what nobody has is neither yes nor no
-                lack = (
-                    self._lack
-                    or f"{case} has no column {column}{suggestion(column, units)}"
-                )
+            # A text or flag may be missing in a row, but a name that no row has is wrong.
+            if not any(column in row for row in self._record.rows):
+                similar = suggestion(column, units)
+                lack = self._lack or f"{case} has no column {column}{similar}"
                 raise ResultsError(f"{self._record.section}: {lack}")
             return ""
         value = self._results.columns.number_of(column, self.plain)
@@ -144,27 +142,27 @@ class Row:
         return column in self.plain
 
     def __bool__(self) -> bool:
-        """Tell whether the record has it."""
+        """Return whether the record has this row."""
         return not self._lack
 
     def estimate(self, column: str) -> Estimate | None:
-        """Return what is known of one of its numbers; None where nobody knows how that scatters."""
+        """Return the estimate of a number, or None if its scatter is not known."""
         results = self._results
         return results.evidence.estimate(column, self.plain, results.columns)
 
     @property
     def columns(self) -> Schema:
-        """Return the schema of the columns of its record."""
+        """Return the schema of the columns."""
         return self._results.columns
 
     @property
     def label(self) -> str:
-        """Return what people call its case."""
+        """Return the label of the case."""
         return label_of(self.plain["case"], self._results.labels)
 
 
 class Rows(dict[str, Any]):
-    """Holds rows by case; of a case that has no single row, one without anything."""
+    """Holds rows by case. A case without a single row has a row without cells."""
 
     def __init__(self, rows: Mapping[str, Row], results: "Results"):
         super().__init__(rows)
@@ -176,42 +174,40 @@ class Rows(dict[str, Any]):
 
 @dataclass(frozen=True)
 class Results:
-    """Holds measurements of one section of one release, and what has been derived from them."""
+    """Holds the measurements of a section in an edition, and its derived values."""
 
     record: Record
     path: Path
-    others: Mapping[str, "Results"] = field(
-        default_factory=dict, repr=False
-    )  # of sections before this one on the page
-    derived: dict[str, Value] = field(
-        default_factory=dict
-    )  # every derived value by name, for the site's values file
-    evidence: Evidence = field(
-        default_factory=Evidence, repr=False
-    )  # what all measurements of it say of its numbers
+    others: Mapping[str, "Results"] = field(default_factory=dict, repr=False)
+    """The results of the sections that this one can read."""
+    derived: dict[str, Value] = field(default_factory=dict)
+    """All derived values by name."""
+    evidence: Evidence = field(default_factory=Evidence, repr=False)
+    """All measurements of the section; they determine the noise of its numbers."""
     label: str = ""  # name of the section in figures and tables
     labels: Mapping[str, str] = field(default_factory=dict, repr=False)
-    """What people call its cases, see ``label_of``; a number that is not there says of which run it is."""
+    """The labels of the cases, see ``label_of``. The reason for a missing number begins
+    with the label of its case."""
     columns: Schema = field(default_factory=lambda: report().columns, repr=False)
 
     @property
     def edition(self) -> str:
-        """Return the label of the edition that it belongs to."""
+        """Return the label of the edition."""
         return self.columns.settings.edition_in(self.path.parent.name)
 
     @property
     def source(self) -> str:
-        """Return where the record lies below the site's ``data/``."""
+        """Return the path of the record below the site's ``data/``."""
         return f"{self.path.parent.name}/{self.path.name}"
 
     @property
     def values_file(self) -> str:
-        """Return the pointer to its derived values below the site's ``data/``."""
+        """Return the pointer to the derived values below the site's ``data/``."""
         return f"{self.path.parent.name}/{VALUES_FILE}#/{self.record.section}"
 
     @cached_property
     def rows(self) -> list[Row]:
-        """Return all rows but those that say of a setting, or of a text, why it is not there."""
+        """Return all rows, except those in which a setting or a text is missing."""
         return [
             Row(self, index)
             for index, row in enumerate(self.record.rows)
@@ -231,30 +227,35 @@ class Results:
 
     @cached_property
     def row(self) -> Rows:
-        """Return rows by case, those whose case is not unique left out."""
+        """Return rows by case, without the cases that have several rows."""
         return Rows(single((row.plain["case"], row) for row in self.rows), self)
 
     def means(self, names: Iterable[str]) -> dict[str, Value]:
-        """Return those of its numbers that are means of measurements and have these names among its values."""
-        places = {name: name.split(".") for name in sorted(names)}
-        return {
-            name: Row(self, int(index))[column]
-            for name, (_, index, column) in places.items()
-        }
+        """Return the means over measurements that have these names among the values."""
+        values = {}
+        for name in sorted(names):
+            _, index, column = name.split(".")
+            values[name] = Row(self, int(index))[column]
+        return values
 
     def trace(self, case: str) -> Series:
-        """Return the trace of a case, ``.value`` a table; None, and the reason, where there is none."""
+        """Return the trace of a case, with a table as its ``.value``.
+
+        If the trace is missing, the value is None and there is a reason.
+        """
         path = trace_path(self.path, case)
         source = f"{path.parent.name}/{path.name}"
         if not (seal := self.record.traces.get(case)):
             return Series(None, source, f"there is no {path.name}")
         if len(table := self.loaded(path)) != seal.row_count:
             raise RecordError(
-                f"{source} has {len(table)} rows, and its record says {seal.row_count}"
+                f"{source} has {len(table)} rows, but its record expects "
+                f"{seal.row_count}: restore the file or measure the section again"
             )
         return Series(table, source, origins=frozenset({self.record.origin}))
 
     def loaded(self, path: Path) -> "pd.DataFrame":
+        """Return the trace that is stored in a file."""
         return load_trace(path)
 
     def value(
@@ -267,15 +268,18 @@ class Results:
         across: bool = False,
         is_noise: bool = False,
     ) -> Value:
-        """Derive the value ``name``: arithmetic on quantities, as ``a / b``, which ``formula`` says in words.
+        """Derive the value ``name``, whose ``formula`` describes the computation in words.
 
-        What is no arithmetic is a function of what the sources hold, with a ``unit``. The value does not exist when a
-        source doesn't, when it has no finite result, or when the sources are of different releases or machines, unless
-        ``across``. Its noise is what theirs make of it, unless it ``is_noise``.
+        ``function`` is arithmetic with quantities, such as ``a / b``, or a function of the
+        values of ``sources`` with a ``unit``. The value is missing if a source is missing,
+        if the result is not finite, or if the sources are from different releases or
+        machines and ``across`` is not set. The noise follows from that of the sources; a
+        value that ``is_noise`` itself has none.
         """
         if name in self.derived:
             raise ResultsError(
-                f"{self.record.section}: the value {name} is derived twice"
+                f"{self.record.section}: the value {name} is derived twice: rename one "
+                "of them"
             )
         if isinstance(function, Quantity):
             unit = function.unit
@@ -283,14 +287,17 @@ class Results:
             function = operator.pos
         if re.search(r"[\s/~#]", name):
             raise ResultsError(
-                f"the value {name!r} has a blank or one of / ~ #, which no pointer to it can have"
+                f"the name {name!r} of a value contains white space or one of / ~ #: "
+                "rename it, because pointers cannot contain these characters"
             )
         assert formula.strip(), (
-            f"the value {name} has no words for how it is computed, or why it was chosen"
+            f"the value {name} has no formula: describe in words how it is computed or "
+            "why it was chosen"
         )
         if not self.columns.is_unit(unit):
             raise ResultsError(
-                f"the value {name} has the unit {unit}, not known here; units in report.toml adds it"
+                f"the value {name} has the unknown unit {unit}: add it to units in "
+                "report.toml"
             )
         term = combined(function, *sources, unit=unit, across=across)
         names = (
@@ -301,16 +308,17 @@ class Results:
             *(() if is_noise else ("noise", "samples", "is_shared")),
             "roots",
         )
-        sources = tuple(leaf.source for leaf in term.leaves if leaf.source)
-        fields = {name: getattr(term, name) for name in names} | {
-            "sources": sources,
-            "formula": formula,
-        }
+        fields = {name: getattr(term, name) for name in names}
+        fields["sources"] = tuple(leaf.source for leaf in term.leaves if leaf.source)
+        fields["formula"] = formula
         self.derived[name] = Value(source=f"{self.values_file}/{name}", **fields)
         return self.derived[name]
 
     def chosen(self, name: str, why: str, value: float, unit: str = PLAIN) -> Value:
-        """Set the value ``name``, which nobody measured: a bound, and ``why`` in words."""
+        """Set the value ``name`` to a chosen number, such as a bound.
+
+        ``why`` is the reason for the choice in words.
+        """
         return self.value(
             name,
             f"chosen: {why}" if why.strip() else "",

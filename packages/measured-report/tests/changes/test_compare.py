@@ -77,7 +77,7 @@ def test_every_release_has_a_page_that_leads_to_the_others_and_the_one_asked_for
         ("results.row['stiff'].slap_mm", "toy: stiff has no column"),
         (
             "results.chosen('x', 'so', 1.0, 'furlong')",
-            "the value x has the unit furlong, not known here; units",
+            "the value x has the unknown unit furlong: add it to units",
         ),
     ],
 )

@@ -29,7 +29,7 @@ SECTIONS = ["toy"]
 
 def test_progress_does_not_run_into_an_answer_for_a_program():
     code = (
-        "import subprocess, sys; from measured_report.commands.upgrade import _answer_file; answer = _answer_file();"
+        "import subprocess, sys; from measured_report.commands.upgrade import _output_file; answer = _output_file();"
         "print('measuring', flush=True); subprocess.run(['echo', 'compiling']); print('{}', file=answer)"
     )
     done = program("-c", code)

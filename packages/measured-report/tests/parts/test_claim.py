@@ -218,7 +218,7 @@ def test_what_has_no_value_says_why(results):
         results.value("half", "two", lambda: 2.0)
     with pytest.raises(
         AssertionError,
-        match="the value least has no words for how it is computed, or why",
+        match="the value least has no formula: describe in words how",
     ):
         results.chosen("least", "", 2.0)
     with pytest.raises(ReportError, match="'2' is not a number or a series"):

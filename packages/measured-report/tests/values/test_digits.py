@@ -117,7 +117,8 @@ def test_a_bound_is_rounded_away_from_what_it_bounds(value, noise, most, least):
 
 def test_dust_lies_behind_the_twelfth_digit_and_a_program_reads_six():
     assert (
-        module.undusted(1.23456789012345) == 1.23456789012 and module.undusted(3) == 3
+        module.without_rounding_error(1.23456789012345) == 1.23456789012
+        and module.without_rounding_error(3) == 3
     )
     codes = {123456.7: "123457", 0.1234567: "0.123457", 0.5: "0.5", None: "n/a"}
     assert {value: module.format_code(value) for value in codes} == codes
