@@ -1,7 +1,7 @@
 """Slip against run time: engines and remedies in one figure, and the recommended one."""
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, NamedTuple
 
 from markupsafe import Markup
@@ -523,4 +523,6 @@ def _advised(
         bound,
     ]
     outcome = all_of(*(decided(setup.effort != PATCH, cell) for cell in cells))
-    return Claim(name, outcome, numbers)
+    # A setup that does not hold, or whose test misses a number, changes the advice as well.
+    reads = outcome.reads.union(*(test.reads for test in tests.values()))
+    return Claim(name, replace(outcome, reads=reads), numbers)

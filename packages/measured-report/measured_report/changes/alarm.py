@@ -318,10 +318,22 @@ def sensitivity(comparison: Comparison) -> dict[str, float]:
 
 
 def blind_sections(comparison: Comparison) -> list[str]:
-    """Return the sections in which a change above the threshold might not be listed."""
-    threshold = comparison.report.settings.changes.threshold
-    shares = sensitivity(comparison)
-    return [section for section, share in shares.items() if share > threshold]
+    """Return the sections in which a change above the threshold might not be listed.
+
+    The threshold of a section that measures only costs is that of costs.
+    """
+    rules = comparison.report.settings.changes
+    has_physics = {
+        cell.section
+        for cell in comparison.cells
+        if cell.chance is not None
+        and not (cell.is_setting or cell.column.is_exact or cell.column.is_cost)
+    }
+    return [
+        section
+        for section, share in sensitivity(comparison).items()
+        if share > (rules.threshold if section in has_physics else rules.cost_threshold)
+    ]
 
 
 def sensitivity_text(comparison: Comparison) -> str:

@@ -34,7 +34,7 @@ def run(project: Project, arguments: Arguments) -> int:
     for partner, *_ in settings.changes.package_groups:
         latest = releases_of(partner, settings)[-1:]
         measured_versions = {
-            record.identity.packages[partner]
+            record.identity.packages.get(partner)
             for edition in projects
             for record in records_of(edition)
         }

@@ -143,7 +143,9 @@ def format_code(value: float | int | None) -> str:
 
 
 def format_short(value: float) -> str:
-    """Write a ``value`` from 0 to 99 with two digits and as few characters as possible."""
+    """Write a ``value`` below 100 with two digits and as few characters as possible."""
+    if value <= -0.005:
+        return "−" + format_short(-value)
     if value < 0.005:
         return "<.01"
     exact = Decimal(repr(float(value)))

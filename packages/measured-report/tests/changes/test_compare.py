@@ -12,7 +12,11 @@ from current_columns import units_of
 from scipy import stats
 from toys import MODULE, ROWS, Toy, compared, derived
 
-from measured_report.changes.alarm import false_alarm_counts, settings_text
+from measured_report.changes.alarm import (
+    blind_sections,
+    false_alarm_counts,
+    settings_text,
+)
 from measured_report.changes.compare import flips_between
 from measured_report.changes.moves import Move, moves_between
 from measured_report.commands import diff, page
@@ -344,6 +348,23 @@ def test_a_number_close_to_zero_changed_by_a_share_of_its_column(chapter):
     )
     assert move.is_real
     assert move.share == pytest.approx(0.1 / (0.01 * 10.0)), "and not 100 times"
+
+
+@pytest.mark.parametrize(
+    ("column", "deviation", "is_blind"),
+    [(DRIFT, 0.3, True), (DRIFT, 0.2, False), (TIME, 0.48, False), (TIME, 0.6, True)],
+)
+def test_a_section_is_blind_if_its_noise_exceeds_its_own_threshold(
+    chapter, column, deviation, is_blind
+):
+    """The t of 20 degrees at 99 % is 2.845, so 0.3 of 10 gives 12 %, and 0.48 gives 19 %."""
+    noisy = {"column": column, "deviation": deviation}
+    moves = moves_between(
+        side(chapter, cases(9), **noisy), side(chapter, cases(9), **noisy)
+    )
+    rows = [move for move in moves if move.rows]
+    comparison = SimpleNamespace(cells=rows, report=report())
+    assert bool(blind_sections(comparison)) == is_blind
 
 
 @pytest.mark.parametrize(

@@ -139,6 +139,7 @@ def test_a_short_number_has_two_digits_and_halves_go_up():
         1.25: "1.3",
     }
     short |= {9.949: "9.9", 9.95: "10", 10.5: "11", 98.4: "98"}
+    short |= {-5.0: "−5.0", -0.02: "−.02", -0.001: "<.01"}
     assert {value: module.format_short(value) for value in short} == short
 
 
