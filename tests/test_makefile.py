@@ -72,6 +72,15 @@ def test_a_misspelt_variable_is_refused_and_not_executed(name, word, tmp_path):
     assert not canary.exists()
 
 
+def test_a_variable_of_another_command_is_refused():
+    """With several goals, a variable may be meant for one of them."""
+    done = make("publish", f"PYTHON={sys.executable}", "NEWTON=1.8.0")
+    assert done.returncode == 2
+    assert "make publish does not take NEWTON=: leave it out" in done.stderr
+    done = make("help", "status", f"PYTHON={sys.executable}", "PROFILE=quick")
+    assert "does not take" not in done.stderr
+
+
 @pytest.mark.parametrize("word", [WORDS[0], WORDS[3]])
 def test_no_value_and_no_goal_is_executed(word, python, tmp_path):
     word = word.format(canary := tmp_path / "canary")

@@ -320,8 +320,8 @@ def _uncompared(before: Edition, after: Edition) -> Iterator[str]:
     for section, pair in common_chapters(before.chapters, after.chapters).items():
         records = [chapter.results.record for chapter in pair]
         columns = pair[0].results.columns
-        names = {name for record in records for name in record.units}
-        has_costs = any(columns[name].is_cost for name in names)
+        units = {**records[0].units, **records[1].units}
+        has_costs = any(columns[name].is_cost for name in units)
         if has_costs and records[0].machine_for_speed != records[1].machine_for_speed:
             machines = " and on ".join(record.machine_in_full for record in records)
             sections_by_machines.setdefault(machines, []).append(section)

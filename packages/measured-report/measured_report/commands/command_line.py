@@ -142,7 +142,8 @@ def _flag(variable: str) -> str:
 def _of_make(module: ModuleType, report: Report) -> Iterator[str]:
     """Yield the options that were given as variables of make.
 
-    Raise UsageError for a variable that is not an option of any command.
+    Raise UsageError for a variable that is not an option of the command, or, if make has
+    several goals, of any command.
     """
     # Remove TYPED from the environment, so that programs started from here, such as the
     # tests, do not read these options as their own.
@@ -150,13 +151,20 @@ def _of_make(module: ModuleType, report: Report) -> Iterator[str]:
     options = options_of(module, report.settings)
     unknown = typed.keys() - options
     if unknown and os.environ.get("MAKELEVEL") == "1":
-        variables = set[str]()
+        variables = {*options}
+        is_only_goal = len(os.environ.get("GOALS", "").split()) == 1
         for command in commands(report.root).values():
             variables |= {*options_of(import_module(command), report.settings)}
         for name in sorted(unknown - variables):
             similar = suggestion(name.upper(), variables)
             raise UsageError(
                 f"{name}= is not a variable of make here{similar}: see make help"
+            )
+        if is_only_goal:
+            goal = os.environ["GOALS"]
+            raise UsageError(
+                f"make {goal} does not take {min(unknown)}=: leave it out, or see "
+                "make help"
             )
     for name, value in typed.items():
         if name not in options or not value:

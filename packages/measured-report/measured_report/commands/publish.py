@@ -1,7 +1,9 @@
 """Check site/ and publish it to TARGET (default: branch gh-pages of git's origin)."""
 
 import dataclasses
+import html
 import os
+import re
 import shutil
 from collections.abc import Callable
 from functools import partial
@@ -52,6 +54,7 @@ AUTHOR = {
 PROTOCOLS = "file:git:http:https:ssh"  # without ext, which runs a command
 # Marks a page that shows small grids and short runs.
 QUICK = '<meta name="profile" content="quick">'
+CANONICAL = re.compile('<link rel="canonical" href="([^"]*)index.html">')
 
 
 def run(project: Project, arguments: Arguments) -> int:
@@ -64,10 +67,17 @@ def run(project: Project, arguments: Arguments) -> int:
     if page.is_file():
         profile = "quick" if QUICK.encode() in page.read_bytes() else project.profile
         is_damaged, _ = build_site(
-            dataclasses.replace(project, profile=profile), arguments.address
+            dataclasses.replace(project, profile=profile),
+            arguments.address or _address_of(page),
         )
     print(f"published at {publish(project.site, arguments.target)}")
     return int(is_damaged)
+
+
+def _address_of(page: Path) -> str:
+    """Return the address that a built page states, or an empty string."""
+    match = CANONICAL.search(page.read_text(encoding="utf-8", errors="replace"))
+    return html.unescape(match[1]) if match else ""
 
 
 def publish(site: Path, target: str) -> str:

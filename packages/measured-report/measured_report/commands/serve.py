@@ -16,6 +16,7 @@ from typing import Any
 from measured_report.commands.options import Arguments, refuse_unmeasured, shared
 from measured_report.editions.project import INPUTS, Project
 from measured_report.files.errors import UsageError
+from measured_report.site.build import OTHER_INPUTS
 
 PORT = {"type": int, "default": 8000, "help": "port to serve at (default: 8000)"}
 OPTIONS = {"port": PORT, **shared("edition", "profile")}
@@ -31,7 +32,7 @@ def run(project: Project, arguments: Arguments) -> int:
     command = [sys.executable, "build.py", "page", "--profile", project.profile]
     command += [f"--{project.settings.flag}", arguments.release.spec]
     build = partial(subprocess.run, command, cwd=project.root, check=False)
-    follow(server, [project.root / name for name in INPUTS], build)
+    follow(server, [project.root / name for name in (*INPUTS, *OTHER_INPUTS)], build)
     return 0
 
 
@@ -73,29 +74,35 @@ def server_of(folder: Path, port: int) -> ThreadingHTTPServer:
 
 
 def follow(
-    server: ThreadingHTTPServer, folders: Sequence[Path], build: Callable[[], object]
+    server: ThreadingHTTPServer, sources: Sequence[Path], build: Callable[[], object]
 ) -> None:
-    """Serve until Ctrl-C; build at the start and after each change in the folders."""
+    """Serve until Ctrl-C; build at the start and after each change of the sources.
+
+    Sources are files and folders.
+    """
     threading.Thread(target=server.serve_forever, daemon=True).start()
     before = None
     while True:
         # Take the stamp before the build, so that a change during the build causes
         # another one.
-        current = stamp(folders)
+        current = stamp(sources)
         if current != before:
             before = current
             build()
         time.sleep(0.5)
 
 
-def stamp(folders: Iterable[Path]) -> dict[str, tuple[int, int]]:
-    """Return the time of the last change and the size of each file in some folders."""
+def stamp(sources: Iterable[Path]) -> dict[str, tuple[int, int]]:
+    """Return the time of the last change and the size of each file of some sources."""
+    paths = []
+    for source in sources:
+        paths.append(str(source))
+        for parent, _, names in os.walk(source):
+            # os.path is faster than Path.
+            paths += [os.path.join(parent, name) for name in names]  # noqa: PTH118
     stamps = {}
-    for folder in folders:
-        for parent, _, names in os.walk(folder):
-            for name in names:
-                path = os.path.join(parent, name)  # noqa: PTH118 # faster than Path
-                with suppress(OSError):  # the file was just removed
-                    info = os.stat(path)  # noqa: PTH116
-                    stamps[path] = info.st_mtime_ns, info.st_size
+    for path in paths:
+        with suppress(OSError):  # the file was just removed
+            info = os.stat(path)  # noqa: PTH116
+            stamps[path] = info.st_mtime_ns, info.st_size
     return stamps

@@ -71,15 +71,15 @@ def measure_available(
     machine = machine_name(device, project.report)
     if cluster:
         options += ["--cluster", cluster]
-    if cluster and device != "cpu":
         try:
             from measured_report.measuring.cluster import card_of
         except ImportError as error:
             raise UsageError(
                 f"CLUSTER={cluster} needs the package {error.name}: install it with "
-                "uv sync --inexact --extra cluster"
+                "uv pip install distributed"
             ) from None
-        machine = card_of(cluster)
+        if device != "cpu":
+            machine = card_of(cluster)
     has_device_sections = any(needs_device(name, project) for name in sections)
     edition = project_of(project, machine) if has_device_sections else project
     options += ["--edition", edition.release]

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from markupsafe import Markup
 
-from measured_report.files.columns import PLAIN, unlike
+from measured_report.files.columns import PLAIN, SYMBOL, unlike
 from measured_report.files.errors import ReportError, bug_of
 from measured_report.parts.claim import Claim
 from measured_report.parts.macros import macros
@@ -29,6 +29,10 @@ UNDRAWN = (
 )
 FIGURE_SPACE, POINT_SPACE = "\u2007", "\u2008"
 """Spaces as wide as a digit and a point, with which the style sheet aligns numbers."""
+TYPED = re.compile(
+    rf"(?<![\w.]) \d+ (?:\.\d+)? [\s\xa0]* (?!1) {SYMBOL.pattern} (?!\w)", re.VERBOSE
+)
+"""A number with a unit in a text, which should be a quantity."""
 SIZE = re.compile(r'viewBox="0 0 ([\d.]+) ([\d.]+)"')
 """The width and the height of a drawing in SVG."""
 
@@ -86,6 +90,10 @@ def _column(name: str, values: "pd.Series") -> dict[str, Any]:
         if isinstance(value, int | float):
             raise ResultsError(
                 f"the number {value} in a table does not have a source: use a Quantity"
+            )
+        if not isinstance(value, Markup) and (typed := TYPED.search(str(value))):
+            raise ResultsError(
+                f"{typed[0]!r} in a table does not have a source: use a Quantity"
             )
         return value, ""
 

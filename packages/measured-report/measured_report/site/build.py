@@ -13,6 +13,7 @@ from measured_report.changes.checks import (
 from measured_report.editions.project import INPUTS, Project
 from measured_report.editions.status import Kind, State
 from measured_report.files import atomic
+from measured_report.files.atomic import short_path
 from measured_report.files.cache import Cache
 from measured_report.files.config import FILE
 from measured_report.files.errors import ReportError
@@ -21,8 +22,13 @@ from measured_report.findings.editions import Edition
 from measured_report.pages.prose import GENERATOR, Templates
 from measured_report.pages.wording import worded_editions
 from measured_report.records.code import digest_of
-from measured_report.records.identity import files_digest, package_versions, sources
-from measured_report.records.record import BYTE_LIMIT
+from measured_report.records.identity import (
+    files_digest,
+    package_versions,
+    sections,
+    sources,
+)
+from measured_report.records.record import BYTE_LIMIT, trace_path
 from measured_report.records.replicas import SUMS
 from measured_report.site.pages import site_files
 from measured_report.values.quantities import lost_reason
@@ -90,7 +96,35 @@ def _notes(edition: Edition) -> list[str]:
         for value in (chapter.prose.printed if chapter.prose else ())
         if (reason := lost_reason(value))
     ]
-    return gaps(edition) + missing + blind_spots(edition) + idle_settings(edition)
+    unused = idle_settings(edition) + _stray_results(edition)
+    return gaps(edition) + missing + blind_spots(edition) + unused
+
+
+def _stray_results(edition: Edition) -> list[str]:
+    """Return a line for each folder, record and trace in results/ that nothing reads.
+
+    For example, a section was renamed, or the name of a folder has a typing error.
+    """
+    results = edition.project.results
+    settings = edition.report.settings
+    folders = {path.parent.name for path in results.parent.glob("*/*.json")}
+    known = set(map(settings.edition_folder, edition.project.releases))
+    lines = [
+        f"results/{name} is not an edition: rename or remove it"
+        for name in sorted(folders - known)
+    ]
+    names = sections(edition.project.root)
+    for path in sorted(results.glob("*.json")):
+        if path.stem not in names and path not in edition.plugins.data:
+            lines.append(f"{short_path(path)} is not a section's: rename or remove it")
+    for name, chapter in edition.chapters.items():
+        cases = chapter.results.record.traces
+        traces = {trace_path(chapter.results.path, case) for case in cases}
+        lines += [
+            f"{short_path(path)} is not a trace of {name}: remove it"
+            for path in sorted({*results.glob(f"{name}.*.csv.gz")} - traces)
+        ]
+    return lines
 
 
 def inputs_digest(project: Project, address: str = "") -> str:

@@ -12,7 +12,7 @@ override export PYTHON := $(if $(READY),.venv/bin/python,$(value PYTHON))
 unexport PYTHONSAFEPATH PYTHONDONTWRITEBYTECODE MAKEFLAGS
 
 .DEFAULT_GOAL := report
-override GOALS := $(filter-out .venv/.ready $(OWN),$(or $(MAKECMDGOALS),$(.DEFAULT_GOAL)))
+override export GOALS := $(filter-out .venv/.ready $(OWN),$(or $(MAKECMDGOALS),$(.DEFAULT_GOAL)))
 .PHONY: $(GOALS)
 override export GOAL = $@
 $(GOALS): $(READY)

@@ -80,6 +80,10 @@ def test_an_output_that_is_full_is_one_line(outside):
         (["report", "--device", "tpu"], "tpu"),
         (["report", "--device", "cuda"], "no CUDA device"),
         (["report", "--cluster", "local"], "CLUSTER=local"),
+        (
+            ["rerun", "--section", "toy", "--device", "cpu", "--cluster", "tcp://h:1"],
+            "CLUSTER=tcp://h:1 needs the package distributed: install it",
+        ),
         (["status", "--newton", "new"], "NEWTON=new"),
         (["report", "--newton", "99.0"], "NEWTON=99.0"),
         (["diff"], "required: --a, --b"),

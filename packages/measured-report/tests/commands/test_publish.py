@@ -63,6 +63,19 @@ def test_what_changed_since_is_built_before_it_is_published(toy, tmp_path, capsy
         publishing.run(toy.project, asked)
 
 
+def test_publishing_keeps_the_address_that_the_site_was_built_with(toy, tmp_path):
+    """The workflow publishes without naming the address again."""
+    address = "https://example.org/a&b/"
+    build(toy.project, address)
+    asked = Namespace(target=f"dir:{tmp_path / 'www'}", address="")
+    for sentence in ("", "Another sentence."):
+        toy.write("templates/story.md.j2", f"# The story\n\n{sentence}\n")
+        assert publishing.run(toy.project, asked) == 0
+        assert (tmp_path / "www/feed.xml").is_file()
+        text = (tmp_path / "www/index.html").read_text()
+        assert 'rel="canonical" href="https://example.org/a&amp;b/index.html"' in text
+
+
 def test_what_was_not_published_here_is_left_alone(toy, tmp_path):
     letter = written_by_the_user(tmp_path / "mine")
     (tmp_path / "link").symlink_to(tmp_path / "mine")

@@ -35,6 +35,15 @@ def test_what_changes_is_built_again(toy):
     server.server_close()
 
 
+def test_a_change_of_a_single_file_is_seen(toy):
+    citation = toy.project.root / "CITATION.cff"
+    before = stamp([citation])
+    citation.write_text("title: Another toy\n")
+    assert before != stamp([citation])
+    citation.unlink()
+    assert stamp([citation]) == {}
+
+
 def test_a_folder_that_vanishes_while_it_is_looked_at_ends_nothing(toy, monkeypatch):
     scan = os.scandir
 

@@ -3,9 +3,11 @@
 import json
 import os
 import re
+import shutil
 from dataclasses import replace
 from xml.etree import ElementTree
 
+import pandas as pd
 import pytest
 from markupsafe import Markup
 from toys import MODULE, ROWS, TEMPLATE
@@ -14,10 +16,12 @@ from measured_report.files.config import report
 from measured_report.files.errors import ReportError
 from measured_report.pages import prose
 from measured_report.parts.prose import Prose
+from measured_report.parts.section import Table
 from measured_report.records.record import write_record
 from measured_report.site.build import build
 from measured_report.site.check import check_site
 from measured_report.site.pages import rows_csv
+from measured_report.values.results import ResultsError
 
 
 def test_a_section_takes_three_files_and_passes_the_check(toy):
@@ -104,6 +108,30 @@ def test_a_site_whose_address_is_known_has_a_feed_and_each_page_says_what_it_tel
     body = Markup('<p class="left-out">no</p>\n<p>It <b>leans</b>.</p><p>b</p>')
     prose = Prose(Markup(""), body, [], "a", [])
     assert prose.summary.striptags() == "It leans."
+
+
+def test_results_that_nothing_reads_are_named(toy):
+    """A section was renamed, or a folder has a typing error."""
+    toy.build()
+    results = toy.project.results
+    shutil.copy(toy.record_path, results / "toyy.json")
+    shutil.copytree(results, results.with_name("newtn-1.4.0"))
+    shutil.copy(results / "toy.stiff.csv.gz", results / "toy.soft.csv.gz")
+    _, notes = build(toy.project)
+    strays = [note for note in notes if note.endswith("remove it")]
+    assert strays == [
+        "results/newtn-1.4.0 is not an edition: rename or remove it",
+        "newton-1.4.0/toyy.json is not a section's: rename or remove it",
+        "newton-1.4.0/toy.soft.csv.gz is not a trace of toy: remove it",
+    ]
+
+
+@pytest.mark.parametrize("text", ["5.3 mm", "about 7 m/s", "to 12\xa0%"])
+def test_a_table_prints_no_typed_number_with_a_unit(text):
+    frame = pd.DataFrame({"note": [text, "3 substeps, ke 250"]})
+    with pytest.raises(ResultsError, match="in a table does not have a source"):
+        Table(frame).rendered()
+    assert Table(frame[1:]).rendered()
 
 
 END = "{% endtable %}\n"
