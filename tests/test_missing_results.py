@@ -1,6 +1,7 @@
 """What a missing record, row or run changes: the sentences that read it, and no others."""
 
 from collections.abc import Callable, Sequence
+from functools import cache
 from unittest import mock
 
 import pytest
@@ -27,6 +28,7 @@ REPRODUCTION = "reproduction"
 Pages = dict[str, tuple[dict[str, str], str]]
 
 
+@cache
 def told(
     scenario: Scenario, releases: Sequence[str] = (OWN,), without: Place | None = None
 ) -> Pages:

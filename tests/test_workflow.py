@@ -227,7 +227,7 @@ def test_a_pull_request_that_moves_to_another_release_is_compared_with_that_of_i
     assert done.returncode == 0 and "newton 1.4.0@base → newton 1.9.0: " in comment, (
         comment + done.stderr
     )
-    assert "+41 % worse (toy soft)" in comment and "trusted: 0" in comment, comment
+    assert "+41 % worse (toy soft)" in comment and "faults: 0" in comment, comment
 
 
 def test_a_new_report_takes_the_uv_of_the_lock_by_its_bytes():
