@@ -87,6 +87,13 @@ def test_no_paragraph_begins_with_a_mark_that_ends_a_sentence(site):
         assert re.findall(r"<p>\s*[,.;:]", path.read_text(encoding="utf-8")) == [], path
 
 
+def test_no_passage_within_a_line_begins_with_a_blank():
+    """It would be removed, and two words would become one: write &nbsp; or a comma."""
+    for path in sorted((ROOT / "templates").rglob("*.j2")):
+        text = path.read_text(encoding="utf-8")
+        assert re.findall(r"\w\{% passage[^%]*%\} \w+", text) == [], path
+
+
 def test_the_front_is_words(site):
     front = Words(site / "index.html", but=("td", "th", "pre")).text.split()
     assert 25 * sum(any(map(str.isdigit, word)) for word in front) <= len(front)
