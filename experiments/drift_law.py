@@ -35,7 +35,7 @@ PREDICTED = (
 
 @dataclass(frozen=True)
 class Slopes:
-    """Hold the slopes of the sums in ``budget.Motion`` over the shake.
+    """The slopes of the sums in ``budget.Motion`` over the shake.
 
     The slopes are taken along the main axis of the shake [m/s²]. The other fields are
     needed for a prediction.

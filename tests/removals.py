@@ -43,7 +43,7 @@ Sentence = tuple[str, str, str]  # release, section or text, claim
 
 @dataclass(frozen=True)
 class Said:
-    """Holds what a claim says, and the cells and traces that it reads."""
+    """What a claim says, and the cells and traces that it reads."""
 
     text: str
     reads: frozenset[str]
@@ -97,7 +97,7 @@ def broken(row: Mapping[str, Any]) -> dict[str, Any]:
 
 @dataclass
 class World:
-    """Holds what the tracked results say, and derives again what a removal changes."""
+    """What the tracked results say, and derives again what a removal changes."""
 
     editions: Mapping[str, Edition]
     templates: Templates

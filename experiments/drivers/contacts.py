@@ -11,7 +11,7 @@ from newton_lint.law import Contact, Option, impedance_at, response_of
 
 @dataclass(frozen=True)
 class Contacts:
-    """Hold sums over the contacts of a world that carry force."""
+    """Sums over the contacts of a world that carry force."""
 
     count: int
     normal_n: float  # sum of the normal forces [N]

@@ -75,7 +75,7 @@ class Scene:
 
 @dataclass(frozen=True)
 class Trace:
-    """Hold the results of a run; a result that an engine does not provide is None.
+    """The results of a run; a result that an engine does not provide is None.
 
     Attributes:
         poses: Poses of the body and the robot's tool, or of the body in each world, at

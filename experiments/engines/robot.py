@@ -44,7 +44,7 @@ INERTIAL = f'<inertial><mass value="1e-4"/><inertia {INERTIA}/></inertial>'
 
 
 class Reference(NamedTuple):
-    """Hold a run in MuJoCo C with its initial joint positions and commands."""
+    """A run in MuJoCo C with its initial joint positions and commands."""
 
     case: Case
     trace: Trace

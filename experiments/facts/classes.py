@@ -51,7 +51,7 @@ def is_finite(trace: Trace) -> bool:
 def drive_peak_m_s(case: Case) -> float:
     """Return the largest speed of the shake's target [m/s].
 
-    If the arm is held still, this is the speed of the shake as shipped.
+    If the arm is held still, return the speed of the default shake instead.
     """
     shaken = case if case.shake_amplitude_m > 0.0 else AS_SHIPPED
     rate = 2.0 * np.pi * shaken.shake_frequency_hz

@@ -1,4 +1,4 @@
-"""Hold a kept run of section poses with the poses of its links and its cube."""
+"""A kept run of section poses with the poses of its links and its cube."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -24,7 +24,7 @@ MOVED = tuple(f"{axis}_mm" for axis in "xyz")
 
 @dataclass(frozen=True)
 class KeptRun:
-    """Hold the kept frames of a run.
+    """The kept frames of a run.
 
     Poses are matrices in the world [m], shape [frames, 4, 4].
     """

@@ -41,7 +41,7 @@ def relative_position(poses: np.ndarray, body: int, frame: int) -> np.ndarray:
 
 @dataclass(frozen=True)
 class Displacement:
-    """Hold the displacement of the cube in the TCP frame during the shake."""
+    """The displacement of the cube in the TCP frame during the shake."""
 
     time_s: np.ndarray  # time since the first frame of the shake, shape [frames]
     vector_m: np.ndarray  # displacement in the axes of the TCP frame, shape [frames, 3]
@@ -74,7 +74,7 @@ def fit_line(moved: Displacement) -> tuple[float, float]:
 
 
 def drift_mm_s(moved: Displacement) -> float:
-    """Return the slope along the main axis over the whole shake [mm/s].
+    """Return the drift: the slope of the displacement along the main axis [mm/s].
 
     The line is fitted by least squares.
     """
@@ -160,7 +160,7 @@ def total_drift_mm(moved: Displacement) -> float:
 
 @dataclass(frozen=True)
 class Grasp:
-    """Hold numbers about the contacts that carry force in one frame."""
+    """Numbers about the contacts that carry force in one frame."""
 
     row_count: int  # all live contacts, loaded or not
     loaded_row_count: int

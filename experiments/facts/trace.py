@@ -24,7 +24,7 @@ contacts' friction rows along the shake's main axis.
 
 @dataclass(frozen=True)
 class ContactRows:
-    """Hold the solver's live contacts of one world at the end of one frame."""
+    """The solver's live contacts of one world at the end of one frame."""
 
     frame: int
     geom: np.ndarray  # names of the two geoms, shape [n, 2]
@@ -73,7 +73,7 @@ class Failure:
 
 @dataclass(frozen=True)
 class Trace:
-    """Hold the frames of one world.
+    """The frames of one world.
 
     Poses consist of position [m] and quaternion (x, y, z, w) in the world.
     """

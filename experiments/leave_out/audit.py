@@ -51,7 +51,7 @@ class Item:
 
 @dataclass
 class Seen:
-    """Hold the findings of the run so far, in the first world."""
+    """The findings of the run so far, in the first world."""
 
     pairs_near: set[tuple[int, int]] = field(default_factory=set)
     pairs_loaded: set[tuple[int, int]] = field(default_factory=set)

@@ -70,7 +70,7 @@ MAGNIFIED = 5
 
 @dataclass(frozen=True)
 class Clip:
-    """Hold two runs and compute the contents of each frame of their clip."""
+    """Two runs and compute the contents of each frame of their clip."""
 
     runs: tuple[KeptRun, KeptRun]
     names: tuple[str, str]

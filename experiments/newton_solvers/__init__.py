@@ -260,7 +260,7 @@ def measure_times(
 
 
 def time_columns(reference: "Blocks", other: "Blocks | None") -> dict:
-    """Return the times of another solver, or of the reference, measured in turn."""
+    """Return the frame times of ``other``, or of the reference, timed in turn."""
     blocks = [reference, other] if other else [reference]
     times = time_in_turn(blocks)[-1]
     reason = batch_invalid_reason(blocks[-1].simulation)

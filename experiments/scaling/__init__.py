@@ -61,7 +61,7 @@ def measure_worlds(conditions: Conditions) -> list[dict[str, object]]:
 
 
 class Worlds:
-    """Hold frames with a number of worlds, and their engine steps, for timing."""
+    """A batch of ``world_count`` worlds whose frames and engine steps are timed."""
 
     def __init__(self, warm: WarmState, world_count: int):
         self.world_count = world_count

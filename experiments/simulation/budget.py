@@ -37,7 +37,7 @@ BISECTION_COUNT = 50
 
 @dataclass(frozen=True)
 class Motion:
-    """Hold sums over the shake of a run in C, in the TCP frame, shape [3] each."""
+    """Sums over the shake of a run in C, in the TCP frame, shape [3] each."""
 
     bias_m_s: np.ndarray  # ∫ g dt
     damping_m_s: np.ndarray  # ∫ e dt with implicitfast

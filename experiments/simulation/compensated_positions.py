@@ -75,7 +75,7 @@ def install(solver, *, worlds: Sequence[bool] | None = None) -> None:
 
 
 class _Sums:
-    """Hold each position as a sum of two single-precision numbers.
+    """Each position as a sum of two single-precision numbers.
 
     These are ``position`` and the lost remainder.
     """

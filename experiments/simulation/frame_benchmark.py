@@ -67,7 +67,7 @@ TIMED = (*TIMES, "buffer_bytes_per_world")
 
 
 class WarmState:
-    """Hold the states from which blocks start.
+    """The states from which blocks start.
 
     In each round, all cases with the same pads start from the same state. There is one
     state for each of the rounds of ``paired_timing``.

@@ -32,7 +32,7 @@ CYCLE_COLUMNS = ("increment_mean_mm", "increment_last_mm", "cycle_count")
 
 
 class Conditions(conditions.Conditions):
-    """Hold the conditions under which a section measures."""
+    """The conditions under which a section measures."""
 
     def frame_count(self, full: int) -> int:
         """Return ``full``, or fewer frames when quick."""

@@ -44,7 +44,7 @@ CAP_S = 6.0  # time after which a comparison does not start another look [s]
 
 @dataclass(frozen=True)
 class PairedTimes:
-    """Hold the times of a case and its ratios to the reference in the same rounds."""
+    """The times of a case and its ratios to the reference in the same rounds."""
 
     times: np.ndarray  # time of a frame in each round [ms]
     # Ratio to the reference's time in the same round; 1 for the reference itself.

@@ -77,7 +77,7 @@ def end_frame(
 
 
 class Recorder:
-    """Hold device buffers for ``world_count`` worlds and ``frame_count`` frames.
+    """Device buffers for ``world_count`` worlds and ``frame_count`` frames.
 
     A subclass beside each stepper records the contacts of its solver.
 

@@ -33,7 +33,7 @@ BODIES = TRACKED_BODIES[: max(metrics.CUBE, metrics.TCP) + 1]
 
 @dataclass(frozen=True)
 class Start:
-    """Hold the start state of a run in solver coordinates, and its joint targets."""
+    """The start state of a run in solver coordinates, and its joint targets."""
 
     qpos: np.ndarray
     qvel: np.ndarray

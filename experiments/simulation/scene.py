@@ -80,7 +80,7 @@ class Link:
 
 @dataclass(frozen=True)
 class Scene:
-    """Hold a finalized batch with the indices of its parts within one world."""
+    """A finalized batch with the indices of its parts within one world."""
 
     model: newton.Model  # all worlds and the ground
     robot: newton.Model  # the arm alone, for the inverse kinematics

@@ -155,7 +155,7 @@ def apply_targets(
 
 
 class Task:
-    """Hold the state of the task in each world, and its inverse kinematics.
+    """The state of the task in each world, and its inverse kinematics.
 
     The arm is solved to the approach pose. ``solution``, shape [worlds, 9], is the
     start of the next solve.

@@ -28,7 +28,7 @@ be part of a captured graph.
 A rate is only valid for a moment, but it acts over a step h, and a soft contact takes
 2/b to settle. During this time the bodies turn relative to each other, the contact runs
 around a rim, or the frame turns with a capsule that nearly stands. If φ is the sum of
-these angles, the rate may change by φ times itself, and an outdated rate would add
+these angles, the rate may change by a fraction φ in this time, and an outdated rate would add
 energy to the bodies. So a row gets the share 1 - φ, which remains in any case. From
 φ = 1 on it gets nothing.
 """

@@ -15,7 +15,7 @@ from measured_report.files.config import read_toml
 
 @cache
 def wheel(folder: Path) -> tuple[str, bytes]:
-    """Return the file name and the bytes of the wheel of the package in a folder."""
+    """Build the wheel of the package in a folder; return its file name and contents."""
     project = read_toml(folder / "pyproject.toml")["project"]
     package = project["name"].replace("-", "_")
     version = project["version"]

@@ -68,7 +68,7 @@ def ground(tmp_path_factory) -> Iterator["Ground"]:
 
 
 class Ground:
-    """Holds the report of the worlds, and what it says of the first one."""
+    """The report of the worlds, and what it says of the first one."""
 
     def __init__(self, toy: Toy, records: dict[tuple[str, str], Record]):
         self.toy = toy

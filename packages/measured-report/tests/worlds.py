@@ -153,7 +153,7 @@ def lay_out_world(folder: Path) -> None:
 
 @dataclass
 class World:
-    """Holds the rows of all records and replicas, and which files are spoiled."""
+    """The rows of all records and replicas, and which files are spoiled."""
 
     rows: dict[Place, list[Row]]
     spoiled: dict[str, Callable[[Path], object]] = field(default_factory=dict)
@@ -241,7 +241,7 @@ def first_world() -> World:
 
 @dataclass(frozen=True)
 class Said:
-    """Holds what a claim says: its text, its answer, its numbers, and what it reads."""
+    """What a claim says: its text, its answer, its numbers, and what it reads."""
 
     text: str
     answer: str

@@ -133,7 +133,7 @@ def main(arguments: Sequence[str]) -> int:
 def prescribed(
     scene: Scene, target: Target, work: Work, bound_mm_s: float
 ) -> tuple[Hold, list[Trial]]:
-    """Measure a held body as it is, then settings, best first, until one is good."""
+    """Measure the slip of a held body, then of other settings, until one holds it."""
     if (hold := settled_hold(scene, target, work)) is None:
         raise TargetError(
             f"{target.name}: nothing touches {work.body}:"
@@ -231,7 +231,7 @@ def measured(
 
 
 def along(model: MjModel, data: MjData, hold: Hold, time_s: float) -> float:
-    """Step on and return how far a held body moves along its support [m].
+    """Step the simulation, and return how far a held body slides on its support [m].
 
     Motion along the contact normal is sinking and does not count.
     """

@@ -171,7 +171,7 @@ def _calmed(
 
 
 def _unstable(scene: Scene, runs: Sequence[Run]) -> Iterator[Finding]:
-    """Yield a finding if the first run blows up, throws a body or is not solved.
+    """Yield a finding if the first run diverges, throws a body or does not converge.
 
     Args:
         runs: The run in question, then those from later starts.

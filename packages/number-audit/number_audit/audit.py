@@ -73,7 +73,7 @@ class Finding:
 
 
 def printed_value(match: re.Match[str]) -> Decimal:
-    """Return the value of a match of ``NUMBER``, with its number of digits."""
+    """Return the value of a ``NUMBER`` match as a Decimal with the printed digits."""
     digits = re.sub(r"[^\d.-]", "", match["digits"].replace(MINUS, "-"))
     power = (match["power"] or "0").translate(LOWERED)
     return Decimal(digits).scaleb(int(power))

@@ -53,7 +53,9 @@ def replace_file(path: Path, old: bytes, new: bytes) -> None:
                 os.fsync(file.fileno())
             shutil.copymode(path, temporary)
             if path.read_bytes() != old:
-                raise AuditError("the file was edited meanwhile, so nothing was fixed")
+                raise AuditError(
+                    "the file was modified meanwhile and was left unchanged: run the command again"
+                )
             temporary.replace(path)
         finally:
             temporary.unlink(missing_ok=True)

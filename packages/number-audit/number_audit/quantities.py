@@ -168,7 +168,7 @@ def in_unit(quantity: Quantity, unit: str) -> Quantity | None:
 
 
 def in_base_unit(quantity: Quantity) -> Quantity:
-    """Convert a number to its unit without a prefix, which arithmetic needs."""
+    """Convert a number to its unit without a prefix, because arithmetic needs this."""
     base = scale_of(quantity.unit)[1]
     return in_unit(quantity, base) or quantity
 

@@ -100,7 +100,7 @@ def draw_maps(panels: list[Panel]) -> Drawing:
 def draw_limits(limits: list[Limit]) -> Drawing:
     """Draw each extreme as a bar over multiples of the scene as shipped.
 
-    A cross marks a setting that breaks. An arrow means that no tested setting breaks.
+    A cross marks a setting that breaks. An arrow means that no tested setting fails.
     """
     height = 0.46 if is_narrow() else 0.34
     drawing, axes = new_figure(7.6, 0.9 + height * len(limits))

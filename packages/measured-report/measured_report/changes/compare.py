@@ -22,7 +22,7 @@ from measured_report.values.quantities import Pointer
 
 @dataclass(frozen=True)
 class Flip:
-    """Holds a claim whose outcome differs between editions."""
+    """A claim whose outcome differs between editions."""
 
     section: str
     name: str
@@ -216,7 +216,7 @@ class FlipList:
 
 @dataclass(frozen=True)
 class Fault:
-    """Holds a reason why results cannot be trusted."""
+    """A reason why results cannot be trusted."""
 
     release: str
     section: str
@@ -233,7 +233,7 @@ class Fault:
 
 @dataclass(frozen=True)
 class Comparison:
-    """Holds all differences between two editions."""
+    """All differences between two editions."""
 
     releases: tuple[str, str]
     faults: list[Fault]

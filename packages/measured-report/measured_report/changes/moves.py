@@ -53,7 +53,7 @@ LEAST_SHIFTED = 3  # chosen: fewer times do not show a common shift
 
 @dataclass(frozen=True)
 class Move:
-    """Holds a value of two editions, and the probability that it differs by chance."""
+    """A value of two editions, and the probability that it differs by chance."""
 
     column: Column
     before: Any  # a number, a text or a flag; None if the edition lacks it

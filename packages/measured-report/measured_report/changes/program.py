@@ -27,7 +27,7 @@ Token = tuple[str, str]  # kind and text
 
 
 class Program:
-    """Holds the code of a section in the folder ``root``."""
+    """The code of a section in the folder ``root``."""
 
     def __init__(self, section: str, root: Path):
         self.code = Code(root)

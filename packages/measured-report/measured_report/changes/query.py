@@ -23,7 +23,7 @@ LEAST_STEPS = 3  # chosen: fewer differences between neighbours do not show the 
 
 @dataclass(frozen=True)
 class Query:
-    """Holds the name of a claim or a value, and looks it up in editions."""
+    """The name of a claim or a value, and looks it up in editions."""
 
     text: str
     """The name in CLAIM= or VALUE=.
@@ -139,7 +139,7 @@ def schema_of(chapters: Chapters) -> Schema | None:
 
 @dataclass(frozen=True)
 class Point:
-    """Holds the answer of one edition."""
+    """The answer of one edition."""
 
     release: str
     answer: Answer

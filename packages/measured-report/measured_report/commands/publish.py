@@ -75,7 +75,7 @@ def run(project: Project, arguments: Arguments) -> int:
 
 
 def _address_of(page: Path) -> str:
-    """Return the address that a built page states, or an empty string."""
+    """Return the canonical address of a built page, or an empty string."""
     match = CANONICAL.search(page.read_text(encoding="utf-8", errors="replace"))
     return html.unescape(match[1]) if match else ""
 

@@ -40,7 +40,7 @@ BYTE_LIMIT = 1 << 20  # of a manifest
 
 
 class Manifest(Struct, frozen=True, forbid_unknown_fields=True):
-    """Hold the contents of ``edition.toml``, which describes an edition."""
+    """The contents of ``edition.toml``, which describes an edition."""
 
     spec: str  # the release or address that was measured, as the command named it
     date: str

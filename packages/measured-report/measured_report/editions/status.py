@@ -35,7 +35,7 @@ class Kind(str, Enum):
 
 @dataclass(frozen=True)
 class State:
-    """Hold the state of a section's record, compared with the current code."""
+    """The state of a section's record, compared with the current code."""
 
     section: str
     kind: str  # a `Kind`

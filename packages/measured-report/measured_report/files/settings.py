@@ -65,7 +65,7 @@ class Columns:
 
 @dataclass(frozen=True)
 class Changes:
-    """Hold the table ``changes``: settings for the comparison of editions."""
+    """Settings for the comparison of editions, the table ``changes``."""
 
     upgrade_sections: Sequence[str] = ()
     """The sections that make upgrade measures, the longest first; empty for all."""
@@ -129,7 +129,7 @@ class Page:
 
 @dataclass(frozen=True)
 class Config:
-    """Hold the fields of ``report.toml`` with their defaults."""
+    """The fields of ``report.toml`` with their defaults."""
 
     edition: str = ""  # the package whose releases are compared
     packages: Sequence[str] = ()
@@ -279,7 +279,7 @@ def read_settings(root: Path) -> Config:
             )
         if not 0 < len(config.pages) == len({page.name for page in config.pages}):
             raise ValueError(
-                "pages is empty or has a name twice "
+                "pages is empty or contains a name twice "
                 f"({[page.name for page in config.pages]}): give each page a unique "
                 "name"
             )

@@ -17,7 +17,7 @@ from measured_report.values.results import Results
 
 @dataclass(frozen=True)
 class Chapter:
-    """Holds all of a section in one edition. Each stage of a build adds its fields."""
+    """All of a section in one edition. Each stage of a build adds its fields."""
 
     state: State  # whether its record is fresh, stale or damaged
     outline: Outline

@@ -1,4 +1,7 @@
-"""Editions: one release measured on one machine, read from disk once and derived."""
+"""Read editions from disk and derive their findings.
+
+An edition is one release measured on one machine.
+"""
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
@@ -45,7 +48,7 @@ Derived = tuple[Section, Mapping[str, Value]]
 
 @dataclass(eq=False)
 class Edition:
-    """Holds the results of one release, and all that is derived from them.
+    """The results of one release, and all that is derived from them.
 
     Each stage of a build replaces the chapters.
     """

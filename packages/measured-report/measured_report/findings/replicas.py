@@ -19,7 +19,7 @@ from measured_report.values.evidence import Evidence
 
 @dataclass(frozen=True)
 class Measurements:
-    """Holds the evidence of an edition from all its measurements."""
+    """The evidence of an edition from all its measurements."""
 
     evidence: Mapping[str, Evidence] = field(default_factory=dict)
     words: Mapping[str, str] = field(default_factory=dict)

@@ -28,7 +28,7 @@ without running the module."""
 
 @dataclass(frozen=True)
 class Outline:
-    """Holds the constants of a section's module, read without running it."""
+    """The constants of a section's module, read without running it."""
 
     file: Path
     source: str

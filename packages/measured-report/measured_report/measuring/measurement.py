@@ -7,7 +7,7 @@ from typing import Any
 
 @dataclass(frozen=True)
 class Conditions:
-    """Hold the conditions under which a section measures."""
+    """The conditions under which a section measures."""
 
     device: str  # the simulator's name of the device
     quick: bool  # whether to use small grids and short runs
@@ -24,7 +24,7 @@ class Conditions:
 
 @dataclass(frozen=True)
 class Measurement:
-    """Hold the rows and traces of a section.
+    """The rows and traces of a section.
 
     A row holds the name of its case and plain numbers. A trace is a table for one case,
     with a list of values for each column.

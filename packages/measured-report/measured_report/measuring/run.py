@@ -65,7 +65,7 @@ GONE = (
 
 @dataclass
 class Section:
-    """Hold the progress of a section from its first batch to its record."""
+    """The progress of a section from its first batch to its record."""
 
     project: Project
     name: str

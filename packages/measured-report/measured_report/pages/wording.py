@@ -42,7 +42,7 @@ def worded_editions(project: Project, templates: Templates) -> dict[str, Edition
 def give_words(editions: Mapping[str, Edition], templates: Templates) -> None:
     """Give the claims, figures and tables of all editions their wordings.
 
-    Parts of a section that only other editions derive become ``lost``.
+    Parts that only other editions derive are listed in ``Section.lost``.
     """
     derived: dict[str, set[tuple[str, str]]] = {}
     for edition in editions.values():

@@ -34,7 +34,7 @@ compared with. The argument ``why`` gives the reason for it in words.
 
 @dataclass(frozen=True)
 class Outcome:
-    """Hold the outcome of a test and the numbers that it depends on."""
+    """The outcome of a test and the numbers that it depends on."""
 
     name: str  # `holds`, `fails` or `unknown`
     reason: str = ""  # why it is unknown
@@ -68,7 +68,7 @@ WITHIN = Outcome("unknown", "the difference is within its noise", is_inconclusiv
 
 @dataclass(frozen=True)
 class Claim:
-    """Hold a statement: the outcome of its test, its wording, and numbers for both."""
+    """A statement of the report, with the outcome of its test, its wording and its numbers."""
 
     name: str
     outcome: Outcome
@@ -221,7 +221,7 @@ def greater(a: Number, b: Number, why: str = "") -> Outcome:
 
 
 def decreases(sequence: Sequence[Number], *, by: Number, why: str = "") -> Outcome:
-    """Test whether a sequence falls by more than ``by`` and never rises by more.
+    """Test whether a sequence falls by more than ``by``, and never rises by more than it.
 
     The opposite is a sequence that rises by more than ``by`` and never falls by more.
     The outcome is unknown if the change from the first to the last number may be

@@ -22,7 +22,7 @@ BLOCK = ("<figure", "<p", "<div", "</div")
 
 @dataclass(frozen=True)
 class Prose:
-    """Hold a rendered template of Markdown."""
+    """A rendered template of Markdown."""
 
     title: Markup
     body: Markup

@@ -39,7 +39,7 @@ SIZE = re.compile(r'viewBox="0 0 ([\d.]+) ([\d.]+)"')
 
 @dataclass(frozen=True)
 class Table:
-    """Hold a table whose cells are quantities, texts or booleans.
+    """A table whose cells are quantities, texts or booleans.
 
     The index of its frame contains the names of the rows.
     """
@@ -113,7 +113,7 @@ def _place_count(number: Quantity) -> int:
 
 @dataclass(frozen=True)
 class Figure:
-    """Hold a figure, which is drawn after its section is derived."""
+    """A figure, which is drawn after its section is derived."""
 
     draw: "Callable[[], Drawing] | None"  # None if it is already drawn
     sources: Sequence[Quantity | Series]
@@ -200,7 +200,7 @@ class Figure:
 
 @dataclass(frozen=True)
 class Section:
-    """Hold the tables, figures, claims and downloads for the template of a section."""
+    """The tables, figures, claims and downloads for the template of a section."""
 
     tables: Mapping[str, Any] = field(default_factory=dict)
     """Tables, and other objects with a method ``__html__``."""

@@ -50,7 +50,7 @@ TYPED = re.compile(
     """,
     re.VERBOSE,
 )
-"""Matches a typed number with a unit, which should be a measured number instead."""
+"""Matches a hard-coded number with a unit, which should be a measured number instead."""
 BOUNDS = {
     "at most|within|no more than|not more than|up to|as much as": (".most",),
     "at least|no less than|not less than": (".least",),
@@ -62,7 +62,7 @@ BOUNDS = {
 
 @dataclass(frozen=True)
 class Wording:
-    """Hold the texts of one claim, figure or table in a template."""
+    """The texts of one claim, figure or table in a template."""
 
     parts: Mapping[str, str]  # names of the template's blocks
     render: Callable[[str, Mapping[str, Any]], Markup]  # renders a block
@@ -137,7 +137,7 @@ def _parse_parts(
 
 
 def refuse_numbers(source: str) -> None:
-    """Raise TemplateSyntaxError for typed numbers, and for bounds that are not rounded.
+    """Raise TemplateSyntaxError for hard-coded numbers, and for bounds that are not rounded.
 
     Rounding to the nearest digit could move a number past its bound.
     """
@@ -145,7 +145,7 @@ def refuse_numbers(source: str) -> None:
     if match := TYPED.search(prose):
         number = " ".join(match[0].split())
         raise TemplateSyntaxError(
-            f"{number} is typed: use a measured number or results.chosen(…)",
+            f"{number} is hard-coded: use a measured number or results.chosen(…)",
             _line_of(match),
         )
     for words, ends in BOUNDS.items():

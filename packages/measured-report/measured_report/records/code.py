@@ -29,7 +29,7 @@ LAYOUT = ("ctx", "kind", "type_comment")
 
 @dataclass(frozen=True)
 class Source:
-    """Hold the facts about one file."""
+    """The facts about one file."""
 
     digest: str  # of its syntax tree, without comments, docstrings and layout
     modules: tuple[str, ...]  # names in its import statements; some of them are modules
@@ -98,7 +98,7 @@ class Code:
     def _closure(self, start: str, without: str = "") -> list[str]:
         """Return a file and all files that it imports, directly or indirectly.
 
-        Files of the package ``without`` are left out.
+        Files of the package named by ``without`` are excluded.
         """
         closure = dict.fromkeys([start])
         waiting = [start]

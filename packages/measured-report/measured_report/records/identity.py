@@ -37,7 +37,7 @@ Version = Annotated[
 
 @dataclass(frozen=True)
 class Identity:
-    """Hold digests of everything that a measurement depends on, except the machine."""
+    """Digests of everything that a measurement depends on, except the machine."""
 
     code: Digest  # of the syntax of all files that the section's module imports
     config: Digest  # of the profile and of the assets that these files name

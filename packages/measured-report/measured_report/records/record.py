@@ -68,7 +68,7 @@ class Origin:
 
 
 class Seal(Struct, frozen=True, forbid_unknown_fields=True):
-    """Hold the digest of a trace's file, which shows whether the file was changed."""
+    """The digest of a trace's file, which shows whether the file was changed."""
 
     digest: Digest
     row_count: Annotated[int, Meta(ge=1, le=10_000_000)]
@@ -87,7 +87,7 @@ class Carried(Struct, frozen=True, forbid_unknown_fields=True):
         change = (
             f"from the code of {self.old} to that of {self.new} on {self.date[:10]}"
         )
-        proof = f"{self.cells} cells, same bits in the quick profile"
+        proof = f"all {self.cells} cells have the same bits in the quick profile"
         return f"{change}: {proof}; the full profile was not run again"
 
 
@@ -111,7 +111,7 @@ REQUIRED: Mapping[str, Mapping[str, Any]] = {
 
 @dataclass(frozen=True)
 class Record:
-    """Hold the rows of a section, and where, when and by which code it was measured."""
+    """The rows of a section, with the machine, the date and the code that measured them."""
 
     section: Line
     identity: Identity
@@ -250,7 +250,7 @@ def file_digest(path: Path) -> str:
 
 @dataclass(frozen=True)
 class Basis:
-    """Hold the state of the code and of the record before a section is measured.
+    """The state of the code and of the record before a section is measured.
 
     A new record is written only if neither of them changed during the measurement.
     """

@@ -67,7 +67,7 @@ def citation(report: Report) -> dict[str, Any]:
 
 @dataclass(frozen=True)
 class Content:
-    """Hold the texts and chapters of one page of an edition."""
+    """The texts and chapters of one page of an edition."""
 
     page: Page
     texts: list[Prose]  # the first has the title of the page

@@ -69,7 +69,7 @@ Chances = Mapping[tuple[str, ColumnKey], Mapping[NumberKey, Any]]  # arrays of c
 
 @dataclass(frozen=True)
 class Body:
-    """Holds the evidence of each section of each edition, and how well it predicts."""
+    """The evidence of each section of each edition, and how well it predicts."""
 
     sections: Mapping[SectionKey, Evidence] = field(default_factory=dict)
     calibration: Mapping[str, tuple[int, int]] = field(default_factory=dict)

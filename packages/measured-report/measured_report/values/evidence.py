@@ -81,7 +81,7 @@ def is_repeat(row: Cells, section: str, columns: Schema) -> bool:
 
 
 class Repeats(NamedTuple):
-    """Holds the mean and the variance of repeated runs of one case, in one column."""
+    """The mean and the variance of repeated runs of one case, in one column."""
 
     mean: float
     variance: float
@@ -116,7 +116,7 @@ def repeats_of(rows: Iterable[Cells], columns: Schema) -> Repeated:
 
 
 class Several(NamedTuple):
-    """Holds a number that was measured several times."""
+    """A number that was measured several times."""
 
     value: float | int  # the mean, with outliers moved in
     samples: Sequence[float | None]  # by measurement, None if it lacks the number
@@ -126,7 +126,7 @@ class Several(NamedTuple):
 
 @dataclass(frozen=True)
 class Evidence:
-    """Holds the measurements of a section, and the scatter of its numbers."""
+    """The measurements of a section, and the scatter of its numbers."""
 
     count: int = 1  # of measurements of the section
     numbers: Mapping[CellKey, Several] = field(default_factory=dict)

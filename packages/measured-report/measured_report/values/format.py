@@ -1,4 +1,4 @@
-"""Write numbers with the digits that their noise allows, and typed numbers in full."""
+"""Format measured numbers by their noise, and hard-coded numbers in full."""
 
 import math
 import re

@@ -131,7 +131,7 @@ def rounding_variance(size: Any) -> Any:
 
 
 class RowScatter(NamedTuple):
-    """Holds the scatter of one row that was measured more than once."""
+    """The scatter of one row that was measured more than once."""
 
     level: float  # the variance of a number of size 1
     freedom: float  # degrees of freedom of the variance
@@ -161,7 +161,7 @@ class Scatter:
 
 
 class Estimate(NamedTuple):
-    """Holds a number estimated from all its measurements."""
+    """A number estimated from all its measurements."""
 
     value: float | int  # the mean of the measurements, or the number that all agree on
     variance: float = 0.0  # of one measurement

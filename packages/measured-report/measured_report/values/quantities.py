@@ -86,7 +86,7 @@ def lost_reason(printed: Any) -> str:
 
 @dataclass(frozen=True)
 class Quantity:
-    """Holds a measured number with its unit and the pointer to its source.
+    """A measured number with its unit and the pointer to its source.
 
     Arithmetic with quantities makes a ``Term``, whose unit, noise and sources follow from
     those of its operands.
@@ -237,7 +237,7 @@ PERCENT = constant(100, "%")  # ``PERCENT * a / b`` is a share in percent
 
 @dataclass(frozen=True)
 class Value(Quantity):
-    """Holds a number that is derived from others, with the formula in words."""
+    """A number that is derived from others, with the formula in words."""
 
     sources: Sequence[str] = ()  # pointers to the numbers in its formula
     roots: frozenset[str] = frozenset()
@@ -385,7 +385,7 @@ def _shifted(
 
 
 class Unnamed(Quantity):
-    """Holds a computed number without a name, so that it cannot be printed."""
+    """A computed number without a name, so that it cannot be printed."""
 
     def _written(self, text: str, written_as: str = "") -> Markup:
         raise ReportError(

@@ -41,7 +41,7 @@ class ResultsError(ReportError):
 
 @dataclass(frozen=True)
 class Series:
-    """Holds the series of a trace by frame, or the reason why it is missing."""
+    """The series of a trace by frame, or the reason why it is missing."""
 
     value: "pd.DataFrame | None"
     source: str
@@ -162,7 +162,7 @@ class Row:
 
 
 class Rows(dict[str, Any]):
-    """Holds rows by case. A case without a single row has a row without cells."""
+    """Rows by case. A case without a single row has a row without cells."""
 
     def __init__(self, rows: Mapping[str, Row], results: "Results"):
         super().__init__(rows)
@@ -174,7 +174,7 @@ class Rows(dict[str, Any]):
 
 @dataclass(frozen=True)
 class Results:
-    """Holds the measurements of a section in an edition, and its derived values."""
+    """The measurements of a section in an edition, and its derived values."""
 
     record: Record
     path: Path

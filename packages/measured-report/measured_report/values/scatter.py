@@ -56,7 +56,7 @@ taken to repeat exactly, like most of its column."""
 
 @dataclass(frozen=True)
 class Fit:
-    """Holds the numbers of a column in a section, a row for each, and their scatter."""
+    """The numbers of a column in a section, a row for each, and their scatter."""
 
     scatter: Scatter
     fenced: Array  # by number and measurement, with outliers moved in
@@ -196,7 +196,7 @@ def _with_rows(
 
 
 class LeftOut(NamedTuple):
-    """Holds how each measurement differs from the others, by number and measurement."""
+    """How each measurement differs from the others, by number and measurement."""
 
     distances: Array  # from the mean of the others; NaN if that cannot be tested
     errors: Array  # standard errors of the distances

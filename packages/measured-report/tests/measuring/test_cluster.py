@@ -176,7 +176,8 @@ def test_a_cluster_for_which_nobody_has_a_certificate_is_refused_in_one_line():
         for name in ("ca-file", "client.key", "client.cert")
     }
     refused = pytest.raises(
-        ReportError, match=r"^CLUSTER=tls://127\.0\.0\.1:1: cannot reach any worker [^\n]+TLS[^\n]+$"
+        ReportError,
+        match=r"^CLUSTER=tls://127\.0\.0\.1:1: cannot reach any worker [^\n]+TLS[^\n]+$",
     )
     with dask.config.set(none), refused, connected("tls://127.0.0.1:1"):
         pass

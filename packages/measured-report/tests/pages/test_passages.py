@@ -83,7 +83,7 @@ def test_a_passage_falls_with_a_number_that_is_not_there(toy):
             "gap.helps.gain",
             "'gap' is undefined",
         ),
-        ("toy.helps.gain", "5 mm", "5 mm is typed"),
+        ("toy.helps.gain", "5 mm", "5 mm is hard-coded"),
     ],
 )
 def test_what_is_wrong_with_a_passage_stops_the_build(toy, old, new, message):

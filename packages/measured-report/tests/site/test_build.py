@@ -161,10 +161,10 @@ END = "{% endtable %}\n"
         (
             END,
             END + "It slips\n6.36 mm.",
-            r"templates/sections/toy.md.j2:\d+: 6.36 mm is typed",
+            r"templates/sections/toy.md.j2:\d+: 6.36 mm is hard-coded",
         ),
         *(
-            (END, f"{END}It is {number} so.", f"{number} is typed")
+            (END, f"{END}It is {number} so.", f"{number} is hard-coded")
             for number in ("37 %", "3.7 times", "2 m/s", "5 kg/m³")
         ),
         (

@@ -46,7 +46,7 @@ class Shapes(Scene):
 
     @cached_property
     def names(self) -> list[str]:
-        """Return body and shape of each geom, such as ``fr3_leftfinger/shape_21``."""
+        """Return the body and shape names of each geom, such as ``fr3_leftfinger/shape_21``."""
         labels = [label.rsplit("/", 1)[-1] for label in self.shapes.shape_label]
         bodies = [label.rsplit("/", 1)[-1] for label in self.shapes.body_label]
         owners = [
