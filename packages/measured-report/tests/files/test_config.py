@@ -65,7 +65,11 @@ TEXT = (SKELETON / "report.toml").read_text(encoding="utf-8")
             "",
             "a table of columns has neither names nor a pattern",
         ),
-        ('name = "results"', 'name = "index"', "pages is empty or contains a name twice"),
+        (
+            'name = "results"',
+            'name = "index"',
+            "pages is empty or contains a name twice",
+        ),
         ('better = "less"', "resolution = -1.0", "Expected `float` >= 0.0"),
         (
             'mj" = 0.05',
