@@ -134,11 +134,11 @@ def softer_solref(scene: Scene, pair: int, dmax: float) -> Advice:
 def elliptic(scene: Scene, steepest: float) -> Advice:
     """Return advice to use an elliptic cone, alone or with an impratio of 10."""
     impratio = scene.option.impratio
-    more = {"iterations": f"{FEW}"} if scene.model.opt.iterations < FEW else {}
+    iterations = {"iterations": f"{FEW}"} if scene.model.opt.iterations < FEW else {}
     # mj_diagApprox: an edge of a pyramid has (1 + μ²) times the weight.
-    ways = [(more, 1.0 + steepest**2)]
-    ways += (
-        [({"impratio": "10", **more}, 10.0 * (1.0 + steepest**2) / impratio)]
+    candidates = [(iterations, 1.0 + steepest**2)]
+    candidates += (
+        [({"impratio": "10", **iterations}, 10.0 * (1.0 + steepest**2) / impratio)]
         if impratio <= 1.0
         else []
     )
@@ -149,8 +149,8 @@ def elliptic(scene: Scene, steepest: float) -> Advice:
     cone = {"cone": "elliptic"}
     return either(
         *(
-            for_option(scene, cone | more, gain.format(less, steepest))
-            for more, less in ways
+            for_option(scene, cone | iterations, gain.format(less, steepest))
+            for iterations, less in candidates
         )
     )
 

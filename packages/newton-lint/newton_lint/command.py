@@ -120,17 +120,17 @@ def _linted(options: argparse.Namespace) -> int:
     paths = list(dict.fromkeys(path for path in map(Path, targets) if path.is_file()))
     for target in targets:
         try:
-            read = read_target(target)
+            scene = read_target(target)
             if (
                 (options.fix or options.dry_run)
-                and read.path
-                and read.model is not None
+                and scene.path
+                and scene.model is not None
             ):
-                report, lines, why = fixed(read, request, paths, options.dry_run)
+                report, lines, why = fixed(scene, request, paths, options.dry_run)
                 fixes += lines
                 unread += [why] if why else []
             else:
-                report = report_of(read, request)
+                report = report_of(scene, request)
             reports.append(report)
         except TargetError as error:
             unread.append(str(error))
@@ -165,9 +165,9 @@ def request_of(options: argparse.Namespace, table: dict[str, Any]):
         *map(str.strip, options.ignore.split(",") if options.ignore else []),
     ]
     if unknown := [rule for rule in ignore if rule not in rules()]:
-        known = ", ".join(rules())
+        rule_names = ", ".join(rules())
         raise TargetError(
-            f"cannot ignore unknown rule {', '.join(unknown)}: choose from {known}"
+            f"cannot ignore unknown rule {', '.join(unknown)}: choose from {rule_names}"
         )
     return Request(
         engine=engine_of(options, table),

@@ -158,17 +158,17 @@ def findings_of(hits: Hits, names: Sequence[str]) -> Iterator[Finding]:
     numbers = row_numbers(shapes, hits.value[items], used_keys)
     for members in sorted(groups_of(numbers), key=lambda members: members[0]):
         first = members[0]
-        item = int(items[first])
+        entry = int(items[first])
         used = float(all_used[first])
         partners = () if hits.partner is None else hits.partner[items[members]].tolist()
         yield Finding(
             **vars(hits.wording),
             shape=names[shapes[first]],
-            value=float(hits.value[item]),
+            value=float(hits.value[entry]),
             against=tuple(names[geom] for geom in partners),
             used=None if np.isnan(used) else used,
-            element=hits.element(item),
-            advice=hits.advise(item),
+            element=hits.element(entry),
+            advice=hits.advise(entry),
         )
 
 

@@ -45,7 +45,7 @@ def edited(
         placed.append((element, change))
     new: dict[Path, bytes] = {}
     # Later tags come first, so that the positions of earlier ones stay valid.
-    for element, change in sorted(placed, key=lambda item: -item[0].start):
+    for element, change in sorted(placed, key=lambda placement: -placement[0].start):
         file = element.file
         text = new.get(file) or texts.get(file) or file.read_bytes()
         new[file] = _edited(text, element, change)

@@ -124,11 +124,11 @@ def _grip_findings(
             scene, {"cone": "elliptic", "impratio": f"{impratio:g}"}, gain
         )
         friction = Advice("Increase the friction along both of its axes")
-        ways = [firmer if holds else friction]
+        candidates = [firmer if holds else friction]
         if scene.engine.name == "mujoco":
             noslip = {"noslip_iterations": "10"}
             gain = "removes the creep, but only MuJoCo C has the pass in all releases"
-            ways.append(for_option(scene, noslip, gain))
+            candidates.append(for_option(scene, noslip, gain))
         yield Finding(
             "slip",
             hold.name,
@@ -141,7 +141,7 @@ def _grip_findings(
             used=after if holds else None,
             unit="mm/s",
             element=scene.source.option("impratio"),
-            advice=either(*ways),
+            advice=either(*candidates),
         )
 
 

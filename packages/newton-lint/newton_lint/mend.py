@@ -175,15 +175,15 @@ class Mending:
                 for finding in of_rule
                 for change in ways_of(finding.advice)[0].changes
             )
-            ways = [(of_rule, changes)] if len(changes) > 1 else []
-            ways += [
+            candidates = [(of_rule, changes)] if len(changes) > 1 else []
+            candidates += [
                 ([finding], way.changes)
                 for finding in of_rule
                 for way in ways_of(finding.advice)
             ]
             yield from (
                 (", ".join(map(str, changes)), mended, changes)
-                for mended, changes in ways
+                for mended, changes in candidates
             )
 
     def _outcome(self, findings: Sequence[Finding], changes: Sequence[Change]) -> str:

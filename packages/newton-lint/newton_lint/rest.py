@@ -255,7 +255,7 @@ def _depths(scene: Scene, run: Run, rest: Rest) -> Iterator[Give]:
         changes = for_contact(
             scene, contact, partial(str.format, f"{new[0]:.3g} {new[1]:.3g}"), ""
         ).changes
-        ways = [
+        edits = [
             (", ".join(map(str, changes)), stiffer),
             (f"{HARDEST.format(_text(shortest), _text(HARD))} there", harder),
         ]
@@ -272,7 +272,7 @@ def _depths(scene: Scene, run: Run, rest: Rest) -> Iterator[Give]:
             element=scene.source.geom(thin),
         )
         far = sizes[thin] / least if is_certain else math.inf
-        yield Give(finding, read, ways, least=least, far=far)
+        yield Give(finding, read, edits, least=least, far=far)
 
 
 def _limits(model: MjModel, data: MjData) -> Iterator[Give]:
@@ -432,11 +432,11 @@ def _servos(model: MjModel, rest: Rest) -> Iterator[Give]:
             message="$shape is $value from its target $rest because gravity pulls it",
             unit=unit,
         )
-        ways = [
+        edits = [
             ('gravcomp="1" on the bodies that it carries', light),
             (f'kp="{stiff:.4g}" on it', stiffer),
         ]
-        yield Give(finding, short, ways, needs_way=True)
+        yield Give(finding, short, edits, needs_way=True)
 
 
 def _passed(scene: Scene, rest: Rest) -> Iterator[Finding]:

@@ -119,14 +119,14 @@ def timeconst(scene: Scene) -> Iterator[Hits]:
     pairs = np.flatnonzero(below & (authored != DEFAULT_SOLREF[0]))
 
     def advise(pair: int) -> Advice:
-        more = limit[pair] / authored[pair]
-        step = f'timestep="{option.timestep_s / more:.3g}"'
+        factor = limit[pair] / authored[pair]
+        step = f'timestep="{option.timestep_s / factor:.3g}"'
         text = (
             f"Set {step}: this makes the contact as stiff as written, for"
-            f" {more:.2g} times as many steps"
+            f" {factor:.2g} times as many steps"
         )
         longer = advice.longer_solref(scene, pair, limit[pair])
-        return advice.either(longer, Advice(text)) if more <= FAR else longer
+        return advice.either(longer, Advice(text)) if factor <= FAR else longer
 
     yield _pair_hits(scene, wording, pairs, authored, limit, advise)
 

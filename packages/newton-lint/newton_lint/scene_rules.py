@@ -37,14 +37,14 @@ def lost(scene: Scene) -> Iterator[Finding]:
         model.geom_contype | model.geom_conaffinity
     )
     is_free = scene.free[tree]
-    others = np.flatnonzero(~is_free)
+    attached = np.flatnonzero(~is_free)
     is_off = model.opt.disableflags & (WEIGHTLESS | OFF)
-    if is_off or not (model.opt.gravity.any() and is_whole and len(others)):
+    if is_off or not (model.opt.gravity.any() and is_whole and len(attached)):
         return
     met = tree[np.concatenate([contacts.first, contacts.second])]
     for body in np.setdiff1d(tree[is_free & collides], met).tolist():
         bits = int(np.bitwise_or.reduce(model.geom_contype[tree != body]))
-        geom = int(np.flatnonzero(tree == body)[0] if bits else others[0])
+        geom = int(np.flatnonzero(tree == body)[0] if bits else attached[0])
         yield Finding(
             "lost",
             scene.bodies[body],
@@ -83,8 +83,9 @@ def fixed(scene: Scene) -> Iterator[Finding]:
             if (element := scene.source.geom(geom)) and "mass" in element.attributes
         ]
         near = (
-            mujoco.mj_geomDistance(model, data, geom, other, NEAR_M, None) < NEAR_M
-            for other in np.flatnonzero(tree != body).tolist()
+            mujoco.mj_geomDistance(model, data, geom, outside_body, NEAR_M, None)
+            < NEAR_M
+            for outside_body in np.flatnonzero(tree != body).tolist()
             for geom in geoms
         )
         if elements and not any(near):
@@ -114,11 +115,11 @@ def visual(scene: Scene) -> Iterator[Finding]:
         spec = mujoco.MjSpec.from_file(str(root.file))
         count = 0
         for body in () if spec.compiler.inertiagrouprange[0] else spec.bodies[1:]:
-            seen = [
+            visible = [
                 geom for geom in body.geoms if not geom.contype and not geom.conaffinity
             ]
-            if 0 < len(seen) < len(body.geoms) and not body.explicitinertial:
-                for geom in seen:
+            if 0 < len(visible) < len(body.geoms) and not body.explicitinertial:
+                for geom in visible:
                     geom.mass = 0.0
                     count = count + 1
         light = spec.compile() if count else model

@@ -372,9 +372,9 @@ def predicted_hold(
             turning = turning + response.acceleration_s * across / len(touches)
     arm = data.subtree_com[body] - data.xpos[model.body_rootid[touches[0].support]]
     centrifugal = work.turn_rad_s**2 * (arm - (arm @ down) * down)
-    more = flat @ (mass * (work.lift_m_s2 * down + centrifugal))
+    inertial_forces = flat @ (mass * (work.lift_m_s2 * down + centrifugal))
     # The load is the force that friction has to bear.
-    load = more - sum((touch.tangential_n for touch in touches), np.zeros(3))
+    load = inertial_forces - sum((touch.tangential_n for touch in touches), np.zeros(3))
     total = np.linalg.norm(load)
     grip = sum(touch.used * touch.normal_n for touch in touches) / sum(
         touch.normal_n for touch in touches
@@ -383,7 +383,9 @@ def predicted_hold(
     creep = np.zeros(3)
     if all(response.load_m_s_n for response, _ in points) and slide < 1.0 and total:
         linear = total / sum(1.0 / response.load_m_s_n for response, _ in points)
-        creep = _slide(model, data, touches, points, body, more) * (slide / linear)
+        creep = _slide(model, data, touches, points, body, inertial_forces) * (
+            slide / linear
+        )
     rate = np.linalg.norm(turning + creep)
     speed = _speed(model, data, body, touches[0].support)
     if grip > AT_THE_EDGE or slide >= 1.0 or speed > RUNAWAY * (rate + LEAST_M_S):

@@ -61,7 +61,7 @@ def stepped(scene: Scene, runs: Sequence[Run]) -> list[Finding]:
         nv = float(scene.model.nv)
         return [Finding("unstepped", "", "nv", nv, message=message, severity="note")]
     for index, run in enumerate(runs):
-        rest = None if run.bad else rest_of(scene.model, run.data, run.start)
+        rest_state = None if run.bad else rest_of(scene.model, run.data, run.start)
         ill_posed = list(unposed(scene.model, run.start))
         is_idle = run.start.name == "the start" and bool(scene.model.nkey or ill_posed)
         items = [
@@ -70,7 +70,7 @@ def stepped(scene: Scene, runs: Sequence[Run]) -> list[Finding]:
             *_overlapping(scene, run),
             *_sagging(scene, run),
         ]
-        items += at_rest(scene, run, rest) if rest else ()
+        items += at_rest(scene, run, rest_state) if rest_state else ()
         # Overlaps that the solver leaves are not faults of the initial positions, and
         # effects of a jam are not faults of their own.
         unsolved = any(
@@ -102,8 +102,8 @@ def _ways(scene: Scene, data: MjData, limited: bool) -> Iterator[Way]:
     model = scene.model
     half = 0.5 * model.opt.timestep
     if limited:
-        more = max(3, 10 * model.opt.iterations)
-        yield changed(model, iterations=more), {"iterations": str(more)}, ""
+        iterations = max(3, 10 * model.opt.iterations)
+        yield changed(model, iterations=iterations), {"iterations": str(iterations)}, ""
     # Euler integrates velocity-dependent forces explicitly, except joint damping.
     implicit = {"integrator": "implicitfast"} if model.opt.integrator == EULER else {}
     if implicit:
@@ -151,7 +151,7 @@ def _calmed(
 ) -> str:
     """Change a parameter of stiff servos until the step is stable, and describe it."""
     texts = []
-    more = ""
+    suffix = ""
     for servo, dof, ratio, mass in stiff:
         if name == "kv":
             value = model.actuator_gainprm[servo, 0] * model.opt.timestep
@@ -161,12 +161,12 @@ def _calmed(
             model.actuator_biasprm[servo, 1:3] /= ratio
             value = model.actuator_gainprm[servo, 0]
             less = -model.actuator_biasprm[servo, 2]
-            more = f' kv="{less:.3g}"' if less else ""
+            suffix = f' kv="{less:.3g}"' if less else ""
         else:
             model.dof_armature[dof] += (ratio - 1.0) * mass
             value = model.dof_armature[dof]
         joint = model.joint(model.dof_jntid[dof]).name or f"dof {dof}"
-        texts.append(f'{name}="{value:.3g}"{more} on {joint}')
+        texts.append(f'{name}="{value:.3g}"{suffix} on {joint}')
     return ", ".join(texts)
 
 
@@ -240,8 +240,10 @@ def _unstable(scene: Scene, runs: Sequence[Run]) -> Iterator[Finding]:
             ),
         )
     elif run.at_limit > LIMITED and opt.iterations:
-        more = str(max(3, 10 * opt.iterations))
-        after = run_of(changed(model, iterations=int(more)), run.start, run.time_s)
+        iterations = str(max(3, 10 * opt.iterations))
+        after = run_of(
+            changed(model, iterations=int(iterations)), run.start, run.time_s
+        )
         calmer = np.max(run.speeds_m_s - after.speeds_m_s, initial=0.0)
         if (
             run.deepest_m - after.deepest_m > max(DIFFERS_M, DIFFERS * run.deepest_m)
@@ -259,7 +261,7 @@ def _unstable(scene: Scene, runs: Sequence[Run]) -> Iterator[Finding]:
                 message=f"The solver uses all $value iterations in {run.at_limit:.0%}"
                 f" of the steps from {run.start.name}, so contacts are not solved",
                 element=scene.source.option("iterations"),
-                advice=for_option(scene, {"iterations": more}, gain),
+                advice=for_option(scene, {"iterations": iterations}, gain),
             )
 
 
@@ -315,10 +317,8 @@ def _overlapping(scene: Scene, run: Run) -> Iterator[Finding]:
             if model.geom_margin[list(pair)].any() or model.pair_margin.any()
             else ""
         )
-        more = f" (the fastest of {len(heap)} pairs)" if bodies in heap[1:] else ""
-        message = (
-            f"$shapes and $against overlap by $value{margin} at {run.start.name}{more}"
-        )
+        suffix = f" (the fastest of {len(heap)} pairs)" if bodies in heap[1:] else ""
+        message = f"$shapes and $against overlap by $value{margin} at {run.start.name}{suffix}"
         if jammed:
             message += (
                 f"; {force:.3g} N press them apart, {force / weight:.3g} times the"
@@ -335,7 +335,7 @@ def _overlapping(scene: Scene, run: Run) -> Iterator[Finding]:
             (Change("exclude", (("body1", names[0]), ("body2", names[1]))),),
         )
         move = "Lower the margin, or move" if margin else "Move"
-        apart = Advice(f"{move} one of them by {M * depth:.3g} mm")
+        separation = Advice(f"{move} one of them by {M * depth:.3g} mm")
         shape, partner = (scene.names[geom] for geom in pair)
         yield Finding(
             "overlap",
@@ -347,7 +347,7 @@ def _overlapping(scene: Scene, run: Run) -> Iterator[Finding]:
             unit="mm",
             severity="warning" if hard else "note",
             element=scene.source.geom(pair[1]) or scene.source.geom(pair[0]),
-            advice=exclude if one_tree else apart,
+            advice=exclude if one_tree else separation,
         )
 
 

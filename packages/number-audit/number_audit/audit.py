@@ -110,8 +110,8 @@ class Audit:
     def _of_number(self, mark: NumberMark) -> Finding:
         """Compare a printed number with its source."""
         if mark.name:
-            other = self._named[mark.name]
-            if (other.source, other.unit) != (mark.source, mark.unit):
+            named = self._named[mark.name]
+            if (named.source, named.unit) != (mark.source, mark.unit):
                 raise AuditError(
                     f"the name {mark.name} is used for another mark too: rename one"
                 )
@@ -235,7 +235,9 @@ class Audit:
         if code in operands:
             result = operands[code]
         else:
-            in_base = {name: in_base_unit(each) for name, each in operands.items()}
+            in_base = {
+                name: in_base_unit(operand) for name, operand in operands.items()
+            }
             result = _computed(code, in_base, expression)
         if not math.isfinite(result.value):
             raise AuditError("the value is not finite")

@@ -174,12 +174,12 @@ def regions(text: str, suffix: str) -> Iterator[Region]:
     end = 0
     while match := opening.search(text, end):
         start = match.start()
-        found = match.groupdict()
-        if found.get("role"):
+        groups = match.groupdict()
+        if groups.get("role"):
             region = _role(text, start, match.end())
-        elif found.get("fence"):
+        elif groups.get("fence"):
             region = Region(start, _end_of_fenced_code(text, match))
-        elif found.get("ticks"):
+        elif groups.get("ticks"):
             region = Region(start, _end_of_code(text, match))
         else:
             region = _comment(text, start, max(end, start - BEFORE_LIMIT))
@@ -207,8 +207,8 @@ def _role(text: str, start: int, content: int) -> Region:
     if match := ROLE.match(text, start):
         printed = match.span("printed")
         return Region(start, match.end(), match["mark"], printed, is_role=True)
-    rest = text[start : content + 40].partition("\n")[0]
-    return Region(start, content, rest, (start, start), is_role=True)
+    following = text[start : content + 40].partition("\n")[0]
+    return Region(start, content, following, (start, start), is_role=True)
 
 
 def _end_of_fenced_code(text: str, opening: re.Match[str]) -> int:

@@ -101,8 +101,8 @@ class Source:
     def _similar(self, way: str) -> str:
         """Return a text that lists similar places with the same key, or ""."""
         key = way.rpartition("/")[2]
-        ways = [other for other, place in self.places.items() if place.key == key]
-        matches = get_close_matches(way, ways[:99], n=4, cutoff=0.5)
+        pointers = [other for other, place in self.places.items() if place.key == key]
+        matches = get_close_matches(way, pointers[:99], n=4, cutoff=0.5)
         return f"; similar: {', '.join(matches)}" if matches else ""
 
     def _noise(self, way: str, place: Place) -> float | None:

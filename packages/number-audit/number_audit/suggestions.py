@@ -39,8 +39,8 @@ def suggestions(text: str, suffix: str, file: str, source: Source) -> Iterator[F
 
     @cache
     def values_in(unit: str) -> list[tuple[str, float]]:
-        in_units = ((place, in_unit(each, unit)) for place, each in quantities)
-        return [(place, each.value) for place, each in in_units if each]
+        in_units = ((place, in_unit(quantity, unit)) for place, quantity in quantities)
+        return [(place, quantity.value) for place, quantity in in_units if quantity]
 
     for match in UNMARKED.finditer(_without_regions(text, suffix)):
         printed = printed_value(match)

@@ -248,7 +248,7 @@ def largest(comparison: Comparison) -> list[str]:
         ):
             columns.setdefault(move.column.name, []).append(move)
     lines = []
-    for lead, *more in list(columns.values())[:LINES]:
+    for lead, *lesser_moves in list(columns.values())[:LINES]:
         # A percentage of a number close to zero has no meaning.
         is_near_zero = lead.share is None or abs(lead.before) < lead.scale
         share = ""
@@ -258,7 +258,7 @@ def largest(comparison: Comparison) -> list[str]:
         if lead.row_count > 1:
             case = f"median of {lead.row_count} rows"
         location = f"{lead.section} {case}".strip()
-        location += f"; and {len(more)} more" if more else ""
+        location += f"; and {len(lesser_moves)} more" if lesser_moves else ""
         text = f"{'alarm: ' if lead.exceeds_threshold else ''}{lead.column.words} {lead.ends}{share}"
         lines.append(f"{text} {lead.direction}".rstrip() + f" ({location})")
     return lines

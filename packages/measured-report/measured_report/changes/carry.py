@@ -190,9 +190,9 @@ def first_difference(before: Record, after: Record) -> str:
     for old, new in zip(before.rows, after.rows, strict=True):
         for column in {**old, **new}:
             was = repr(old.get(column, "nothing"))
-            now = repr(new.get(column, "nothing"))
-            if was != now:
-                return f"{column} of {new['case']} changes from {was} to {now}"
+            new_text = repr(new.get(column, "nothing"))
+            if was != new_text:
+                return f"{column} of {new['case']} changes from {was} to {new_text}"
     for case in {**before.traces, **after.traces}:
         if before.traces.get(case) != after.traces.get(case):
             return f"the trace of {case} changes"

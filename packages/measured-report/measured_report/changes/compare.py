@@ -389,9 +389,9 @@ def _faults_between(before: Edition, after: Edition) -> Iterator[Fault]:
         ]
         for edition, reasons in zip((before, after), broken, strict=True):
             if reasons and not all(broken):
-                more = f", and {len(reasons) - 1} more" if reasons[1:] else ""
+                suffix = f", and {len(reasons) - 1} more" if reasons[1:] else ""
                 release = edition.project.release
-                yield Fault(release, section, "broken", reasons[0] + more)
+                yield Fault(release, section, "broken", reasons[0] + suffix)
 
 
 def _breakdown(row: Mapping[str, Any]) -> str:

@@ -205,8 +205,8 @@ def direction(column: Column, before: Any, after: Any) -> str:
 
 def few(names: Sequence[str], count: int = NAMED) -> str:
     """Return a text with at most ``count`` names and the number of the others."""
-    more = f"; and {len(names) - count} more" if len(names) > count else ""
-    return "; ".join(names[:count]) + more
+    suffix = f"; and {len(names) - count} more" if len(names) > count else ""
+    return "; ".join(names[:count]) + suffix
 
 
 def _text(cell: Any) -> str:
@@ -303,7 +303,7 @@ def _comparable(rows: Sequence[Cells], sides: Sequence[Results]) -> Iterator[Col
     """Yield the columns whose cells in two rows can be compared."""
     a, b = rows
     columns = sides[1].columns
-    lost = [is_lost(row, columns) for row in rows]
+    are_lost = [is_lost(row, columns) for row in rows]
     terms = [
         cost_terms(side.record, row, columns)
         for side, row in zip(sides, rows, strict=True)
@@ -323,9 +323,9 @@ def _comparable(rows: Sequence[Cells], sides: Sequence[Results]) -> Iterator[Col
         if "uncompared" in column.kinds:
             continue
         if isinstance(a[name], str | bool) or isinstance(b[name], str | bool):
-            if not all(lost) or "failure" not in column.kinds:
+            if not all(are_lost) or "failure" not in column.kinds:
                 yield column
-        elif any(lost) or (column.is_cost and terms[0] != terms[1]):
+        elif any(are_lost) or (column.is_cost and terms[0] != terms[1]):
             continue
         elif not changed or column.is_setting:
             yield column
@@ -342,12 +342,12 @@ def _judged(pairs: Sequence[Pair]) -> list[Move]:
 
     if not pairs:
         return []
-    known = [_known(move, estimates) for move, estimates in pairs]
-    values = np.array([[side.value for side in sides] for sides, *_ in known])
-    errors = np.array([[side.error for side in sides] for sides, *_ in known])
+    tested = [_known(move, estimates) for move, estimates in pairs]
+    values = np.array([[side.value for side in sides] for sides, *_ in tested])
+    errors = np.array([[side.error for side in sides] for sides, *_ in tested])
     # Both variances come from the same scatter, so their degrees of freedom do not add.
-    freedoms = np.array([min(side.freedom for side in sides) for sides, *_ in known])
-    leasts = np.array([least for _, least, _ in known])
+    freedoms = np.array([min(side.freedom for side in sides) for sides, *_ in tested])
+    leasts = np.array([least for _, least, _ in tested])
     distances = np.maximum(0.0, abs(np.diff(values)[:, 0]) - leasts)
     errors = np.hypot(*errors.T)
     chances = chance_of(distances, errors, freedoms)
@@ -356,7 +356,7 @@ def _judged(pairs: Sequence[Pair]) -> list[Move]:
     moves = []
     for index, chance in enumerate(chances):
         move, _ = pairs[index]
-        sides, least, is_chosen = known[index]
+        sides, least, is_chosen = tested[index]
         judged_move = replace(
             move,
             before=sides[0].value,
@@ -396,16 +396,16 @@ def _known(
     ends = move.before, move.after
     size = max(map(abs, ends))
     resolution = move.column.resolution
-    known = [estimate for estimate in estimates if estimate]
-    if not known:
+    existing = [estimate for estimate in estimates if estimate]
+    if not existing:
         exact = [Estimate(end) for end in ends]
         return exact, max(resolution, CHOSEN_SHARE * size), True
     sides = [
-        estimate or Estimate(end, known[0].variance, known[0].freedom)
+        estimate or Estimate(end, existing[0].variance, existing[0].freedom)
         for estimate, end in zip(estimates, ends, strict=True)
     ]
     rounding = size * (COST_SHARE if move.column.is_cost else ROUNDED_SHARE)
-    least = max(estimate.least for estimate in known)
+    least = max(estimate.least for estimate in existing)
     return sides, max(resolution, rounding, least), False
 
 

@@ -112,11 +112,13 @@ def refuse_unmeasured(project: Project, name: str) -> None:
     """Raise UsageError if an edition, other than the project's own, has no results."""
     paths = map(project.record_path, sections(project.root))
     if not project.is_own and not any(path.exists() for path in paths):
-        others = [release for release in project.releases if release != project.release]
+        other_releases = [
+            release for release in project.releases if release != project.release
+        ]
         name = f"{project.settings.option}={name}"
         raise UsageError(
             f"{name} has no results (editions with results: "
-            f"{', '.join(others) or 'none'}): measure it with make upgrade {name}"
+            f"{', '.join(other_releases) or 'none'}): measure it with make upgrade {name}"
         )
 
 

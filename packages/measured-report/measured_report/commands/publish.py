@@ -206,26 +206,28 @@ def _pushed(copy: Path, location: str, root: Path) -> str:
     config = root / here("rev-parse", "--git-path", "config")
     settings = [f"include.path={config}", *OVERRIDES]
     options = [option for setting in settings for option in ("-c", setting)]
-    there = partial(run_git, copy, *options, GIT_ALLOW_PROTOCOL=PROTOCOLS, **AUTHOR)
-    there("init", "--quiet")
-    before = _tip(there, address, ref)
+    run_in_copy = partial(
+        run_git, copy, *options, GIT_ALLOW_PROTOCOL=PROTOCOLS, **AUTHOR
+    )
+    run_in_copy("init", "--quiet")
+    before = _tip(run_in_copy, address, ref)
     if before:
-        there("fetch", "--quiet", "--depth", "1", "--no-tags", address, ref)
-        names = there("ls-tree", "--name-only", before).splitlines()
+        run_in_copy("fetch", "--quiet", "--depth", "1", "--no-tags", address, ref)
+        names = run_in_copy("ls-tree", "--name-only", before).splitlines()
         if MARK not in names:
             raise UsageError(
                 f"the branch {branch} of {remote} has files that make publish did "
                 "not write: use another branch"
             )
         if DOMAIN in names and not (copy / DOMAIN).exists():
-            write_file(copy / DOMAIN, there("show", f"{before}:{DOMAIN}") + "\n")
+            write_file(copy / DOMAIN, run_in_copy("show", f"{before}:{DOMAIN}") + "\n")
     write_file(copy / ".nojekyll", "")
-    there("add", "--all", "--force")
-    there("commit", "--quiet", "--no-gpg-sign", "--message", SUBJECT)
-    commit = there("rev-parse", "HEAD")
+    run_in_copy("add", "--all", "--force")
+    run_in_copy("commit", "--quiet", "--no-gpg-sign", "--message", SUBJECT)
+    commit = run_in_copy("rev-parse", "HEAD")
     lease = f"--force-with-lease={ref}:{before}"
-    there("push", "--quiet", lease, address, f"{commit}:{ref}")
-    if _tip(there, address, ref) != commit:
+    run_in_copy("push", "--quiet", lease, address, f"{commit}:{ref}")
+    if _tip(run_in_copy, address, ref) != commit:
         raise ReportError(
             f"not published, because {remote} does not have the new commit on the "
             f"branch {branch}: run make publish again"

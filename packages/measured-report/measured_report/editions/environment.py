@@ -129,12 +129,12 @@ def requirements(
     replaced = {*pinned, settings.edition}.union(*settings.changes.package_groups)
     project = read_toml(root / "pyproject.toml").get("project", {})
     dependencies = project.get("dependencies", ())
-    others = [
+    other_lines = [
         dependency
         for dependency in dependencies
         if NAME.sub("", dependency) not in replaced
     ]
-    return [*others, *pinned.values()]
+    return [*other_lines, *pinned.values()]
 
 
 def _date_options(release: Release, name: str, installs: Sequence[str]) -> list[str]:

@@ -59,7 +59,7 @@ Releases = Mapping[str, Chapters]  # by release, oldest first
 
 def before(name: str, chapters: Chapters) -> Chapters:
     """Return the chapters before the one with this name."""
-    return dict(takewhile(lambda item: item[0] != name, chapters.items()))
+    return dict(takewhile(lambda pair: pair[0] != name, chapters.items()))
 
 
 def results_digest(results: Results) -> str:

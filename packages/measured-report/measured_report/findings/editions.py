@@ -92,8 +92,8 @@ class Edition:
 
     def address(self, page: Page) -> str:
         """Return the address of a page below the site; without it, that of the front."""
-        shown = page if page in self.pages else self.report.settings.front
-        return self.folder + shown.file
+        existing_page = page if page in self.pages else self.report.settings.front
+        return self.folder + existing_page.file
 
     @property
     def measured_on(self) -> str:
@@ -198,17 +198,18 @@ class Edition:
         name, outline = chapter.name, chapter.outline
         if releases is not None and not outline.compares:
             return chapter
-        for other in outline.reads:
-            if self._outline_of(other).order >= outline.order:
+        for name_read in outline.reads:
+            if self._outline_of(name_read).order >= outline.order:
                 raise ReportError(
-                    f"{outline.source} reads {other}, which comes after it: "
+                    f"{outline.source} reads {name_read}, which comes after it: "
                     "give it a higher order"
                 )
         results = replace(
             chapter.results,
             evidence=self.evidence.get(name, Evidence()),
             others={
-                other.name: other.results for other in self._read_by(chapter).values()
+                name_read.name: name_read.results
+                for name_read in self._read_by(chapter).values()
             },
             derived={},
         )
@@ -227,7 +228,7 @@ class Edition:
     def _with_count(self, claim: Claim, section: str) -> Claim:
         """Return a claim with the count of measurements that decide it, in words."""
         # Replicas do not have traces.
-        has_traces = any(Pointer(read).is_trace for read in claim.outcome.reads)
+        has_traces = any(Pointer(pointer).is_trace for pointer in claim.outcome.reads)
         if claim.outcome.name == "unknown" or has_traces:
             return claim
         return replace(claim, confirmed=self.confirmed.get(section, ""))
@@ -308,8 +309,17 @@ def editions_of(
             edition.draws = draws
             edition.root = "" if release == project.release else "../"
         _derive(editions)
-        chapters = {release: each.chapters for release, each in editions.items()}
-        _derive(editions, {name: dict(each) for name, each in chapters.items()})
+        chapters = {
+            release: edition_of_release.chapters
+            for release, edition_of_release in editions.items()
+        }
+        _derive(
+            editions,
+            {
+                name: dict(edition_of_release)
+                for name, edition_of_release in chapters.items()
+            },
+        )
     return editions
 
 

@@ -68,10 +68,10 @@ def outline_of(section: str, report: Report | None = None) -> Outline:
         raise ReportError(
             f"{name} names the page {page!r}: use one of {', '.join(pages)}"
         )
-    for read in facts["reads"]:
-        if not file_of(PACKAGE, read):
+    for section_read in facts["reads"]:
+        if not file_of(PACKAGE, section_read):
             raise ReportError(
-                f"{name} reads {read!r}, which is not a section: correct the name"
+                f"{name} reads {section_read!r}, which is not a section: correct the name"
             )
     return Outline(
         file,

@@ -224,7 +224,9 @@ class Loop:
                     is_of_pool = section.is_exclusive(batch) == is_exclusive
                     if is_of_pool and self._has_room(pool, is_exclusive):
                         section.waiting = [
-                            other for other in section.waiting if other is not batch
+                            waiting
+                            for waiting in section.waiting
+                            if waiting is not batch
                         ]
                         self._start(pool, section, batch)
         return bool(self.running)

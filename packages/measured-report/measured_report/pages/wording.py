@@ -53,8 +53,8 @@ def give_words(editions: Mapping[str, Edition], templates: Templates) -> None:
         template = template_of(chapter.name)
         words = templates.words(template)
         section = chapter.section
-        lost = derived[chapter.name].intersection(words).difference(section.names)
-        section = replace(section, lost=lost)
+        lost_names = derived[chapter.name].intersection(words).difference(section.names)
+        section = replace(section, lost=lost_names)
         section = section.worded(chapter.name, template, words, edition.root)
         return replace(chapter, section=section)
 

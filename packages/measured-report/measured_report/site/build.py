@@ -108,10 +108,10 @@ def _stray_results(edition: Edition) -> list[str]:
     results = edition.project.results
     settings = edition.report.settings
     folders = {path.parent.name for path in results.parent.glob("*/*.json")}
-    known = set(map(settings.edition_folder, edition.project.releases))
+    edition_folders = set(map(settings.edition_folder, edition.project.releases))
     lines = [
         f"results/{name} is not an edition: rename or remove it"
-        for name in sorted(folders - known)
+        for name in sorted(folders - edition_folders)
     ]
     names = sections(edition.project.root)
     for path in sorted(results.glob("*.json")):

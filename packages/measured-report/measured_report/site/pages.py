@@ -90,7 +90,9 @@ def contents_of(
 ) -> list[Content]:
     """Return the contents of all pages of a release."""
     edition = editions[release]
-    releases = {label: other.uncompared for label, other in editions.items()}
+    releases = {
+        label: release_edition.uncompared for label, release_edition in editions.items()
+    }
     names = {
         "false_alarms": rate_values(edition),
         "calibration": calibration_values(edition),

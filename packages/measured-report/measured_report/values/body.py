@@ -331,10 +331,10 @@ def _calibration(chances: Chances, columns: Schema) -> dict[str, tuple[int, int]
     counts = dict.fromkeys(KINDS, (0, 0))
     for (_, column_key), numbers in chances.items():
         kind = kind_of(_column(column_key, columns))
-        known = np.concatenate([row[~np.isnan(row)] for row in numbers.values()])
+        tested = np.concatenate([row[~np.isnan(row)] for row in numbers.values()])
         inside, total = counts[kind]
-        inside += int((known >= 1 - SURE).sum())
-        counts[kind] = inside, total + len(known)
+        inside += int((tested >= 1 - SURE).sum())
+        counts[kind] = inside, total + len(tested)
     return counts
 
 
@@ -354,13 +354,13 @@ def _changed(
             rows.setdefault(row_key, []).append(float(of_number[index]))
     counts = []
     for rows in by_measurement.values():
-        known = [chance for of_row in rows.values() for chance in of_row]
-        limit = max(discoveries(known), FALSE_SHARE / len(known))
+        tested = [chance for of_row in rows.values() for chance in of_row]
+        limit = max(discoveries(tested), FALSE_SHARE / len(tested))
         changed = [
             sum(chance <= limit for chance in of_row) for of_row in rows.values()
         ]
         is_listed = exceeds_chance(sum(map(bool, changed)), odd_rows)
-        counts.append((len(known), sum(changed) if is_listed else 0))
+        counts.append((len(tested), sum(changed) if is_listed else 0))
     return counts
 
 

@@ -155,9 +155,9 @@ class Scatter:
     def of(self, row: Hashable, size: float) -> tuple[float, float]:
         """Return the variance of a number of this size, and its degrees of freedom."""
         column = RowScatter(self.level, self.freedom)
-        known = self.rows.get(self.key(row, size), column)
-        variance = max(known.level * size**self.slope, rounding_variance(size))
-        return variance, known.freedom
+        scatter = self.rows.get(self.key(row, size), column)
+        variance = max(scatter.level * size**self.slope, rounding_variance(size))
+        return variance, scatter.freedom
 
 
 class Estimate(NamedTuple):
@@ -183,14 +183,14 @@ class Estimate(NamedTuple):
             return ""
         least = min(present)
         largest = max(present)
-        several = f"{len(present)} measurements from {least:.6g} to {largest:.6g}"
+        summary = f"{len(present)} measurements from {least:.6g} to {largest:.6g}"
         if self.is_edge:
-            return f"chance decides how this run ends: {several}"
+            return f"chance decides how this run ends: {summary}"
         mean = "mean of " if least < largest else ""
         if self.dissent:
             agreeing = len(present) - self.dissent
-            return f"{mean}{several}; {agreeing} of them agree"
-        return f"{mean}{several}"
+            return f"{mean}{summary}; {agreeing} of them agree"
+        return f"{mean}{summary}"
 
     @property
     def error(self) -> float:

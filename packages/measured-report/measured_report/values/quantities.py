@@ -74,9 +74,9 @@ class Lost(Markup):
 
     @classmethod
     def because(cls, html: Markup, reason: str) -> "Lost":
-        lost = cls(html)
-        lost.reason = reason or "the reason is not known"
-        return lost
+        markup = cls(html)
+        markup.reason = reason or "the reason is not known"
+        return markup
 
 
 def lost_reason(printed: Any) -> str:
@@ -202,9 +202,9 @@ class Quantity:
         if self.value is None or not self.noise:
             return ""
         present = [sample for sample in self.samples if sample is not None]
-        several = f", in {len(present)} measurements {', '.join(f'{sample:.4g}' for sample in present)}"
+        listing = f", in {len(present)} measurements {', '.join(f'{sample:.4g}' for sample in present)}"
         return f"±{self.noise:.2g}" + (
-            several if len(present) > 1 and isinstance(self, Value) else ""
+            listing if len(present) > 1 and isinstance(self, Value) else ""
         )
 
     def __html__(self) -> Markup:
@@ -412,10 +412,10 @@ class Term(Unnamed, Value):
     ):
         origins = [operand.origins for operand in operands]
         refusal = "" if across else mixed(*origins)
-        lost = [operand.reason for operand in operands if operand.value is None]
-        if refusal or lost:
+        reasons = [operand.reason for operand in operands if operand.value is None]
+        if refusal or reasons:
             value = None
-            reason = refusal or lost[0]
+            reason = refusal or reasons[0]
         else:
             value, reason = _evaluated(
                 function, [operand.value for operand in operands]

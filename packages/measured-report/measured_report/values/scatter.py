@@ -211,8 +211,8 @@ def left_out(samples: Array, rows: Sequence[Hashable], fit: Fit) -> LeftOut:
     """
     unknown = RowScatter(np.nan, np.nan)
     keys = map(fit.scatter.key, rows, abs(fit.values))
-    known = [fit.scatter.rows.get(key, unknown) for key in keys]
-    levels, freedoms = np.array(known).T[:, :, None]
+    row_scatters = [fit.scatter.rows.get(key, unknown) for key in keys]
+    levels, freedoms = np.array(row_scatters).T[:, :, None]
     counts = (~np.isnan(samples)).sum(axis=1)[:, None]
     means = fit.values[:, None]
     sizes = np.maximum(abs(means), 1e-12)
@@ -223,8 +223,8 @@ def left_out(samples: Array, rows: Sequence[Hashable], fit: Fit) -> LeftOut:
         variances = (levels * freedoms - own / shapes) / remaining * shapes
         variances = np.maximum(variances, rounding_variance(sizes))
         errors = np.sqrt(variances * counts / (counts - 1))
-        others = (counts * means - fit.fenced) / (counts - 1)
-        distances = abs(samples - others) - ROUNDED_SHARE * sizes
+        means_of_others = (counts * means - fit.fenced) / (counts - 1)
+        distances = abs(samples - means_of_others) - ROUNDED_SHARE * sizes
     # Without half a degree of freedom, the variance of the others is hardly known.
     is_tested = ~np.isnan(samples) & (counts > 1) & (remaining >= 0.5)
     distances = np.where(is_tested, np.maximum(distances, 0), np.nan)

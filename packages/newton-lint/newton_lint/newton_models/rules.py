@@ -122,14 +122,14 @@ def friction_gain(scene: Shapes) -> Iterator[Hits]:
     mix = share(solmix[first], solmix[second], contacts.outranked)[:, 0]
     mixed = mix * kf[first] + (1.0 - mix) * kf[second]
     mu = contacts.friction[:, 0]
-    lost = np.flatnonzero((contacts.condim > 1) & (mixed == 0.0))
+    frictionless = np.flatnonzero((contacts.condim > 1) & (mixed == 0.0))
     wording = Wording(
         "kf",
         "mu",
         "mu $value of $shapes against $against is not read because a kf of 0 removes"
         " the friction",
     )
-    yield Hits(wording, lost, mu, shape=first, partner=second)
+    yield Hits(wording, frictionless, mu, shape=first, partner=second)
     dmax = contacts.solimp[:, 1]
     most = 1.0 / (
         opt.timestep_s * contacts.weight * ((1.0 - dmax) / opt.impratio + dmax)
