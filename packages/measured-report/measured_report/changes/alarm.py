@@ -37,13 +37,18 @@ def _json(kind: str, is_alarm: bool, parts: dict[str, Any]) -> str:
 
 
 def _lines(lines: Iterable[str], form: str) -> str:
-    """Return lines as text, or as a block of Markdown that shows them unchanged."""
+    """Return lines as text, or as a block of Markdown that shows them unchanged.
+
+    A block that is too long for a comment ends with a note.
+    """
     text = "\n".join(lines).rstrip()
-    return (
-        text
-        if form == "text"
-        else "\n".join(["```text", text.replace("```", "'''")[:MARKDOWN_LIMIT], "```"])
-    )
+    if form == "text":
+        return text
+    text = text.replace("```", "'''")
+    if len(text) > MARKDOWN_LIMIT:
+        whole_lines = text[:MARKDOWN_LIMIT].rpartition("\n")[0]
+        text = f"{whole_lines}\n… shortened: FORMAT=json has everything"
+    return "\n".join(["```text", text, "```"])
 
 
 Say = Callable[[str, Claim], str]  # returns the sentence of a claim of a section

@@ -1,5 +1,6 @@
 """The alarm: what can't be trusted is named first and is status 1, and what can't be compared is no flip."""
 
+import re
 from argparse import Namespace
 from dataclasses import replace
 from functools import partial
@@ -9,7 +10,7 @@ import pytest
 from damage import damage
 from toys import MODULE, ROWS, TEMPLATE, compared
 
-from measured_report.changes.alarm import check_text, diff_text
+from measured_report.changes.alarm import _lines, check_text, diff_text
 from measured_report.changes.compare import Comparison
 from measured_report.commands import check as check_command
 from measured_report.commands import diff
@@ -30,6 +31,15 @@ def say(section: str, claim: Claim) -> str:
 
 def changed(project: Project, before: str = "1.8.0") -> Comparison:
     return compared(project.of(before), project)
+
+
+def test_a_comment_that_is_too_long_ends_with_a_whole_line_and_a_note():
+    text = _lines([f"line {index:05}" for index in range(9000)], "markdown")
+    *_, last, note, end = text.splitlines()
+    assert re.fullmatch(r"line \d{5}", last)
+    assert (note, end) == ("… shortened: FORMAT=json has everything", "```")
+    assert len(text) < 65_536
+    assert "shortened" not in _lines(["line"] * 9000, "text")
 
 
 def test_a_section_that_is_gone_or_damaged_is_named_first(toy, capsys):
