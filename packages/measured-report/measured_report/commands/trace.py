@@ -84,14 +84,14 @@ def provenance(project: Project, editions: Mapping[str, Edition], name: str) -> 
     for file, file_pointers in groupby(pointers, key=_file_of):
         # The record of a trace has the name of the trace without its case.
         record_file = re.sub(r"\.[^/]*\.csv\.gz$", ".json", file)
-        chapter = chapters_by_file.get(record_file)
-        if chapter is None:
+        owner = chapters_by_file.get(record_file)
+        if owner is None:
             lines += [
                 "",
                 f"from {file}, whose section cannot be derived: see make status",
             ]
             continue
-        cell_lines = _lines_of_record(project, chapter, chapters_by_file, file_pointers)
+        cell_lines = _lines_of_record(project, owner, chapters_by_file, file_pointers)
         lines += ["", f"from {file}", *cell_lines]
     return "\n".join(lines)
 
