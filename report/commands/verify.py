@@ -90,17 +90,22 @@ def comparisons_of(
         )
         difference = abs(slip - tracked.slip_mm)
         outcome = at_most(difference, bound)
+        agrees = outcome.name != "fails"
         words = WORDS[outcome.answer]
-        if difference.reason:  # a run without a slip cannot agree
-            words = f"differs ({difference.reason})"
+        if difference.reason:
+            # Two runs without a slip agree if they lack it for the same reason.
+            lack, tracked_lack = (
+                cells.get("slip_mm_reason", "") for cells in (row, tracked.plain)
+            )
+            agrees = slip.value == tracked.slip_mm.value and lack == tracked_lack
+            words = f"{'agrees' if agrees else 'differs'} ({difference.reason})"
         # More digits than on a page, so that equal results can be recognized.
         cells = [
             str(number) if number.value is None else f"{number.value:.6f} mm"
             for number in (slip, tracked.slip_mm, difference)
         ]
         words = f"{words}; on {processor}"
-        line = LINE.format(row["case"], *cells, f"{bound}", words)
-        yield line, outcome.name != "fails" and not difference.reason
+        yield LINE.format(row["case"], *cells, f"{bound}", words), agrees
 
 
 def _noise_of_one(tracked: Row) -> float:

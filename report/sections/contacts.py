@@ -9,13 +9,13 @@ from report.shared import (
     Claim,
     Results,
     Section,
+    Sections,
     all_of,
     at_most,
     combined,
     decided,
     departure,
     greater,
-    other_value,
     table_of,
 )
 
@@ -48,7 +48,7 @@ def derive(results: Results) -> Section:
         " samples",
         combined(max, *(row.tangential_force_n for row in shipped)),
     )
-    weight = other_value(results, "reproduction", "cube_weight")
+    weight = Sections(results.others).value("reproduction", "cube_weight")
     results.value(
         "load_by_weight", "this load over the weight of the cube", load / weight
     )

@@ -9,13 +9,13 @@ from report.shared import (
     Claim,
     Results,
     Section,
+    Sections,
     all_of,
     at_least,
     at_most,
     constant,
     decided,
     departure,
-    other_value,
 )
 
 order = 140
@@ -28,14 +28,13 @@ label = "the fix as files"
 def derive(results: Results) -> Section:
     shipped = results.row["as-shipped"]
     fixed = results.row["fixed"]
-    bound = results.chosen("gain_bound", *SETTLES)
     gain = results.value(
         "gain",
         "slip as shipped over slip with the fix",
         shipped.slip_mm / fixed.slip_mm,
     )
     passes = [row.exit_status.value == 0 for row in (shipped, fixed)]
-    holds = all_of(at_least(gain, bound), decided(passes[1], fixed.slip_mm))
+    holds = all_of(at_least(gain, *SETTLES), decided(passes[1], fixed.slip_mm))
     # A script that crashes also fails, but it has no slip, so that the claim cannot
     # tell.
     tells = decided(passes == [False, True], shipped.slip_mm, fixed.slip_mm)
@@ -43,7 +42,7 @@ def derive(results: Results) -> Section:
 
     # The engine does not use a timeconst of less than two steps, so no contact is
     # harder.
-    step = other_value(results, "stiffness", "substep")
+    step = Sections(results.others).value("stiffness", "substep")
     if step.value is None:
         step = results.value(
             "substep",
@@ -61,7 +60,6 @@ def derive(results: Results) -> Section:
         "ke with a damping ratio, kd / (2 √ke), of 1",
         least_kd * least_kd / 4,
     )
-    rounded = results.chosen("rounding_bound", "a rounded number", 10.0, "%")
     numbers = {"dt": dt, "least_kd": least_kd, "least_ke": least_ke}
     tests = []
     for name, patched, least in (
@@ -79,11 +77,17 @@ def derive(results: Results) -> Section:
             " relative to the latter",
             departure(numbers[name], least),
         )
-        tests += [at_least(numbers[name], least), at_most(off, rounded)]
-    slips = {"before": shipped.slip_mm, "after": fixed.slip_mm}
+        tests += [
+            at_least(numbers[name], least),
+            at_most(off, 10.0, "a rounded number"),
+        ]
     return Section(
         claims=[
-            Claim("recommended", holds, slips),
+            Claim(
+                "recommended",
+                holds,
+                {"before": shipped.slip_mm, "after": fixed.slip_mm},
+            ),
             Claim("patch_rounds_up", all_of(*tests), numbers),
             Claim("test_tells", tells, {"before": before, "after": after}),
         ],

@@ -1,6 +1,6 @@
 """The slip with friction coefficients far below and far above the shipped ones."""
 
-from report.shared import Results, Section, variant_section, variants_of
+from report.shared import Results, Section, variants_claim
 
 order = 40
 reads = ("reproduction",)
@@ -9,4 +9,4 @@ labels = {"pad-mu-#": "pads' friction {}", "cube-mu-#": "cube's friction {}"}
 
 
 def derive(results: Results) -> Section:
-    return variant_section(results, variants_of(results, "pad-mu-1"))
+    return Section(claims=[variants_claim(results, "pad-mu-1")])

@@ -30,10 +30,10 @@ from report.shared.drawing import (
     INK,
     STIFF,
     Drawing,
-    label_value,
     name_lines,
     new_figure,
     write,
+    write_beside,
 )
 
 order = 150
@@ -89,8 +89,7 @@ def derive(results: Results) -> Section:
         gain = results.value(
             f"cuda_gain_{count}",
             "time of a frame exactly as shipped over that without the unneeded parts,"
-            " timed in"
-            " turn",
+            " timed in turn",
             1 / timed["cuda", ALL, count].frame_ratio,
         )
         gains.append(gain)
@@ -104,8 +103,7 @@ def derive(results: Results) -> Section:
     cpu_gain = results.value(
         "cpu_gain_least",
         "time of a frame on the CPU exactly as shipped over that without the unneeded"
-        " parts,"
-        " at the lower end of its interval",
+        " parts, at the lower end of its interval",
         1 / row.frame_ratio / (1 + row.ratio_resolution),
         is_noise=True,
     )
@@ -119,7 +117,6 @@ def derive(results: Results) -> Section:
         " the unneeded parts",
         before / after,
     )
-    worth = results.chosen("memory_saving_bound", "a worthwhile saving", 20.0)
 
     # The slip of a case is the same in its rows of all numbers of worlds.
     ran = {row.case: row for row in reversed(timed.values()) if row.device == "cuda"}
@@ -193,7 +190,7 @@ def derive(results: Results) -> Section:
             ),
             Claim(
                 "less_memory",
-                at_least(saving, worth),
+                at_least(saving, 20.0, "a worthwhile saving"),
                 {"saving": saving, "before": before, "after": after},
             ),
             Claim(
@@ -233,35 +230,18 @@ def _draw_costs(steps: list[tuple[Value, Row]], whole: dict[str, Value]) -> Draw
     timed.sort(key=lambda step: -step[0].number if step[2] else math.inf)
     drawing, axes = new_figure(7.2, 1.2 + 0.28 * len(timed))
     distinct_count = sum(is_distinct for _, _, is_distinct, _ in timed)
-    axes.axhline(
-        distinct_count - 0.5, color=INK, linewidth=0.8, linestyle=":", marker=""
-    )
+    axes.axhline(distinct_count - 0.5, color=INK, linewidth=0.8, linestyle=":")
     for place, (saved, interval, is_distinct, _) in enumerate(timed):
         colour = STIFF if is_distinct else FAINT
         axes.barh(place, saved.number, height=0.62, linewidth=0, color=colour)
-        axes.errorbar(
-            saved.number,
-            place,
-            xerr=interval,
-            color=INK,
-            linewidth=1.0,
-            capsize=0,
-            marker="",
-        )
-        end = max(saved.number, 0.0) + interval
-        label_value(
-            axes, end, place, f"{write(saved)} %" if is_distinct else "not measurable"
-        )
+        bar = {"color": INK, "linewidth": 1.0, "marker": ""}
+        axes.errorbar(saved.number, place, xerr=interval, **bar)
+        end = (max(saved.number, 0.0) + interval, place)
+        text = f"{write(saved)} %" if is_distinct else "not measurable"
+        write_beside(axes, text, end, (6, 0), fontsize=8.5, va="center", zorder=6)
     lines = [f"{name}: −{write(saved)} %" for name, saved in whole.items()]
-    axes.text(
-        0.98,
-        0.5,
-        "\n".join(["all together", *lines]),
-        transform=axes.transAxes,
-        ha="right",
-        va="center",
-        fontsize=9,
-    )
+    side = {"transform": axes.transAxes, "ha": "right", "va": "center"}
+    axes.text(0.98, 0.5, "\n".join(["all together", *lines]), fontsize=9, **side)
     name_lines(axes, [label for *_, label in timed])
     axes.set_xlim(right=1.25 * max((saved.number for saved, *_ in timed), default=1.0))
     axes.set_xlabel("reduction of the time of a frame [%]")

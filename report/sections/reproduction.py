@@ -10,6 +10,7 @@ from experiments.facts.case import AS_SHIPPED
 from experiments.facts.classes import cycle_increments
 from report.shared import (
     DEVICES,
+    FRAME_RATE,
     MM_PER_M,
     SLIP_BOUND,
     Claim,
@@ -42,7 +43,6 @@ OTHER_ENGINES = {
     "-warp-cpu": "MuJoCo Warp on the CPU",
     "-mujoco-c": "MuJoCo's C engine",
 }
-FRAME_RATE = 60
 MASS_KG = AS_SHIPPED.cube_density_kg_m3 * AS_SHIPPED.cube_edge_m**3
 SCENE = {  # settings of the scene, with units
     "cube_edge": (round(1e3 * AS_SHIPPED.cube_edge_m), "mm"),
@@ -78,8 +78,10 @@ def derive(results: Results) -> Section:
         "slip as shipped over slip with stiff pads",
         shipped.slip_mm / stiff.slip_mm,
     )
-    half = results.chosen("stiff_least", "less than half of the slip", 2.0)
-    stiff_hold = all_of(at_least(gain, half), at_most(stiff.slip_mm, bound))
+    stiff_hold = all_of(
+        at_least(gain, 2.0, "less than half of the slip"),
+        at_most(stiff.slip_mm, bound),
+    )
 
     # Both halves have the same even number of cycles, because odd and even ones differ.
     early = _increment(results, "earlier", lambda later: later[: _half(later)])
@@ -99,12 +101,7 @@ def derive(results: Results) -> Section:
         "absolute difference between the two halves, relative to the earlier one",
         departure(late, early),
     )
-    steady = results.chosen(
-        "increment_change_bound",
-        "increments that differ by less count as steady",
-        10.0,
-        "%",
-    )
+    steady = (10.0, "increments that differ by less count as steady")
     # The path of the shake repeats every two cycles, so that odd and even ones may differ.
     even = _increment(results, "even", lambda later: later[::2])
     odd = _increment(results, "odd", lambda later: later[1::2])
@@ -114,7 +111,7 @@ def derive(results: Results) -> Section:
         " ones",
         departure(odd, even),
     )
-    differ = at_least(apart, 10.0, "increments that count as steady differ by less")
+    differ = at_least(apart, *steady)
 
     places = {"": f"MuJoCo Warp on the {DEVICES[results.record.machine['device']]}"}
     for suffix, name in OTHER_ENGINES.items():
@@ -165,7 +162,7 @@ def derive(results: Results) -> Section:
             Claim("cube_is_lost", is_lost, {"lost": lost_count, "count": run_count}),
             Claim(
                 "drift_is_steady",
-                at_most(change, steady),
+                at_most(change, *steady),
                 {"early": early, "late": late, "change": change, "count": count},
             ),
             Claim("every_second_adds_more", differ, {"even": even, "odd": odd}),

@@ -87,8 +87,7 @@ def derive(results: Results) -> Section:
         gain = results.value(
             f"gain_{count}",
             "time of the same loop over that of our frames, timed in turn, multiplied"
-            " by its"
-            " speed over that of the benchmark",
+            " by its speed over that of the benchmark",
             time / benchmark.world_substeps_per_s,
         )
         gains.append(gain)
@@ -121,6 +120,6 @@ def _cheap_worlds(limit: float, *cells: float) -> float:
 
     The cells are numbers of worlds and times of a frame, in turn.
     """
-    pairs = zip(cells[::2], cells[1::2], strict=True)
-    cheap = takewhile(lambda pair: pair[1] <= limit * cells[1], pairs)
+    times = zip(cells[::2], cells[1::2], strict=True)
+    cheap = takewhile(lambda timed: timed[1] <= limit * cells[1], times)
     return max(worlds for worlds, _ in cheap)

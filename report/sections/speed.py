@@ -28,16 +28,17 @@ labels = {
 def derive(results: Results) -> Section:
     rows = [row for row in results.rows if "worlds" not in row]
     worst = resolution(results, "resolution", rows)
-    one = results.row["stiff-pads-only"]
+    stiff = results.row["stiff-pads-only"]
     change = results.value(
         "stiff_pads_only_change",
         "time of a frame with stiff pads over that as shipped, minus one",
-        PERCENT * (one.frame_ratio - 1),
+        PERCENT * (stiff.frame_ratio - 1),
     )
     bound = results.chosen("slower", *SLOWER, "%")
     same = negligible(abs(change), bound)
-    numbers = {"change": change, "bound": bound}
-    claims = [Claim("stiff_pads_only_same_time", same, numbers)]
+    claims = [
+        Claim("stiff_pads_only_same_time", same, {"change": change, "bound": bound})
+    ]
     columns = {
         "time of a frame": "frame_ms",
         "relative to shipped pads": "frame_ratio",
@@ -48,6 +49,7 @@ def derive(results: Results) -> Section:
         return Section(tables=tables, claims=claims, unmeasured=("many_worlds",))
     many = results.row[f"stiff-pads-{TIMED_WORLDS[-1]}"]
     longer = greater(many.frame_ratio, 1.0, "the time with shipped pads")
-    numbers = {"worlds": many.worlds, "ratio": many.frame_ratio}
-    claims.append(Claim("many_worlds", longer, numbers))
+    claims.append(
+        Claim("many_worlds", longer, {"worlds": many.worlds, "ratio": many.frame_ratio})
+    )
     return Section(tables=tables, claims=claims)

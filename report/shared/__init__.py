@@ -32,6 +32,7 @@ from report.shared.arithmetic import (
     AS_PUBLISHED,
     CASES,
     DEVICES,
+    FRAME_RATE,
     MM_PER_M,
     MS_PER_S,
     SETTLES,
@@ -48,7 +49,6 @@ from report.shared.arithmetic import (
     is_held,
     joined,
     largest_size,
-    other_value,
     quantile,
     relevance,
     rows_with,
@@ -71,9 +71,4 @@ from report.shared.timing import (
     resolution,
     worlds_name,
 )
-from report.shared.variants import (
-    Variants,
-    change_of,
-    variant_section,
-    variants_of,
-)
+from report.shared.variants import change_of, variants_claim

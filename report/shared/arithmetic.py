@@ -31,7 +31,8 @@ DEVICES = {"cuda": "GPU", "cpu": "CPU"}
 
 MS_PER_S = constant(1e3, "ms/s")
 MM_PER_M = constant(1e3, "mm/m")
-SUBSTEP_S = constant(1 / 60 / AS_SHIPPED.substeps, "s")  # of the scene, at 60 frames/s
+FRAME_RATE = 60  # of the scene [1/s]
+SUBSTEP_S = constant(1 / FRAME_RATE / AS_SHIPPED.substeps, "s")
 # A bound and its reason: the smallest change of a slip or drift that matters, relative
 # to shipped pads [%].
 RELEVANT = ("a smaller change makes no difference to a grasp", 1.0)
@@ -42,7 +43,7 @@ SLIP_BOUND = ("a slip that can be seen", 1.0, "mm")
 CAUSE_BOUND = ("a cause would change the slip by more", 10.0, "%")
 SHARED_BOUNDS = ("slip_bound", "cause_bound")
 # The factor by which a solution has to reduce the slip.
-SETTLES = ("a change that settles the matter", 10.0)
+SETTLES = (10.0, "a change that settles the matter")
 
 
 def departure(a: Quantity, b: Quantity) -> Term:
@@ -121,11 +122,6 @@ class Sections:
 def sections_of(chapters: Mapping[str, Any]) -> Sections:
     """Return the findings of the chapters of an edition."""
     return Sections({name: chapter.results for name, chapter in chapters.items()})
-
-
-def other_value(results: Results, section: str, name: str) -> Quantity:
-    """Return a value of another section, which is derived before this one."""
-    return Sections(results.others).value(section, name)
 
 
 def relevance(results: Results, slip: Quantity | None = None) -> Value:

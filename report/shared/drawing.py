@@ -71,16 +71,3 @@ def tick_at(axis: Axis, places: Sequence[float], *, digits: int = 6) -> None:
     axis.set_ticks(places)
     axis.set_minor_locator(ticker.NullLocator())
     axis.set_major_formatter(plain_labels(digits=digits))
-
-
-def label_value(axes: Axes, x: float, y: float, text: str) -> None:
-    """Write the value of a mark or a bar to the right of it."""
-    axes.annotate(
-        text,
-        (x, y),
-        xytext=(6, 0),
-        textcoords="offset points",
-        fontsize=8.5,
-        va="center",
-        zorder=6,
-    )

@@ -6,9 +6,9 @@ from typing import Any, NamedTuple
 
 from markupsafe import Markup
 
-from report.sections.reproduction import FRAME_RATE
 from report.shared import (
     FAILS,
+    FRAME_RATE,
     HOLDS,
     MS_PER_S,
     SLOWER,
@@ -18,7 +18,6 @@ from report.shared import (
     Outcome,
     Quantity,
     Sections,
-    absent,
     all_of,
     at_least,
     at_most,
@@ -37,6 +36,7 @@ from report.shared.drawing import (
     new_figure,
     tick_at,
     write,
+    write_beside,
 )
 
 ALONE = TIMED_WORLDS[0]
@@ -223,7 +223,7 @@ class Mark(NamedTuple):
     setup: Setup
     creep: float  # slip per cycle [mm]
     times: list[float]  # time per world and frame [ms], alone and among many
-    is_seen: bool
+    is_measurable: bool
 
 
 def figure(sections: Sections) -> Figure:
@@ -269,8 +269,8 @@ def figure(sections: Sections) -> Figure:
         if times:
             marks.append(Mark(setup, creep, times, slip.is_distinct))
     bounds = [sections.value(*place) for place in BOUNDS.values()]
-    shake = [sections.cell("reproduction", "as-shipped", name).value for name in SHAKE]
-    lines = [
+    shake = [SETUPS[0].slip(sections, column).value for column in SHAKE]
+    bound_creeps = [
         (bound, bound.number / math.prod(shake))
         for bound in bounds
         if None not in (bound.value, *shake)
@@ -287,52 +287,38 @@ def figure(sections: Sections) -> Figure:
         "is_ended": any(setup.keeps(sections, bounds[1]) == HOLDS for setup in patches),
     }
     cells += [*worlds.values(), core, *bounds]
-    return Figure(lambda: _draw(marks, lines), cells, numbers)
+    return Figure(lambda: _draw(marks, bound_creeps), cells, numbers)
 
 
-def _draw(marks: list[Mark], lines: list[tuple[Quantity, float]]) -> Drawing:
+def _draw(marks: list[Mark], bounds: list[tuple[Quantity, float]]) -> Drawing:
     drawing, axes = new_figure(7.2, 4.6)
-    for bound, creep in lines:
-        axes.axhline(
-            creep, color=INK, linewidth=0.8, linestyle=(0, (4, 4)), marker="", alpha=0.5
-        )
+    for bound, creep in bounds:
+        axes.axhline(creep, color=INK, linewidth=0.8, linestyle=(0, (4, 4)), alpha=0.5)
         at = {"xycoords": ("axes fraction", "data"), "va": "bottom", "fontsize": 8.5}
         axes.annotate(f"{write(bound)} mm in the whole shake", (0.01, creep), **at)
+    marks = sorted(marks, key=lambda mark: -mark.creep)
     last = math.inf
-    for setup, creep, times, is_seen in sorted(marks, key=lambda mark: -mark.creep):
-        style = {
-            "marker": setup.marker,
-            "markerfacecolor": setup.colour if is_seen else "none",
-            "markersize": 8,
-        }
+    for setup, creep, times, is_measurable in marks:
         axes.plot(
             times,
             [creep] * len(times),
             color=setup.colour,
             linestyle=":",
             linewidth=0.9,
+            marker=setup.marker,
+            markerfacecolor=setup.colour if is_measurable else "none",
+            markersize=8,
             markevery=1,
-            **style,
         )
-        beside: dict[str, Any] = {
-            "color": setup.colour,
-            "fontsize": 9.5,
-            "textcoords": "offset points",
-        }
+        look: dict[str, Any] = {"color": setup.colour, "fontsize": 9.5}
+        slowest = max(times)
         if setup in C_SETUPS:  # its name stands below its mark
-            axes.annotate(
-                setup.name,
-                (max(times), creep),
-                xytext=(0, -8),
-                ha="center",
-                va="top",
-                **beside,
-            )
+            look |= {"ha": "center", "va": "top"}
+            write_beside(axes, setup.name, (slowest, creep), (0, -8), **look)
         else:  # far enough down not to touch the name above
             last = min(math.log10(creep), last - GAP)
-            axes.annotate(
-                setup.name, (max(times), 10**last), xytext=(8, 0), va="center", **beside
-            )
+            look["va"] = "center"
+            write_beside(axes, setup.name, (slowest, 10**last), (8, 0), **look)
     axes.set(
         xscale="log",
         yscale="log",
@@ -343,47 +329,26 @@ def _draw(marks: list[Mark], lines: list[tuple[Quantity, float]]) -> Drawing:
     axes.set_ylim(top=3 * max((mark.creep for mark in marks), default=1.0))
     tick_at(axes.xaxis, [10.0**power for power in range(-3, 4)])
     tick_at(axes.yaxis, [10.0**power for power in range(-4, 2)])
-    pair = next(
-        (
-            mark
-            for mark in sorted(marks, key=lambda mark: -mark.creep)
-            if len(mark.times) > 1
-        ),
-        None,
-    )
-    names = {
-        worlds_name(ALONE): (4, "right"),
-        worlds_name(MANY): (-4, "left"),
-    }  # offset [points] and alignment of the names above the two marks
-    for (name, (shift, side)), time in zip(
-        names.items(), pair.times if pair else (), strict=False
-    ):
-        axes.annotate(
-            name,
-            (time, pair.creep),
-            (shift, 8),
-            textcoords="offset points",
-            fontsize=8.5,
-            ha=side,
+    lines = [mark for mark in marks if len(mark.times) > 1]
+    if lines:  # the line with the most creep has names above its ends
+        creep = lines[0].creep
+        alone, many = lines[0].times
+        look = {"fontsize": 8.5}
+        write_beside(
+            axes, worlds_name(ALONE), (alone, creep), (4, 8), ha="right", **look
         )
-    axes.text(
-        0.98,
-        0.97,
-        "↙ better",
-        transform=axes.transAxes,
-        fontsize=8.5,
-        ha="right",
-        va="top",
-    )
+        write_beside(axes, worlds_name(MANY), (many, creep), (-4, 8), ha="left", **look)
+    corner = {"transform": axes.transAxes, "ha": "right", "va": "top"}
+    axes.text(0.98, 0.97, "↙ better", fontsize=8.5, **corner)
     return drawing
 
 
 NUMBERS = (
-    *("way", "slip", "ratio", "bound", "many", "off", "elsewhere"),
+    *("way", "slip", "ratio", "many", "off", "elsewhere", "faster"),
+    *("is_argument", "is_other"),
     *("patch", "patch_slip", "patch_ratio", "patch_many", "has_patch"),
-    *("is_argument", "is_other", "faster"),
 )
-"""The numbers that the wording of the advice can print, empty without advice."""
+"""Names that the wording of the advice can print, which are empty without advice."""
 
 
 def advice(sections: Sections, every: dict[str, Sections]) -> list[Claim]:
@@ -392,14 +357,6 @@ def advice(sections: Sections, every: dict[str, Sections]) -> list[Claim]:
         _advised(sections, name, sections.value(*bound), every)
         for name, bound in BOUNDS.items()
     ]
-
-
-NOTHING_HOLDS = "no setup that was tried keeps the slip this small"
-
-
-def _without(numbers: dict[str, Any], reason: str, bound: Quantity) -> dict[str, Any]:
-    none = absent("1", bound.reason or reason)
-    return numbers | {"slip": none, "ratio": none}
 
 
 def _unmeasured(
@@ -467,7 +424,7 @@ def _advised(
     effort = min((setup.effort for setup in holding), default=PATCH)
     least = [setup for setup in holding if setup.effort == effort]
     if lack := _unmeasured(sections, tests, times, effort):
-        return Claim(name, lack, _without(numbers, lack.reason, bound))
+        return Claim(name, lack, numbers)
     near = [
         test
         for setup, test in tests.items()
@@ -475,8 +432,9 @@ def _advised(
     ]
     least = [setup for setup in least if setup in times]
     if near or not least:
-        outcome = near[0] if near else Outcome("unknown", bound.reason or NOTHING_HOLDS)
-        return Claim(name, outcome, _without(numbers, outcome.reason, bound))
+        reason = bound.reason or "no setup that was tried keeps the slip this small"
+        outcome = near[0] if near else Outcome("unknown", reason)
+        return Claim(name, outcome, numbers)
 
     setup = _fastest(least, times)
     variant = setup.timed.rpartition("/")[2]
@@ -486,15 +444,16 @@ def _advised(
         slip = setup.slip(findings)
         if slip.value is not None and slip.value > bound.number:
             exceeding.append((slip, release))
+    elsewhere = Markup(", ").join(
+        Markup("{} in {}").format(slip, release) for slip, release in exceeding
+    )
     numbers |= {
         "way": setup.name,
         "slip": setup.slip(sections),
         "ratio": times[setup],
         "many": ratios[setup].get(MANY, ""),
         "off": off if at_least(off, bound) == HOLDS else "",
-        "elsewhere": Markup(", ").join(
-            Markup("{} in {}").format(*pair) for pair in exceeding
-        ),
+        "elsewhere": elsewhere,
         "is_argument": setup.effort != NOTHING,
         "is_other": setup.is_other,
         "faster": _faster(sections, setup, times[setup]),

@@ -63,12 +63,12 @@ def derive(releases: Releases, release: str) -> Section:
         for contacts, places in CONTACTS.items()
     }
     needed = {
-        contacts: [_advice(before, after, bound) for before, after in pairs]
-        for contacts, pairs in slips.items()
+        contacts: [_advice(before, after, bound) for before, after in cells]
+        for contacts, cells in slips.items()
     }
     shipped = {
-        contacts: {name: pair[0] for name, pair in zip(every, pairs, strict=True)}
-        for contacts, pairs in slips.items()
+        contacts: {name: before for name, (before, _) in zip(every, cells, strict=True)}
+        for contacts, cells in slips.items()
     }
     measured = {
         contacts: {name: slip for name, slip in cells.items() if slip.source}

@@ -72,14 +72,14 @@ OTHER_CONTACTS = {  # the root cure with other contacts and with another cone
 
 
 def derive(results: Results) -> Section:
-    def row_of(case: str, shake: str = "3cm") -> Row:
+    def run(case: str, shake: str = "3cm") -> Row:
         return results.row[case.format(shake)]
 
     # Test whether the cure on stiff pads keeps every cube that stiff pads keep, with
     # less slip.
-    slip = row_of(FIRM).slip_mm
-    shipped = row_of(SHIPPED).slip_mm
-    wide = row_of(FIRM, "10cm")
+    slip = run(FIRM).slip_mm
+    shipped = run(SHIPPED).slip_mm
+    wide = run(FIRM, "10cm")
     amplitude = results.value(
         "amplitude_10cm",
         "rounded to whole mm",
@@ -155,12 +155,12 @@ def derive(results: Results) -> Section:
                 row.slip_z_mm,
                 unit="mm",
             )
-            for row in map(row_of, SHOWN)
+            for row in map(run, SHOWN)
         ]
     budget = table_of("setup", [NAMES[case] for case in SHOWN], columns)
 
-    cases = [case for case in NAMES if case != KF_OFF or row_of(case)]
-    rows = {shake: [row_of(case, shake) for case in cases] for shake in SHAKES}
+    cases = [case for case in NAMES if case != KF_OFF or run(case)]
+    rows = {shake: [run(case, shake) for case in cases] for shake in SHAKES}
     slips = [row.slip_mm for column in rows.values() for row in column if row]
     use = Figure(lambda: _draw_use([NAMES[case] for case in cases], rows), slips)
     claims = [
@@ -190,7 +190,7 @@ def derive(results: Results) -> Section:
         ),
     ]
     for name, case in OTHER_CONTACTS.items():
-        slip = row_of(case).slip_mm
+        slip = run(case).slip_mm
         near = at_most(slip, 0.1, "nearly as little as with Newton's contacts")
         claims.append(Claim(f"with_{name}", near, {"slip": slip}))
     return Section(tables={"budget": budget}, figures={"use": use}, claims=claims)

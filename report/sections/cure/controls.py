@@ -5,6 +5,7 @@ from report.shared import (
     Claim,
     Quantity,
     Results,
+    Row,
     Section,
     all_of,
     at_least,
@@ -16,37 +17,36 @@ from report.shared import (
 
 
 def derive(results: Results) -> Section:
-    def drifts(motion: str) -> list[Quantity]:
-        rows = (
-            results.row[f"control-{motion}-plain-{engine}"] for engine in ("warp", "c")
-        )
-        return [row.drift_mm_s for row in rows]
+    def rows_of(motion: str) -> list[Row]:
+        """Return the runs of a motion in both engines."""
+        cases = [f"control-{motion}-plain-{engine}" for engine in ("warp", "c")]
+        return [results.row[case] for case in cases]
 
-    slow = "a millimetre in a quarter of an hour"
+    def drifts(motion: str) -> list[Quantity]:
+        return [row.drift_mm_s for row in rows_of(motion)]
+
+    slow = (0.001, "a millimetre in a quarter of an hour")  # [mm/s]
     slower = "smaller drift of the two engines"
     still = results.value(
         "straight_drift",
         "largest absolute drift in the straight shake",
         largest_size(drifts("straight")),
     )
-    bound = results.chosen("straight_drift_bound", slow, 0.001, "mm/s")
     turning = results.value("turning_drift", slower, extreme(min, drifts("turning")))
-    rows = [results.row[f"control-turning-plain-{engine}"] for engine in ("warp", "c")]
     offs = [
         results.value(
             f"{row.case}_off",
             "absolute difference between the growth of the distance from the axis and"
-            " that of"
-            " the law, relative to the latter",
+            " that of the law, relative to the latter",
             departure(row.growth_per_s, row.predicted_growth_per_s),
         )
-        for row in rows
+        for row in rows_of("turning")
     ]
     off = results.value(
         "turning_off", "largest of these differences", extreme(max, offs)
     )
     only_turning = all_of(
-        at_most(still, bound),
+        at_most(still, *slow),
         at_least(turning, 1.0, "a visible creep"),
         at_most(off, 1.0, "the same creep"),
     )
@@ -60,14 +60,13 @@ def derive(results: Results) -> Section:
     )
     hinge = results.value("hinge_drift", slower, extreme(min, drifts("hinge")))
     hinges = results.value("hinges_drift", slower, extreme(min, drifts("two-hinges")))
-    arc_bound = results.chosen("arc_drift_bound", slow, 0.001, "mm/s")
     apart = results.value(
         "hinges_off",
         "absolute difference of both, relative to one hinge",
         departure(hinges, hinge),
     )
     joints_turn = all_of(
-        at_most(slides, arc_bound),
+        at_most(slides, *slow),
         at_least(hinge, 0.1, "six millimetres a minute"),
         at_most(apart, 5.0, "the same creep, whether the walls turn or not"),
     )
@@ -83,7 +82,6 @@ def derive(results: Results) -> Section:
 
     # A minute with the arm held still.
     rounded, kept, best = (results.row[case] for case in ("rounded", "kept", "best"))
-    creep = results.chosen("creep_bound", "about a millimetre in a minute", 0.02, "mm")
     gain = results.value(
         "kept_gain",
         "slip with rounded positions over that with compensated ones",
@@ -95,7 +93,7 @@ def derive(results: Results) -> Section:
         PERCENT * best.slip_mm / rounded.slip_mm,
     )
     helps = all_of(
-        at_most(kept.increment_final_mm, creep),
+        at_most(kept.increment_final_mm, 0.02, "about a millimetre in a minute"),
         at_least(gain, 2.0, "less than half"),
         at_most(rest, 50.0, "less than half"),
     )

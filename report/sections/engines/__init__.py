@@ -85,7 +85,7 @@ def derive(results: Results) -> Section:
     )
 
     # MJX was run on the same machine as the other engines.
-    mine = by_name[MODELS["mjx"]]
+    mjx = by_name[MODELS["mjx"]]
     discrete = by_name[MODELS["discrete-20ms"]].walk
     mujoco = {*OURS.values(), MODELS["mjx"], MODELS["discrete-20ms"]}
     others = [line.walk for line in lines if line.name not in mujoco]
@@ -95,12 +95,12 @@ def derive(results: Results) -> Section:
     times = results.value(
         "times",
         "walk in MJX over the fastest walk in another engine",
-        mine.walk / worst,
+        mjx.walk / worst,
     )
     halved = results.value(
         "kept",
         "walk in MJX with half the step, relative to that with the whole step",
-        PERCENT * mine.short_walk / mine.walk,
+        PERCENT * mjx.short_walk / mjx.walk,
     )
     tests = [
         at_least(times, 1.5, "much faster"),
@@ -118,9 +118,9 @@ def derive(results: Results) -> Section:
         "walks_most_in_mujoco",
         all_of(*tests).having_read(discrete),
         {
-            "mine": mine.walk,
+            "mine": mjx.walk,
             "worst": worst,
-            "short": mine.short_walk,
+            "short": mjx.short_walk,
             "discrete": "" if discrete.value is None else discrete,
         },
     )

@@ -49,10 +49,10 @@ def derive(results: Results, labels: dict[str, str]) -> Section:
     # Test whether the cube slips farther in MuJoCo than in any other engine that keeps
     # it.
     others = [model for model in models if model != MUJOCO]
-    mine = rows[MUJOCO, "3cm"].slip_mm
+    slip = rows[MUJOCO, "3cm"].slip_mm
     held = rows[MUJOCO, "held"].slip_mm
     slips = [rows[model, "3cm"].slip_mm for model in others]
-    slips = [slip for slip in slips if slip.value is not None]
+    slips = [cell for cell in slips if cell.value is not None]
     still = [rows[model, "held"].slip_mm for model in others]
     worst = results.value(
         "robot_worst", "farthest slip in another engine", extreme(max, slips)
@@ -68,9 +68,9 @@ def derive(results: Results, labels: dict[str, str]) -> Section:
     stiff = Sections(results.others).cell("solver", "stiff-pads-mujoco-c", "slip_mm")
     # This slip was measured on another machine. The comparison is valid because MuJoCo
     # C repeats to the last bit.
-    is_less = None not in (stiff.value, mine.value) and stiff.value < mine.value
+    is_less = None not in (stiff.value, slip.value) and stiff.value < slip.value
     farthest = all_of(
-        *(greater(mine, slip) for slip in (worst, held, still_worst)),
+        *(greater(slip, other_slip) for other_slip in (worst, held, still_worst)),
         decided(is_less, stiff),
     )
 
@@ -82,7 +82,7 @@ def derive(results: Results, labels: dict[str, str]) -> Section:
         loses = Outcome("unknown", "one of these runs failed, or was not measured")
         loses = loses.having_read(*amplitudes)
     numbers = {
-        "mine": mine,
+        "mine": slip,
         "held": held,
         "worst": worst,
         "count": count,

@@ -91,15 +91,15 @@ def derive(results: Results) -> Section:
         " settings in Warp, timed in turn",
         rk4.time_ratio / shipped.time_ratio,
     )
-    both = combined(math.hypot, rk4.ratio_resolution, shipped.ratio_resolution)
-    cost_seen = results.value(
+    resolutions = (rk4.ratio_resolution, shipped.ratio_resolution)
+    cost_resolution = results.value(
         "rk4_warp_cost_seen",
         "resolution of this ratio, from the resolutions of both run times",
-        PERCENT * both,
+        PERCENT * combined(math.hypot, *resolutions),
         is_noise=True,
     )
-    is_as_long = None not in (cost.value, cost_seen.value)
-    is_as_long = is_as_long and abs(cost.value - 1) <= 0.01 * cost_seen.value
+    is_as_long = None not in (cost.value, cost_resolution.value)
+    is_as_long = is_as_long and abs(cost.value - 1) <= 0.01 * cost_resolution.value
     rk4_pays = all_of(
         decreases([shipped[ERROR], doubled], by=floor),
         at_most(cost, 1.5, "hardly more expensive"),
@@ -122,9 +122,6 @@ def derive(results: Results) -> Section:
     )
     margin = results.value(
         "reference_margin", "this error over that of the reference", least / worst
-    )
-    bound = results.chosen(
-        "reference_bound", "well below the errors that are measured with it", 10.0
     )
 
     # Settings of the effort: solver, iterations, line search, and contacts found in
@@ -182,14 +179,14 @@ def derive(results: Results) -> Section:
             ),
             Claim(
                 "rk4_warp",
-                rk4_pays.having_read(cost_seen),
+                rk4_pays.having_read(cost_resolution),
                 {
                     "cost": cost,
                     "error": rk4[ERROR],
                     "before": shipped[ERROR],
                     "few": rk4.substeps,
                     "many": shipped.substeps,
-                    "seen": cost_seen,
+                    "seen": cost_resolution,
                     "is_as_long": is_as_long,
                 },
             ),
@@ -205,7 +202,7 @@ def derive(results: Results) -> Section:
             ),
             Claim(
                 "reference_converged",
-                at_least(margin, bound),
+                at_least(margin, 10.0, "well below the errors measured with it"),
                 {"worst": worst, "least": least, "margin": margin},
             ),
             Claim(
@@ -296,6 +293,6 @@ def _crossing(level: float, *cells: float) -> float:
     if True not in is_reached or is_reached[0] or min(rates) <= 0.0:
         return float("nan")
     first = is_reached.index(True)
-    pair = slice(first - 1, first + 1)
-    logs = np.interp(np.log(level), np.log(rates[pair]), np.log(worlds[pair]))
+    ends = slice(first - 1, first + 1)
+    logs = np.interp(np.log(level), np.log(rates[ends]), np.log(worlds[ends]))
     return int(np.ceil(np.exp(logs) - 1e-9))

@@ -12,8 +12,7 @@ from report.sections.error_runtime.runs import (
     Points,
     counts,
 )
-from report.sections.reproduction import FRAME_RATE
-from report.shared import Row
+from report.shared import FRAME_RATE, Row
 from report.shared.drawing import (
     FAINT,
     INK,
@@ -52,28 +51,33 @@ def draw_numerical(points: Points) -> Drawing:
         floor = points.floors[pads].value
         creep = points.converged(pads).value
         if floor is not None:
-            band = {"color": FAINT, "alpha": 0.5, "linewidth": 0}
-            axes.axhspan(LEAST_ERROR_MM, floor, zorder=0, **band)
+            band = {"color": FAINT, "alpha": 0.5, "linewidth": 0, "zorder": 0}
+            axes.axhspan(LEAST_ERROR_MM, floor, **band)
             axes.annotate(" rounding of Warp", (0.01, floor), va="top", **left)
         if creep is not None:
-            axes.axhline(creep, color=INK, linewidth=0.8, linestyle=":", marker="")
+            axes.axhline(creep, color=INK, linewidth=0.8, linestyle=":")
             axes.annotate(" creep per cycle", (0.01, creep), va="bottom", **left)
         for backend in points.engines:
-            mine = [row for row in rows if row["pads"] == pads]
-            best = [row for row in mine if row.case in points.backend_front]
-            best = [row for row in best if row.backend == backend]
+            best = [
+                row
+                for row in rows
+                if (row["pads"], row.backend) == (pads, backend)
+                and row.case in points.backend_front
+            ]
             if best:
                 _draw_engine(axes, sorted(best, key=_frame_ms), backend)
             row = points.shipped(pads, backend)
             if row and row[ERROR].value:
                 _star(axes, _place(row), row, write(row[ERROR]), (8, 4))
-        one = points.shipped(pads, points.engines[0])
-        if pads == "stiff" and one and one[ERROR].value:
+        alone = points.shipped(pads, points.engines[0])
+        if pads == "stiff" and alone and alone[ERROR].value:
             # Many worlds run with the shipped settings, so they have the error of one
             # world.
             for row in most:
-                place = (_frame_ms(row), one[ERROR].value)
-                _star(axes, place, one, f"{write(row.worlds)} worlds, each", (-4, -16))
+                place = (_frame_ms(row), alone[ERROR].value)
+                _star(
+                    axes, place, alone, f"{write(row.worlds)} worlds, each", (-4, -16)
+                )
     panels[0][0].set_ylabel("numerical error [mm]")
     return drawing
 

@@ -12,6 +12,7 @@ from report.shared import (
     Outcome,
     Results,
     Section,
+    Sections,
     Value,
     all_of,
     at_least,
@@ -19,7 +20,6 @@ from report.shared import (
     cell_count,
     combined,
     constant,
-    other_value,
 )
 from report.shared.drawing import (
     FAINT,
@@ -118,7 +118,7 @@ def derive(results: Results) -> Section:
 
 def _points(results: Results, scene: str) -> Iterator[Point]:
     """Derive the absolute measured and predicted creep [mm/s] of measurable runs."""
-    resolution = other_value(results, "cure", "resolution").value or 0.0
+    resolution = Sections(results.others).value("cure", "resolution").value or 0.0
     columns = COLUMNS.get(scene, ("creep_mm_s", "forecast_creep_mm_s"))
     if scene in OTHERS:
         source = results.others.get(OTHERS[scene])
@@ -166,9 +166,7 @@ def _draw(points: list[Point]) -> Drawing:
         cell.value for point in points for cell in (point.measured, point.predicted)
     ]
     line = np.array([min(ends) / 2.0, max(ends) * 2.0])
-    axes.fill_between(
-        line, line / 1.5, line * 1.5, color=FAINT, linewidth=0.0, alpha=0.6
-    )
+    axes.fill_between(line, line / 1.5, line * 1.5, color=FAINT, linewidth=0, alpha=0.6)
     axes.plot(line, line, color=INK, linewidth=0.8, marker="")
     for number, (scene, label) in enumerate(SCENES.items()):
         creeps = [
@@ -176,8 +174,15 @@ def _draw(points: list[Point]) -> Drawing:
             for point in points
             if point.scene == scene
         ]
-        hollow = {"marker": MARKERS[number], "markerfacecolor": "none", "markersize": 7}
-        mark_points(axes, creeps, color=SERIES[number], label=label, **hollow)
+        mark_points(
+            axes,
+            creeps,
+            color=SERIES[number],
+            label=label,
+            marker=MARKERS[number],
+            markerfacecolor="none",
+            markersize=7,
+        )
     axes.set(
         xscale="log",
         yscale="log",

@@ -13,10 +13,9 @@ from matplotlib.path import Path
 from matplotlib.ticker import LogLocator
 
 from experiments.facts.case import AS_SHIPPED, STIFF_PADS
-from report.sections.reproduction import FRAME_RATE
 from report.sections.stability.limits import Limit
 from report.sections.stability.passing import CLASSES
-from report.shared import Row
+from report.shared import FRAME_RATE, Row
 from report.shared.drawing import (
     INK,
     MAP_INK,

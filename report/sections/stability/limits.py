@@ -4,10 +4,10 @@ from itertools import filterfalse
 from typing import NamedTuple
 
 from experiments.facts.case import AS_SHIPPED
-from report.sections.reproduction import FRAME_RATE, MASS_KG
+from report.sections.reproduction import MASS_KG
 from report.sections.stability.claims import family, least, most
 from report.sections.stability.passing import is_stable
-from report.shared import Quantity, Results, Row, absent
+from report.shared import FRAME_RATE, Quantity, Results, Row, absent
 
 NONE = absent("1", "no tested setting breaks")
 

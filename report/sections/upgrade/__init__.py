@@ -21,7 +21,6 @@ from report.shared import (
     Value,
     all_of,
     at_most,
-    cell_count,
     combined,
     constant,
     decided,
@@ -55,7 +54,7 @@ def derive(results: Results, releases: Releases) -> Section:
     before, after = ends.cells(tables.SLIP)
     share = _change(results, "slip_change", before, after, before)
     bound = relevance(results)
-    same_slip = ends.one or negligible(abs(share), bound).having_read(before, after)
+    same_slip = ends.alone or negligible(abs(share), bound).having_read(before, after)
     slip_is_the_same = Claim(
         "slip_is_the_same",
         same_slip,
@@ -88,7 +87,7 @@ def derive(results: Results, releases: Releases) -> Section:
     answers = [claim.outcome.reads for flip in flipped for _, claim in flip.answers]
     outcome = decided(not turned)
     outcome = replace(outcome, reads=outcome.reads.union(*answers))
-    claims_stand = Claim("claims_stand", ends.one or outcome, {"count": turned_count})
+    claims_stand = Claim("claims_stand", ends.alone or outcome, {"count": turned_count})
     return Section(
         tables={
             "turns": FlipList(list(compared), edition, list(results.others)),
@@ -183,11 +182,6 @@ def _same_speed(results: Results, ends: Ends) -> Claim:
     numbers["change"] = change
     numbers["within"] = _within(results, "frame_within", change)
     numbers["bound"] = results.chosen("frame_bound", "the same time", 5.0, "%")
-    numbers["count"] = results.value(
-        "speed_case_count",
-        "cases of one world whose frames were timed",
-        cell_count(after for _, after in pairs),
-    )
     outcome = negligible(change, numbers["bound"])
     outcome = outcome.having_read(numbers["least"], numbers["most"])
     outcome = machines_differ(ends.releases, "speed") or outcome
@@ -196,7 +190,7 @@ def _same_speed(results: Results, ends: Ends) -> Claim:
     ]
     devices = [DEVICES[chapter.results.record.machine["device"]] for chapter in timed]
     numbers["device"] = devices[-1] if devices else ""
-    return Claim("same_speed", ends.one or outcome, ends.names | numbers)
+    return Claim("same_speed", ends.alone or outcome, ends.names | numbers)
 
 
 def _nothing_to_explain(same: Outcome) -> Outcome | None:
@@ -208,7 +202,7 @@ def _nothing_to_explain(same: Outcome) -> Outcome | None:
 
 def _cause(results: Results, ends: Ends, same_slip: Outcome) -> list[Claim]:
     old_timeconst, own = ends.live(tables.SHIPPED, "friction_timeconst_s")
-    is_new = ends.one or all_of(
+    is_new = ends.alone or all_of(
         decided(not old_timeconst.value, old_timeconst),
         decided((own.value or 0) > 0, own),
     )
@@ -250,7 +244,7 @@ def _cause(results: Results, ends: Ends, same_slip: Outcome) -> list[Claim]:
         ),
         Claim("giving_it_does_the_same", does_the_same, ends.names | {"given": given}),
         Claim("release_has_a_switch", switches, {"off": off}),
-        Claim("cause", ends.one or all_of(is_new, brings_back, does_the_same)),
+        Claim("cause", ends.alone or all_of(is_new, brings_back, does_the_same)),
     ]
 
 
@@ -277,7 +271,7 @@ def _as_before(results: Results, ends: Ends) -> list[Claim]:
     return [
         Claim(
             f"{name}_as_before",
-            ends.one or at_most(change, 5.0, "the same slip"),
+            ends.alone or at_most(change, 5.0, "the same slip"),
             ends.names | numbers,
         )
         for name, change, numbers in (

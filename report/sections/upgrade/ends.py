@@ -31,7 +31,7 @@ class Ends:
         return {"a": settings.name_of(self.old), "b": settings.name_of(self.new)}
 
     @property
-    def one(self) -> Outcome | None:
+    def alone(self) -> Outcome | None:
         """Return unknown if only one release has results."""
         if self.old != self.new:
             return None
