@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from scipy.spatial.transform import Rotation
 
 from experiments.facts.kept import kept_run
 from measured_report.records.record import trace_path
@@ -78,21 +79,8 @@ def quaternions(poses: np.ndarray) -> np.ndarray:
     """Return unit quaternions (x, y, z, w) of poses, shape [frames, 4].
 
     The signs are chosen so that successive quaternions are close to each other.
-
-    Each is the eigenvector of the largest eigenvalue of a symmetric matrix
-    (I. Bar-Itzhack, "New method for extracting the quaternion from a rotation matrix",
-    Journal of Guidance, Control, and Dynamics 23, 2000).
     """
-    r = poses[:, :3, :3]
-    trace = np.trace(r, axis1=1, axis2=2)
-    k = np.zeros((len(r), 4, 4))
-    k[:, :3, :3] = r + r.transpose(0, 2, 1) - trace[:, None, None] * np.eye(3)
-    k[:, 3, :3] = np.stack(
-        [r[:, 2, 1] - r[:, 1, 2], r[:, 0, 2] - r[:, 2, 0], r[:, 1, 0] - r[:, 0, 1]],
-        axis=1,
-    )
-    k[:, :3, 3] = k[:, 3, :3]
-    k[:, 3, 3] = trace
-    vectors = np.linalg.eigh(k)[1][:, :, -1]
-    flips = np.sum(vectors[1:] * vectors[:-1], axis=1) < 0.0
-    return vectors * np.where(np.append(0, np.cumsum(flips)) % 2, -1.0, 1.0)[:, None]
+    vectors = Rotation.from_matrix(poses[:, :3, :3]).as_quat()
+    is_flipped = np.sum(vectors[1:] * vectors[:-1], axis=1) < 0.0
+    signs = np.where(np.append(0, np.cumsum(is_flipped)) % 2, -1.0, 1.0)
+    return vectors * signs[:, None]

@@ -201,31 +201,21 @@ def _draw(runs: list[Row], laws: dict[str, Value]) -> Drawing:
     runs = sorted(runs, key=lambda row: row.response_s.value)
     times_ms = [1e3 * row.response_s.value for row in runs]
     law = [laws[row.case].value for row in runs]
-    axes.plot(
-        times_ms,
-        law,
-        color=INK,
-        linestyle="-",
-        linewidth=1.0,
-        marker="",
-        label="the law",
-    )
+    drawing.draw_line(axes, times_ms, law, color=INK, linewidth=1.0, label="the law")
     others = {row.case for row in runs} - {SHIPPED, FIX}
-    for cases, label, look in (
-        (others, "other pads", {"color": SERIES[5], "marker": "o", "markersize": 5}),
-        (
-            {SHIPPED},
-            "shipped pads",
-            {"color": drawing.SHIPPED, "marker": "D", "markersize": 9},
-        ),
-        ({FIX}, "stiff pads", {"color": drawing.STIFF, "marker": "D", "markersize": 9}),
+    for cases, label, colour, marker, size in (
+        (others, "other pads", SERIES[5], "o", 5),
+        ({SHIPPED}, "shipped pads", drawing.SHIPPED, "D", 9),
+        ({FIX}, "stiff pads", drawing.STIFF, "D", 9),
     ):
         points = [
             (time_ms, row.drift_mm_s.value)
             for time_ms, row in zip(times_ms, runs, strict=True)
             if row.case in cases
         ]
-        drawing.mark_points(axes, points, label=label, **look)
+        drawing.mark_points(
+            axes, points, label=label, color=colour, marker=marker, markersize=size
+        )
     axes.set(
         xscale="log",
         yscale="log",

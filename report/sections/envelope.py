@@ -45,8 +45,7 @@ def derive(results: Results) -> Section:
     middle = results.value(
         "map_gain_median",
         "median ratio of the slips of shipped and stiff pads, over the cells of the"
-        " map that"
-        " keep the cube with both",
+        " map that keep the cube with both",
         lambda map: median(np.divide(*_slips(map))),
         trace,
     )

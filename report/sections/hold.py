@@ -17,7 +17,7 @@ from report.shared import (
     departure,
     greater,
 )
-from report.shared.drawing import SHIPPED, STIFF, Drawing, new_figure
+from report.shared.drawing import SHIPPED, STIFF, Drawing, draw_line, new_figure
 
 order = 80
 page = "cause"
@@ -83,8 +83,7 @@ def derive(results: Results) -> Section:
     rounded = results.value(
         "rounded_departure",
         "absolute difference between the creep with rounded positions and that of"
-        " MuJoCo"
-        " Warp, relative to the latter",
+        " MuJoCo Warp, relative to the latter",
         departure(single, warp),
     )
     is_rounding = all_of(
@@ -144,12 +143,12 @@ def _draw_motion(traces: dict[str, Series]) -> Drawing:
         if trace.value is not None:
             name, colour, style = LINES[case]
             displacement = np.linalg.norm(trace.value[["x_mm", "y_mm", "z_mm"]], axis=1)
-            axes.plot(
+            draw_line(
+                axes,
                 trace.value["time_s"],
                 displacement,
                 color=colour,
                 linestyle=style,
-                marker="",
                 label=name,
             )
     axes.set(xlabel="time since the start of the shake [s]", ylabel="displacement [mm]")

@@ -234,14 +234,22 @@ def _draw_costs(steps: list[tuple[Value, Row]], whole: dict[str, Value]) -> Draw
     for place, (saved, interval, is_distinct, _) in enumerate(timed):
         colour = STIFF if is_distinct else FAINT
         axes.barh(place, saved.number, height=0.62, linewidth=0, color=colour)
-        bar = {"color": INK, "linewidth": 1.0, "marker": ""}
-        axes.errorbar(saved.number, place, xerr=interval, **bar)
+        axes.errorbar(
+            saved.number, place, xerr=interval, color=INK, linewidth=1.0, marker=""
+        )
         end = (max(saved.number, 0.0) + interval, place)
         text = f"{write(saved)} %" if is_distinct else "not measurable"
         write_beside(axes, text, end, (6, 0), fontsize=8.5, va="center", zorder=6)
     lines = [f"{name}: −{write(saved)} %" for name, saved in whole.items()]
-    side = {"transform": axes.transAxes, "ha": "right", "va": "center"}
-    axes.text(0.98, 0.5, "\n".join(["all together", *lines]), fontsize=9, **side)
+    axes.text(
+        0.98,
+        0.5,
+        "\n".join(["all together", *lines]),
+        transform=axes.transAxes,
+        ha="right",
+        va="center",
+        fontsize=9,
+    )
     name_lines(axes, [label for *_, label in timed])
     axes.set_xlim(right=1.25 * max((saved.number for saved, *_ in timed), default=1.0))
     axes.set_xlabel("reduction of the time of a frame [%]")

@@ -283,8 +283,9 @@ def _draw_sweep(every: list[Row], ke_alone: list[Row], clamp_kd: float) -> Drawi
         kept = [(row.pad_ke.value, row.slip_mm.value) for row in rows if is_held(row)]
         axes.plot(*zip(*kept, strict=True), label=label, color=colour, markevery=1)
         lost = [(row.pad_ke.value, top) for row in rows if not is_held(row)]
-        look = {"marker": "x", "clip_on": False, "markersize": 7}
-        drawing.mark_points(axes, lost, color=colour, **look)
+        drawing.mark_points(
+            axes, lost, color=colour, marker="x", clip_on=False, markersize=7
+        )
     for case, colour, label in (
         (SHIPPED, drawing.SHIPPED, "shipped pads"),
         (FIX, drawing.STIFF, "stiff pads"),
@@ -294,8 +295,15 @@ def _draw_sweep(every: list[Row], ke_alone: list[Row], clamp_kd: float) -> Drawi
             for row in every
             if row.case == case and is_held(row)
         ]
-        look = {"marker": "D", "markersize": 9, "zorder": 5}
-        drawing.mark_points(axes, points, color=colour, label=label, **look)
+        drawing.mark_points(
+            axes,
+            points,
+            color=colour,
+            label=label,
+            marker="D",
+            markersize=9,
+            zorder=5,
+        )
     axes.set(
         xscale="log",
         yscale="log",
@@ -305,12 +313,12 @@ def _draw_sweep(every: list[Row], ke_alone: list[Row], clamp_kd: float) -> Drawi
     )
     clamp_ke = (clamp_kd / 2) ** 2
     axes.axvline(clamp_ke, color=INK, linewidth=1.0, linestyle=":")
-    axes.annotate(
+    drawing.write_beside(
+        axes,
         "2/kd = 2·dt\n(kd = 2√ke)",
         (clamp_ke, 0.42),
+        (6, 0),
         xycoords=("data", "axes fraction"),
-        xytext=(6, 0),
-        textcoords="offset points",
     )
     tick_125(axes.yaxis)
     figure.legend(loc="outside upper left", ncols=2)

@@ -49,8 +49,7 @@ def derive(results: Results) -> Section:
         results.value(
             f"tumble_{kind}_excess",
             "largest excess of a kind of body: pairs with more of it with the term"
-            " minus those"
-            " without, over the root of their sum",
+            " minus those without, over the root of their sum",
             combined(
                 max,
                 *(
@@ -73,8 +72,7 @@ def derive(results: Results) -> Section:
     surprise = results.value(
         "tumble_surprise",
         "largest energy relative to the start with the term, over the time steps at"
-        " which the"
-        " body never gains 1 % without it",
+        " which the body never gains 1 % without it",
         _surprise,
         *(row[f"{name}_most_energy"] for row in rows for name in ("exact", "plain")),
     )

@@ -73,11 +73,12 @@ def draw_maps(frame: pd.DataFrame, sides: dict[str, str]) -> Drawing:
     handles = []
     look = {"color": INK, "markersize": 5}
     if (shown["dropped"].astype(str) == "True").any():
-        line = {"marker": "x", "linewidth": 1.6, "linestyle": "-"}
-        handles.append(Line2D([], [], label="dropped", **look, **line))
+        handles.append(Line2D([], [], label="dropped", marker="x", **look))
     if shown["failure"].notna().any():
-        line = {"marker": "_", "linestyle": "none"}
-        handles.append(Line2D([], [], label="no finite result", **look, **line))
+        line = Line2D(
+            [], [], label="no finite result", marker="_", linestyle="", **look
+        )
+        handles.append(line)
     if handles:
         drawing.legend(handles=handles, loc="outside upper left", ncols=2)
     return drawing
@@ -105,11 +106,18 @@ def _draw_map(axes: Axes, frame: pd.DataFrame, side: str):
     axes.set(xscale="log", yscale="log")
     x, y = np.meshgrid(frequency, amplitude)
     for marker, cells in (("x", lost), ("_", failed)):
-        look = {"s": 9, "linewidths": 0.8, "color": MAP_INK}
-        axes.scatter(x[cells], y[cells], marker=marker, **look)
+        axes.scatter(
+            x[cells], y[cells], marker=marker, s=9, linewidths=0.8, color=MAP_INK
+        )
     if lost.any() and not lost.all():
-        edge = {"levels": [0.5], "colors": MAP_INK, "linewidths": 1.6}
-        axes.contour(frequency, amplitude, lost.astype(float), **edge)
+        axes.contour(
+            frequency,
+            amplitude,
+            lost.astype(float),
+            levels=[0.5],
+            colors=MAP_INK,
+            linewidths=1.6,
+        )
     tick_at(axes.xaxis, FREQUENCY_TICKS_HZ)
     tick_at(axes.yaxis, AMPLITUDE_TICKS_CM)
     return colours

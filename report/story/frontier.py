@@ -294,8 +294,13 @@ def _draw(marks: list[Mark], bounds: list[tuple[Quantity, float]]) -> Drawing:
     drawing, axes = new_figure(7.2, 4.6)
     for bound, creep in bounds:
         axes.axhline(creep, color=INK, linewidth=0.8, linestyle=(0, (4, 4)), alpha=0.5)
-        at = {"xycoords": ("axes fraction", "data"), "va": "bottom", "fontsize": 8.5}
-        axes.annotate(f"{write(bound)} mm in the whole shake", (0.01, creep), **at)
+        axes.annotate(
+            f"{write(bound)} mm in the whole shake",
+            (0.01, creep),
+            xycoords=("axes fraction", "data"),
+            va="bottom",
+            fontsize=8.5,
+        )
     marks = sorted(marks, key=lambda mark: -mark.creep)
     last = math.inf
     for setup, creep, times, is_measurable in marks:
@@ -338,8 +343,15 @@ def _draw(marks: list[Mark], bounds: list[tuple[Quantity, float]]) -> Drawing:
             axes, worlds_name(ALONE), (alone, creep), (4, 8), ha="right", **look
         )
         write_beside(axes, worlds_name(MANY), (many, creep), (-4, 8), ha="left", **look)
-    corner = {"transform": axes.transAxes, "ha": "right", "va": "top"}
-    axes.text(0.98, 0.97, "↙ better", fontsize=8.5, **corner)
+    axes.text(
+        0.98,
+        0.97,
+        "↙ better",
+        transform=axes.transAxes,
+        fontsize=8.5,
+        ha="right",
+        va="top",
+    )
     return drawing
 
 

@@ -70,8 +70,7 @@ def derive(results: Results) -> Section:
         results.value(
             f"left_{name}",
             "absolute growth of the distance from the axis with the exact term,"
-            " relative to"
-            " that without it",
+            " relative to that without it",
             PERCENT * abs(exact.growth_per_s / plain.growth_per_s),
         )
         for name, plain, exact in pairs(TABLE, "exact")
@@ -88,8 +87,7 @@ def derive(results: Results) -> Section:
             results.value(
                 f"{key}_{name}",
                 "sideways distance between the final positions of the ball with and"
-                " without the"
-                " term",
+                " without the term",
                 abs(ball.sideways_mm - plain.sideways_mm),
             )
             for name, plain, ball in pairs(("pivot",), variant)

@@ -220,15 +220,16 @@ def _draw_use(names: list[str], rows: dict[str, list[Row]]) -> Drawing:
     for shake, (label, colour, marker) in SHAKES.items():
         shaken = list(enumerate(rows[shake]))
         points = [(row.slip_mm.value, place) for place, row in shaken]
-        look = {"color": colour, "marker": marker, "markersize": 7}
-        mark_points(axes, points, label=label, **look)
+        mark_points(
+            axes, points, label=label, color=colour, marker=marker, markersize=7
+        )
         lost = [(edge, place) for place, row in shaken if row.plain.get("dropped")]
         mark_points(axes, lost, color=colour, marker="X", markersize=8)
     for place, row in enumerate(rows["3cm"]):
         slip = row.slip_mm
         if slip.value is not None:
-            look = {"ha": "center", "fontsize": 8}
-            write_beside(axes, write(slip), (slip.number, place), (0, 5), **look)
+            beside = (slip.number, place)
+            write_beside(axes, write(slip), beside, (0, 5), ha="center", fontsize=8)
     name_lines(axes, names)
     axes.set(xscale="log", xlabel="slip [mm]")
     axes.margins(y=0.1)

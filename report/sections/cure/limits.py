@@ -1,13 +1,14 @@
 """The cure at the limits of the grasp, where it could lose the cube."""
 
 from collections import defaultdict
-from functools import partial
+from typing import Any
 
 from report.shared import (
     Claim,
     Results,
     Row,
     Section,
+    Value,
     all_of,
     at_least,
     at_most,
@@ -23,62 +24,19 @@ STIFF_VARIANTS = {
     "firm": "the root cure on stiff pads",
     "firm-euler": "the same, Euler",
 }
-
-
-def _count_of(count: int, *_: float) -> int:
-    return count
+Runs = dict[str, Row]  # the runs of one setting, by variant
 
 
 def derive(results: Results) -> Section:
-    runs: dict[str, dict[str, Row]] = defaultdict(dict)
+    runs: dict[str, Runs] = defaultdict(dict)
     for row in rows_with(results, "of", "variant", "family", "kept"):
         runs[row.of][row.variant] = row
-    columns: dict[str, list] = defaultdict(list)
+    lines = []
     # A run counts if it was made with all variants on its pads.
     for variants in (VARIANTS, STIFF_VARIANTS):
         tried = [rows for rows in runs.values() if {"plain", *variants} <= set(rows)]
-        for variant in variants:
-            kept = []
-            lost = []
-            gained = []
-            for rows in tried:
-                plain = rows["plain"]
-                if plain.kept:
-                    kept.append(plain)
-                if plain.kept and not rows[variant].kept:
-                    lost.append(plain)
-                if rows[variant].kept and not plain.kept:
-                    gained.append(plain)
-            name = variant.replace("-", "_")
-            for heading, value, formula, counted in (
-                (
-                    "kept without it",
-                    "kept",
-                    "runs that keep the cube without the cure",
-                    kept,
-                ),
-                (
-                    "lost of these",
-                    "limit_lost",
-                    "runs among these that lose it with the cure",
-                    lost,
-                ),
-                (
-                    "kept only with it",
-                    "won",
-                    "runs that keep it only with the cure",
-                    gained,
-                ),
-            ):
-                # The count depends on all runs that were made.
-                sources = [row.substeps for rows in tried for row in rows.values()]
-                count = partial(_count_of, len(counted))
-                columns[heading].append(
-                    results.value(f"{value}_{name}", formula, count, *sources)
-                )
-            columns["lost cases"].append(
-                some_html([case_html(row) for row in lost]) or "none"
-            )
+        lines += [_line(results, variant, tried) for variant in variants]
+    columns = {heading: [line[heading] for line in lines] for heading in lines[0]}
     names = (VARIANTS | STIFF_VARIANTS).values()
     # Test whether the root cure keeps the cube in all cells of the map of section
     # envelope.
@@ -96,3 +54,29 @@ def derive(results: Results) -> Section:
         tables={"limits": table_of("remedy", names, columns)},
         claims=[Claim("best_never_drops", never, numbers)],
     )
+
+
+def _line(results: Results, variant: str, tried: list[Runs]) -> dict[str, Any]:
+    """Return the cells of a variant: counts of runs, and the cases that it loses."""
+    kept = [runs for runs in tried if runs["plain"].kept]
+    lost = [runs for runs in kept if not runs[variant].kept]
+    gained = [runs for runs in tried if runs[variant].kept and not runs["plain"].kept]
+    # The counts depend on all runs that were made.
+    sources = [row.substeps for runs in tried for row in runs.values()]
+
+    def count(name: str, formula: str, counted: list[Runs]) -> Value:
+        name = f"{name}_{variant}".replace("-", "_")
+        return results.value(name, formula, lambda *_: len(counted), *sources)
+
+    return {
+        "kept without it": count(
+            "kept", "runs that keep the cube without the cure", kept
+        ),
+        "lost of these": count(
+            "limit_lost", "runs among these that lose it with the cure", lost
+        ),
+        "kept only with it": count(
+            "won", "runs that keep it only with the cure", gained
+        ),
+        "lost cases": some_html([case_html(runs["plain"]) for runs in lost]) or "none",
+    }

@@ -155,8 +155,7 @@ def derive(results: Results) -> Section:
     rest = results.value(
         "cured_growth",
         "largest absolute growth with the term, without the error of the step, and"
-        " with a"
-        " high impratio",
+        " with a high impratio",
         largest_size(
             growths[f"{variant}-{engine}"] for variant in CURED for engine in ENGINES
         ),

@@ -45,14 +45,20 @@ def draw_numerical(points: Points) -> Drawing:
         axes.set(title=title, xlabel="time of a world's frame [ms]")
         axes.set(xscale="log", yscale="log", **limits)
         axes.minorticks_off()
-        corner = {"transform": axes.transAxes, "fontsize": 8.5}
-        axes.text(0.03, 0.03, "↙ lower left is better", **corner)
+        axes.text(
+            0.03,
+            0.03,
+            "↙ lower left is better",
+            transform=axes.transAxes,
+            fontsize=8.5,
+        )
         left = {"xycoords": ("axes fraction", "data"), "fontsize": 8}
         floor = points.floors[pads].value
         creep = points.converged(pads).value
         if floor is not None:
-            band = {"color": FAINT, "alpha": 0.5, "linewidth": 0, "zorder": 0}
-            axes.axhspan(LEAST_ERROR_MM, floor, **band)
+            axes.axhspan(
+                LEAST_ERROR_MM, floor, color=FAINT, alpha=0.5, linewidth=0, zorder=0
+            )
             axes.annotate(" rounding of Warp", (0.01, floor), va="top", **left)
         if creep is not None:
             axes.axhline(creep, color=INK, linewidth=0.8, linestyle=":")
@@ -99,8 +105,15 @@ def _draw_engine(axes: Axes, best: list[Row], backend: str) -> None:
     """
     colour = COLOURS[backend]
     x, y = zip(*map(_place, best), strict=True)
-    style = {"color": colour, "linestyle": "-", "linewidth": 1.1, "marker": ""}
-    axes.step([*x, axes.get_xlim()[1]], [*y, y[-1]], where="post", **style)
+    axes.step(
+        [*x, axes.get_xlim()[1]],
+        [*y, y[-1]],
+        where="post",
+        color=colour,
+        linestyle="-",
+        linewidth=1.1,
+        marker="",
+    )
     axes.scatter(x, y, s=14, color=colour, linewidths=0, clip_on=False)
     for row in best:
         if row.method in NAMED and row[ERROR].value > LEAST_ERROR_MM:
@@ -109,11 +122,11 @@ def _draw_engine(axes: Axes, best: list[Row], backend: str) -> None:
                 text = f"RK4 {text}"
             write_beside(axes, text, _place(row), (3, 3), fontsize=7, color=colour)
     name = ENGINES[backend].replace("MuJoCo Warp", "Warp")
-    side = (
-        "right" if backend == "mujoco-c" else "left"
-    )  # to the left of the faster engine
-    look = {"color": colour, "ha": side, "fontsize": 9}
-    write_beside(axes, name, _place(best[0]), (0, 12), **look)
+    # The name of the faster engine stands to the left of its marks.
+    side = "right" if backend == "mujoco-c" else "left"
+    write_beside(
+        axes, name, _place(best[0]), (0, 12), color=colour, ha=side, fontsize=9
+    )
 
 
 def _star(

@@ -47,8 +47,7 @@ def derive(results: Results) -> Section:
         results.value(
             f"{variant}_from_published",
             "absolute difference between the rate in MuJoCo C and the published one,"
-            " relative to"
-            " the latter",
+            " relative to the latter",
             departure(results.row[f"{variant}-c"].creep_mm_s, rate),
         )
         for variant, rate in published.items()
@@ -70,8 +69,7 @@ def derive(results: Results) -> Section:
         results.value(
             f"{row.case}_from_law",
             "absolute difference between the steady rate and that of the law, relative"
-            " to the"
-            " latter",
+            " to the latter",
             departure(row.steady_creep_mm_s, row.predicted_creep_mm_s),
         )
         for row in rows

@@ -89,8 +89,7 @@ def derive(results: Results) -> Section:
     ball_off = results.value(
         "ball_off",
         "absolute difference between the time of the drop and the published one,"
-        " relative to"
-        " the latter",
+        " relative to the latter",
         departure(ball.median_drop_s, ball_published),
     )
     soon = "a drop follows soon after the ball has crept to the edge"

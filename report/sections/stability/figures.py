@@ -24,6 +24,7 @@ from report.shared.drawing import (
     Drawing,
     draw_line,
     is_narrow,
+    mark_points,
     name_lines,
     new_figure,
     tick_at,
@@ -77,8 +78,9 @@ def draw_maps(panels: list[Panel]) -> Drawing:
             if name == "creeping" and not is_narrow():
                 name = "creeping [mm/s]"
                 mark = "$1.2$"
-            look = {"linestyle": "", "color": MAP_INK, "markersize": size}
-            line = Line2D([], [], marker=mark, **look)
+            line = Line2D(
+                [], [], marker=mark, linestyle="", color=MAP_INK, markersize=size
+            )
             handles.append((Patch(facecolor=colour, **edge), line))
             names.append(name)
     if is_narrow():  # a scale of colours instead of numbers
@@ -107,19 +109,17 @@ def draw_limits(limits: list[Limit]) -> Drawing:
         low, high = (cell.number / limit.shipped for cell in (limit.low, limit.high))
         bar = [low, high]
         places = [place, place]
-        wide = {"linewidth": 8, "solid_capstyle": "butt"}
-        draw_line(axes, bar, places, color=STIFF, **wide)
-        ends = {"linestyle": "", "marker": "|", "markersize": 8}
-        axes.plot(bar, places, color=STIFF, markevery=1, **ends)
+        draw_line(axes, bar, places, color=STIFF, linewidth=8, solid_capstyle="butt")
+        ends = zip(bar, places, strict=True)
+        mark_points(axes, ends, color=STIFF, marker="|", markersize=8)
         text = f"{write(limit.low)} to {write(limit.high)} hold"
         if low == high:
             text = f"{write(limit.low)} holds"
         if limit.broken.value is None:
-            axes.plot(1.6 * high, place, markevery=1, color=STIFF, marker=">")
+            mark_points(axes, [(1.6 * high, place)], color=STIFF, marker=">")
         else:
             end = limit.broken.number / limit.shipped
-            cross = {"color": SHIPPED, "marker": "X", "markersize": 8}
-            axes.plot(end, place, markevery=1, **cross)
+            mark_points(axes, [(end, place)], color=SHIPPED, marker="X", markersize=8)
             text += f"; {write(limit.broken)} breaks"
             if limit.over:
                 kept, lost = map(write, limit.over)
@@ -134,7 +134,7 @@ def draw_limits(limits: list[Limit]) -> Drawing:
             annotation_clip=False,
             **position,
         )
-    axes.axvline(1.0, color=INK, linewidth=1.0, linestyle=":", marker="")
+    axes.axvline(1.0, color=INK, linewidth=1.0, linestyle=":")
     axes.annotate(
         "as shipped",
         (1.0, -0.65),
@@ -187,15 +187,30 @@ def _draw_map(axes: Axes, rows: list[Row], marked: dict[str, float]) -> None:
         if row["class"] == "creeping" and not is_narrow():  # numbers need room
             # The box behind the text interrupts the line of the bound.
             behind = {"facecolor": _colour(row), "linewidth": 0, "pad": 0.6}
-            look = {"fontsize": 7, "color": MAP_INK, "bbox": behind}
-            text = write(row.creep_mm_s, is_short=True)
-            axes.text(x, y, text, ha="center", va="center", **look)
+            axes.text(
+                x,
+                y,
+                write(row.creep_mm_s, is_short=True),
+                ha="center",
+                va="center",
+                fontsize=7,
+                color=MAP_INK,
+                bbox=behind,
+            )
     for name, pad_ke in marked.items():
         place = (pad_ke, 1e3 / (FRAME_RATE * AS_SHIPPED.substeps))
-        look = {"facecolors": "none", "edgecolors": MAP_INK, "linewidths": 1.8}
-        axes.scatter(*place, marker="s", s=170, zorder=4, **look)
-        look = {"ha": "center", "fontsize": 8.5, "color": MAP_INK}
-        write_beside(axes, name, place, (0, 10), **look)
+        axes.scatter(
+            *place,
+            marker="s",
+            s=170,
+            zorder=4,
+            facecolors="none",
+            edgecolors=MAP_INK,
+            linewidths=1.8,
+        )
+        write_beside(
+            axes, name, place, (0, 10), ha="center", fontsize=8.5, color=MAP_INK
+        )
     axes.xaxis.set_major_locator(LogLocator(numticks=12))  # whole decades
     tick_at(axes.yaxis, steps, digits=2)
 
