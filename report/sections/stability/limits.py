@@ -7,7 +7,7 @@ from experiments.facts.case import AS_SHIPPED
 from report.sections.reproduction import MASS_KG
 from report.sections.stability.claims import family, least, most
 from report.sections.stability.passing import is_stable
-from report.shared import FRAME_RATE, Quantity, Results, Row, absent
+from report.shared import FRAME_RATE, Quantity, Results, Row, absent, extreme
 
 NONE = absent("1", "no tested setting breaks")
 
@@ -20,9 +20,8 @@ class Limit(NamedTuple):
     high: Quantity  # largest value that holds
     broken: Quantity  # nearest value that breaks
     shipped: float
-    over: tuple[Quantity, Quantity] | None = (
-        None  # largest that holds and smallest that drops, in percent over a limit
-    )
+    over: tuple[Quantity, Quantity] | None = None
+    """Largest value that holds and smallest that drops, in percent over a limit."""
 
 
 def limits(results: Results, critical: list[Row], default_kd: list[Row]) -> list[Limit]:
@@ -30,27 +29,14 @@ def limits(results: Results, critical: list[Row], default_kd: list[Row]) -> list
     value = results.derived
     ranges = []
 
-    def add(label: str, name: str, rows: list[Row], column: str, *rest, **more) -> None:
-        held = list(filter(is_stable, rows))
-        low = least(
-            results,
-            f"{name}_low",
-            f"smallest of the runs of {name} that hold",
-            held,
-            column,
-        )
-        high = most(
-            results,
-            f"{name}_high",
-            f"largest of the runs of {name} that hold",
-            held,
-            column,
-        )
-        ranges.append(Limit(label, low, high, *rest, **more))
+    def add(label: str, rows: list[Row], column: str, *rest, **more) -> None:
+        held = [row[column] for row in rows if is_stable(row)]
+        ends = (extreme(min, held), extreme(max, held))
+        ranges.append(Limit(label, *ends, *rest, **more))
 
     stiff = [row for row in family(results, "steps") if row.pads == "stiff"]
     step_ms = 1e3 / (FRAME_RATE * AS_SHIPPED.substeps)
-    add("time step [ms]", "step", stiff, "step_ms", NONE, step_ms)
+    add("time step [ms]", stiff, "step_ms", NONE, step_ms)
 
     first = value["safe_ke"].value
     limit = value["kd_100_ke"].value
@@ -65,7 +51,7 @@ def limits(results: Results, critical: list[Row], default_kd: list[Row]) -> list
         lost,
         "pad_ke",
     )
-    add("ke, kd with it", "ke_critical", safe, "pad_ke", sunk, AS_SHIPPED.pad_ke)
+    add("ke, kd with it", safe, "pad_ke", sunk, AS_SHIPPED.pad_ke)
     alone = [
         row
         for row in default_kd
@@ -74,7 +60,7 @@ def limits(results: Results, critical: list[Row], default_kd: list[Row]) -> list
         and row.pad_ke.value <= limit
     ]
     breaks = value["kd_100_breaks"]
-    add("ke alone", "ke_alone", alone, "pad_ke", breaks, AS_SHIPPED.pad_ke)
+    add("ke alone", alone, "pad_ke", breaks, AS_SHIPPED.pad_ke)
 
     for label, name in (
         ("shake, relative to Coulomb's limit", "shake"),
@@ -83,7 +69,7 @@ def limits(results: Results, critical: list[Row], default_kd: list[Row]) -> list
         rows = [row for row in family(results, name) if row.load.value is not None]
         over = value[f"{name}_kept_over"], value[f"{name}_lost_over"]
         drops = value[f"{name}_lost"]
-        add(label, f"{name}_load", rows, "load", drops, 1.0, over=over)
+        add(label, rows, "load", drops, 1.0, over=over)
 
     low = value["friction_kept"]
     high = value["friction_most"]
@@ -96,7 +82,7 @@ def limits(results: Results, critical: list[Row], default_kd: list[Row]) -> list
         results, "edge_lost", "largest edge that is lost", lost, "cube_edge_mm"
     )
     edge_mm = 1e3 * AS_SHIPPED.cube_edge_m
-    add("cube's edge [mm]", "edge", sizes, "cube_edge_mm", small, edge_mm)
+    add("cube's edge [mm]", sizes, "cube_edge_mm", small, edge_mm)
 
     low = value["mass_least"]
     high = value["mass_most"]
@@ -106,10 +92,10 @@ def limits(results: Results, critical: list[Row], default_kd: list[Row]) -> list
     formula = "smallest gravity that loses the cube"
     lost = filterfalse(is_stable, pulls)
     heavy = least(results, "gravity_lost", formula, lost, "gravity_m_s2")
-    add("gravity [m/s²]", "pull", pulls, "gravity_m_s2", heavy, 9.81)
+    add("gravity [m/s²]", pulls, "gravity_m_s2", heavy, 9.81)
 
     starts = family(results, "overlap")
-    add("overlap at the start [mm]", "start", starts, "overlap_mm", NONE, 1.0)
+    add("overlap at the start [mm]", starts, "overlap_mm", NONE, 1.0)
     return [
         limit for limit in ranges if None not in (limit.low.value, limit.high.value)
     ]

@@ -210,12 +210,6 @@ def _cause(results: Results, ends: Ends, same_slip: Outcome) -> list[Claim]:
     taken = ends.live(tables.TAKEN, "slip_mm")[1]
     given = ends.live(tables.GIVEN, "slip_mm")[0]
     off = ends.live(tables.SWITCHED, "slip_mm")[1]
-    bound = results.chosen("recovery_bound", "nearly all of the change", 95.0, "%")
-    tolerance = results.value(
-        "recovery_tolerance",
-        "largest deviation from the whole change",
-        PERCENT - bound,
-    )
 
     def recovers(name: str, start: Quantity, end: Quantity, goal: Quantity) -> Outcome:
         share = results.value(
@@ -230,7 +224,8 @@ def _cause(results: Results, ends: Ends, same_slip: Outcome) -> list[Claim]:
             "absolute deviation from the whole change",
             abs(share - PERCENT),
         )
-        return _nothing_to_explain(same_slip) or at_most(miss, tolerance)
+        is_whole = at_most(miss, 5.0, "nearly all of the change")
+        return _nothing_to_explain(same_slip) or is_whole
 
     brings_back = recovers("taken", new, taken, old)
     does_the_same = recovers("given", old, given, new)

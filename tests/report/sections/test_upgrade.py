@@ -194,7 +194,6 @@ def found_between(**releases) -> dict:
                 "taking_it_away_brings_it_back": "holds",
                 "giving_it_does_the_same": "holds",
                 "release_has_a_switch": "holds",
-                "recovery_tolerance": 5,
                 "elsewhere_change": 4.666667,
                 "mujoco_contacts_as_before": "holds",
                 "pyramid_change": 4.166667,
@@ -206,7 +205,6 @@ def found_between(**releases) -> dict:
                 "same_speed/device": "GPU",
                 "in_one_step": "holds",
                 "claims_stand": "holds",
-                "speed_case_count": 5,
             },
         ),
         (
