@@ -1,4 +1,6 @@
-"""Measure the sections: each is a module or a folder here; other folders are shared."""
+"""Measure the sections: each section is a module or a folder here, and the other
+folders are shared.
+"""
 
 import sys
 from pathlib import Path

@@ -1,8 +1,8 @@
 """Measure the solver's contact rows in the middle of the shake.
 
-The rows are measured as shipped and with stiff pads. The section also predicts the
-slide from the acceleration that the rows ignore, and measures the slide when this
-acceleration is restored.
+The rows are measured in the scene as shipped and with stiff pads. The section also
+predicts the slide from the acceleration that the rows ignore, and measures the slide
+when this acceleration is restored.
 """
 
 from collections.abc import Sequence
@@ -31,7 +31,7 @@ ROW_NAMES = ("normal", "friction 1", "friction 2")
 DOUBLE_STEP = replace(AS_SHIPPED, name="double-step", substeps=AS_SHIPPED.substeps // 2)
 MOTION = ("slide_mm", "along_mm", "slip_mm", "drift_mm_s")
 TWO_PERIODS_FRAME_COUNT = SETUP_FRAME_COUNT + 241
-"""The set-up and 4 s of shake.
+"""Frames of the set-up and of 4 s of the shake.
 
 The shake has parts at f, 2f and 1.5f, so that it repeats every two cycles.
 """
@@ -44,8 +44,8 @@ def measure(conditions: Conditions) -> Measurement:
     the predicted slide, and the slide with the term restored.
     """
     cases = (AS_SHIPPED, STIFF_PADS)
-    # MuJoCo's C engine runs on the CPU. Each run has its own process, beside the GPU
-    # and the other runs.
+    # MuJoCo's C engine runs on the CPU. Each run has its own process, in parallel with
+    # the GPU and the other runs.
     restored = (*cases, DOUBLE_STEP)
     with processes(len(cases) + len(restored)) as pool:
         waiting = start(pool, predicted_row, [(case,) for case in cases])
@@ -154,7 +154,7 @@ def predicted_row(case: Case) -> dict[str, object]:
 
 
 def restored_row(case: Case) -> dict[str, object]:
-    """Return the same run with the term restored: rows aim at -b v - J̇ q̇."""
+    """Return the same run with the term restored, so that the rows aim at -b v - J̇ q̇."""
     simulation = _in_c(replace(case, contact_bias=True))
     for _ in range(TWO_PERIODS_FRAME_COUNT):
         simulation.step()

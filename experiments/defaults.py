@@ -18,9 +18,9 @@ from experiments.simulation.measurement import (
 )
 
 NEEDS_GPU = False
-"""Tells ``measured_report.measuring.machine`` that a GPU is not needed.
+"""This tells ``measured_report.measuring.machine`` that a GPU is not needed.
 
-The options are the same on every machine, and the run is done on the CPU.
+The options are the same on every machine, and the case runs on the CPU.
 """
 
 

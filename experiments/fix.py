@@ -1,4 +1,4 @@
-"""Run the files of the fix as a reader would, each in a separate process."""
+"""Run the files of the fix as a reader would, in separate processes."""
 
 import json
 import math
@@ -36,7 +36,7 @@ def measure(conditions: Conditions) -> Measurement:
 def try_script(
     row: dict[str, object], device: str, frame_count: int
 ) -> dict[str, object]:
-    """Return the row with the numbers and the test result of its script.
+    """Return a row with the numbers and the test result of its script.
 
     The script runs in an empty folder.
     """

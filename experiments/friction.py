@@ -1,5 +1,5 @@
-"""Measure the slip with friction coefficients from far below to far above the shipped
-ones.
+"""Measure the slip with friction coefficients from far below to far above those of the
+scene as shipped.
 
 The coefficients of the pads and of the cube are varied separately.
 """

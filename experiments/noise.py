@@ -18,7 +18,7 @@ ALONE_COUNT = {"full": 8, "quick": 2}
 def measure(conditions: Conditions) -> Measurement:
     """Return a row for each run.
 
-    The worlds of the batch share one simulation. Each other run has a separate
+    The worlds of the batch share one simulation. Each of the other runs has its own
     simulation.
     """
     device = wp.get_device(conditions.device)

@@ -1,4 +1,6 @@
-"""Record the joint positions and the cube's pose in each frame of the runs in clips."""
+"""Record the joint positions and the pose of the cube in each frame of the runs that
+the clips show.
+"""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -21,7 +23,7 @@ from experiments.simulation.scene import ROBOT_POSITION
 from experiments.simulation.simulation import Simulation, run
 from experiments.simulation.task import FRAME_RATE
 
-FAR_SHAKE_M = 0.10  # amplitude at which the cube falls as shipped
+FAR_SHAKE_M = 0.10  # amplitude at which shipped pads lose the cube
 SHAKEN = (
     AS_SHIPPED,
     STIFF_PADS,

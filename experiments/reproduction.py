@@ -1,6 +1,7 @@
 """Run the shake on every available engine and device.
 
-The cases are the scene as shipped, with stiff pads, and with the arm held still.
+The cases are the scene as shipped, the scene with stiff pads, and the scene with the
+arm held still.
 """
 
 from dataclasses import replace
@@ -51,8 +52,8 @@ def measure_runs(conditions: Conditions) -> Measurement:
 def batch_rows(conditions: Conditions) -> list[dict[str, object]]:
     """Return the wall time of the same case alone and in every world of a batch.
 
-    On the CPU, it is also measured without graphs. Launching then costs more than
-    computing, and a batch shares the launches.
+    On the CPU, it is also measured without graphs. Launching kernels then takes longer
+    than computing, and a batch shares the launches.
     """
     kind = "cuda" if conditions.is_cuda else "cpu"
     case = replace(

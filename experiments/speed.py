@@ -1,4 +1,6 @@
-"""Measure the speed of one world, as shipped and as fixed, and of many worlds."""
+"""Measure the speed of one world, with the scene as shipped and with the fix, and of
+many worlds.
+"""
 
 from dataclasses import replace
 
@@ -51,7 +53,7 @@ def measure_times(conditions: Conditions) -> list[dict[str, object]]:
 
 
 def measure_many(conditions: Conditions) -> list[dict[str, object]]:
-    """Return a row for shipped and for stiff pads in MANY worlds."""
+    """Return rows for shipped and for stiff pads in MANY worlds."""
     timed = time_cases([AS_SHIPPED, STIFF_PADS], MANY, wp.get_device(conditions.device))
     return [
         {"case": f"{name}-{MANY}", "worlds": MANY, **columns}

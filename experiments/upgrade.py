@@ -61,7 +61,9 @@ ENGINE_ARRAYS = (
 
 
 def measure(conditions: Conditions) -> Measurement:
-    """Return rows of runs with their contacts in mid-shake, and of settings."""
+    """Return rows of runs, with their contacts in the middle of the shake, and rows of
+    settings.
+    """
     cases = [*RUNS, *(KF_RUNS if compat.kf_is_read() else ())]
     traces = conditions.simulate(
         cases, contact_frames=conditions.contact_frames()[1:2], title="upgrade"

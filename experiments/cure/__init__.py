@@ -21,7 +21,7 @@ HELD = (
     replace(MINUTE, name="kept", **POSITIONS["kept"]),
     replace(MINUTE, name="best", **BEST),
 )
-# The case of the map in section envelope, here with the whole cure.
+# This is the case of the map in section envelope, with the whole cure.
 SIDES = {"best": replace(AS_SHIPPED, **BEST)}
 PARTS = {
     "limits": limits.measure,

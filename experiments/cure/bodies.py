@@ -1,9 +1,9 @@
 """Measure whether bodies other than a grasped cube move correctly with the term.
 
 On a plane, a body is dropped, slides or rolls. If a ball rolls and spins at the same
-time, its material point accelerates sideways, but its contact does not. On a turning
-table, as in ``turntable``, a body stands on feet of different shapes. It turns with the
-table from the start, or slides until it does.
+time, its material point accelerates sideways, but its contact does not. On a rotating
+table, as in ``turntable``, a body stands on feet of different shapes. It rotates with
+the table from the start, or it slides until it does.
 """
 
 from dataclasses import dataclass
@@ -22,7 +22,7 @@ from experiments.simulation.measurement import Conditions, absent
 
 IN_C = (("plain", "c"), ("term", "c"))
 EXACT = (("plain", "warp"), ("exact", "warp"))
-"""Variants and engines in which a motion is run.
+"""Variants and engines with which a motion is run.
 
 The exact term is also applied to the normal rows, and includes the motion of the
 contact. On the table it is centred, because the error of the time step would otherwise
@@ -33,8 +33,8 @@ HEIGHT_M = 0.1
 TABLE_M = 0.5
 SECONDS = {"plane": {"full": 1.0, "quick": 0.5}, "table": {"full": 4.0, "quick": 3.0}}
 COLUMNS = {"plane": ("travel_mm", "sideways_mm", "rise_mm"), "table": ("growth_per_s",)}
-# Time by which a body that starts at rest turns with the table [s]; growth is measured
-# afterwards.
+# Time after which a body that starts at rest rotates with the table [s]. The growth is
+# measured after this time.
 CAUGHT_S = 2.0
 CUBE = " ".join(
     f"{x} {y} {z}"
@@ -100,7 +100,7 @@ def on_plane(
 
 
 def on_table(name: str, feet: str) -> Motion:
-    """Return the motion of a body on the turning table.
+    """Return the motion of a body on the rotating table.
 
     A body that is ``carried`` starts with the table's velocity; one that is ``caught``
     starts at rest.
@@ -179,7 +179,7 @@ def row_of(
 def columns_of(motion: Motion, path: np.ndarray) -> dict[str, float]:
     """Return the displacement of a body on the plane, or the growth of its radius.
 
-    The growth is measured after the body turns with the table.
+    The growth is measured when the body rotates with the table.
 
     Raises:
         RunFailed: The body leaves the table.

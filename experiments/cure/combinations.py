@@ -59,8 +59,8 @@ Each pair needs a separate simulation. All other parameters vary between its wor
 def cases(kind: str, quick: bool) -> list[Case]:
     """Return every combination with one source of contacts.
 
-    The quick profile has only Newton's contacts, the shipped pads and the shipped
-    impratio, without the 10 cm shake and without RK4.
+    The quick profile has only Newton's contacts, the pads and the impratio of the scene
+    as shipped, without the 10 cm shake and without RK4.
     """
     combinations = []
     for (integrator, impratio), pads, amplitude, term, positions in product(
@@ -102,8 +102,8 @@ def cases(kind: str, quick: bool) -> list[Case]:
 def measure(conditions: Conditions, variants: Sequence[Case]) -> list[dict]:
     """Return a row for each case."""
     shakes = dict.fromkeys(shake_of(case) for case in variants)
-    # MuJoCo's C engine runs on the CPU. Each run has its own process, beside the GPU
-    # and the other runs.
+    # MuJoCo's C engine runs on the CPU. Each run has its own process, in parallel with
+    # the GPU and the other runs.
     frame_count = conditions.frame_count(AS_SHIPPED.frame_count)
     moved = [
         replace(
@@ -168,5 +168,5 @@ def along(name: str, vector: np.ndarray) -> list[tuple[str, float]]:
 
 
 def cells(columns: dict[str, object], reason: str | None) -> dict[str, object]:
-    """Return the columns, or columns without values if there is a reason."""
+    """Return the columns. They do not have values if there is a ``reason``."""
     return absent(columns, reason) if reason else columns

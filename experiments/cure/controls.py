@@ -1,10 +1,10 @@
-"""Measure a cube between two walls that shake along a line or an arc, or turn.
+"""Measure a cube between two walls that shake along a line or an arc, or rotate.
 
 If compliance and cyclic load caused the creep of a grasp, the straight shake would
 cause it too, because its acceleration equals that of the arm. If the ignored term
-causes the creep, the cube creeps whenever a joint turns, by the law in ``turntable``.
-On the same arc it then creeps on a hinge, and on two hinges that keep the walls from
-turning, but not on two slides, whose J̇ is zero.
+causes the creep, the cube creeps whenever a joint rotates, as fast as the law in
+``turntable`` predicts. On the same arc it then creeps on a hinge, and on two hinges
+that keep the walls upright, but not on two slides, whose J̇ is zero.
 
 The section also runs the shake in MuJoCo's C engine with a dense and with a sparse
 Jacobian. Both should give the same result, but MuJoCo 4.0.0 has a bug in its sparse
@@ -24,7 +24,7 @@ from experiments.facts.case import AS_SHIPPED
 from experiments.simulation.measurement import Conditions, summarize
 from experiments.simulation.reference import NativeShake, pilot_at_shake, starts_of
 
-# The shake of the arm; the cube settles during one period of it.
+# The shake of the arm. The cube settles during its first period.
 SHAKE_M, SHAKE_RAD_S = (
     0.03,
     2.0 * np.pi,
@@ -61,7 +61,7 @@ JOINTS = {
 ON_AN_ARC = ("hinge", "two-hinges", "two-slides")
 SPEED_M_S = SHAKE_M * SHAKE_RAD_S  # speed in the middle of a shake
 SWING_RAD_S = SPEED_M_S / PLACE_M
-STARTS = {  # at rest at an end of the shake, turning, or in the middle of the arc
+STARTS = {  # at rest at an end of the shake, rotating, or in the middle of the arc
     "straight": f'qpos="{SHAKE_M} {SHAKE_M} 0 0 1 0 0 0"',
     "turning": f'qvel="{numbers([TURN_RAD_S, 0.0, TURN_RAD_S * PLACE_M, 0.0, 0.0, 0.0, TURN_RAD_S])}"',
     "hinge": f'qvel="{numbers([SWING_RAD_S, 0.0, 0.0, SPEED_M_S, 0.0, -SWING_RAD_S, 0.0])}"',
@@ -92,7 +92,7 @@ def walls(motion: str) -> str:
 
 
 def measure(conditions: Conditions) -> list[dict]:
-    """Return a row for each control and engine: the creep after settling."""
+    """Return a row with the creep after settling for each control and engine."""
     return [
         row_of(motion, engine, conditions)
         for motion in JOINTS

@@ -1,4 +1,4 @@
-"""Measure a box on a turning table, which creeps outward without robot or grasp.
+"""Measure a box that creeps outward on a rotating table, without a robot or a grasp.
 
 The box stands on four feet, because MuJoCo Warp loses the contact in one of ten steps
 if a box rests on a box.
@@ -13,7 +13,7 @@ regularization, n the number of contacts, and m the mass of the box. The parts i
 so that r grows exponentially. The term h/2 belongs to a semi-implicit step of length h.
 If the term is restored, the 1 disappears. The last factor is of second order. In the
 frame of the table, a sliding velocity v has a Coriolis acceleration of 2 ω v. This
-turns the velocity by 2 ω/b and reduces it by 4 ω²/b². The growth of v reduces it by
+rotates the velocity by 2 ω/b and reduces it by 4 ω²/b². The growth of v reduces it by
 another ω²/b².
 """
 
@@ -41,7 +41,8 @@ TURN_RAD_S = 2.0
 RADIUS_M = 0.2
 MASS_KG = 0.2
 SECONDS = {"full": 6.0, "quick": 3.0}
-# Time in which the box sinks into its contacts [s]; growth is measured afterwards.
+# Time in which the box sinks into its contacts [s]. The growth is measured after this
+# time.
 SETTLE_S = 1.0
 SAMPLE_S = 0.1
 STEP_S = 0.002
@@ -79,7 +80,7 @@ class Variant:
 
     @property
     def mjcf(self) -> str:
-        """Return the scene, in which the box starts at rest on the turning table."""
+        """Return the scene, in which the box starts at rest on the rotating table."""
         options = " ".join(
             f'{name}="{WORDS.get(value, value)}"'
             for name, value in self.options.items()
@@ -120,7 +121,7 @@ TERM = {"warp": contact_bias.install, "c": contact_bias_c.subtract_bias}  # type
 
 
 def measure(conditions: Conditions) -> list[dict]:
-    """Return a row for each run: the measured and predicted growth of the radius."""
+    """Return a row with the measured and predicted growth of the radius for each run."""
     runs = list(product(TERM, VARIANTS))
     return [
         row_of(engine, name, conditions)

@@ -50,7 +50,9 @@ class InC:
             refuse_warned(data)
 
     def body(self) -> tuple[np.ndarray, np.ndarray]:
-        """Return the free body's position [m] and velocity [m/s], [world, 3] each."""
+        """Return the position [m] and the velocity [m/s] of the free body, both of
+        shape [world, 3].
+        """
         position, velocity = self.free
         return (
             np.array([data.qpos[position] for data in self.worlds]),

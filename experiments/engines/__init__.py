@@ -116,11 +116,14 @@ MODELS = (
     Model("discrete-20ms", MUJOCO, scenes=("turntable",)),
 )
 QUICK = ("dart", "pybullet")
-PADS_KD = (100.0, 5.0)  # damping of the pads in FET028: as shipped, and softer
+# Damping of the pads in FET028: that of the scene as shipped, and a lower one.
+PADS_KD = (100.0, 5.0)
 
 
 def measure(conditions: Conditions) -> Plan:
-    """Return rows for each model, scene and step, for shakes, and published scenes."""
+    """Return rows for each model, scene and step, for the shakes, and for the published
+    scenes.
+    """
     models = [each for each in MODELS if not conditions.quick or each.name in QUICK]
     found = yield [
         Batch("models", model_rows, (models, conditions.profile)),
@@ -171,7 +174,7 @@ def columns(name: str, trace: Trace | str) -> dict[str, object]:
 
 
 def shake_rows(conditions: Conditions) -> Sequence[Mapping[str, object]]:
-    """Return rows for the shake of FET028, until 2 s after its first frame."""
+    """Return the rows of the shake of FET028, which ends 2 s after its first frame."""
     shipped = replace(
         AS_SHIPPED,
         shake_amplitude_m=0.02,

@@ -121,7 +121,7 @@ def measure_points(conditions: Conditions, pads: str) -> list[dict]:
         for point in (*references, *points)
         if point.is_native
     }
-    # C runs on the CPU, beside the GPU.
+    # C runs on the CPU, in parallel with the GPU.
     with ThreadPoolExecutor(max(1, (os.cpu_count() or 1) - 1)) as pool:
         native_traces = pool.map(NativeShake.run, natives.values())
         traces = run_shakes(shakes)
@@ -242,7 +242,7 @@ def distance_mm(trace: Trace, other: Trace) -> float:
 
 
 def number(name: str, value: float) -> dict[str, object]:
-    """Return a column, with a reason if the number does not exist."""
+    """Return a column, and the reason if its number does not exist."""
     return (
         {name: float(value)}
         if np.isfinite(value)
@@ -253,7 +253,7 @@ def number(name: str, value: float) -> dict[str, object]:
 def measure_times(
     conditions: Conditions, names: Sequence[str]
 ) -> dict[str, dict[str, object]]:
-    """Return columns with the times of settings by name.
+    """Return the columns with the times of the settings, by name.
 
     Frames of the settings are timed in turn, and compared with the first setting.
     """
@@ -331,7 +331,7 @@ def time_columns(reason: str | None, found: PairedTimes) -> dict[str, object]:
 def measure_worlds(conditions: Conditions) -> list[dict]:
     """Return a row for each number of worlds, and one for C on one core.
 
-    All are timed in turn.
+    All of them are timed in turn.
     """
     device = wp.get_device(conditions.device)
     warm = warm_state(conditions.device)

@@ -70,7 +70,9 @@ KNOBS = {
         "stiff": {},
     },
 }  # type: dict[str, dict[str, dict]]
-"""Parameters that are varied one at a time, with the shipped method and substeps."""
+"""Parameters that are varied one at a time, with the method and the substeps of the
+scene as shipped.
+"""
 CONVERGED = {
     "integrator": "rk4",
     "iterations": 200,

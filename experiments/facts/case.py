@@ -4,8 +4,8 @@ import math
 from dataclasses import dataclass, fields, replace
 
 CUBE_GAP_DEFAULT = 0.1
-"""Contact gap [m] of a new ``newton.ModelBuilder`` in 1.4.0, with which the cube is
-shipped.
+"""Contact gap [m] of a new ``newton.ModelBuilder`` in 1.4.0, which is the gap of the
+cube in the scene as shipped.
 
 The gap of other releases is in section upgrade, as a default of shapes, and is measured
 in section defaults.
@@ -66,8 +66,7 @@ class Case:
 
     The cube is then held still for the duration of the lift.
     """
-    # Depth [m] by which the cube overlaps the ground, or each of the pads, at the
-    # start.
+    # Depth [m] by which the cube overlaps the ground, or both pads, at the start.
     start_overlap_m: float = 0.0
     finger_closed_m: float = -0.01
     """Target position [m] of each finger that holds the cube.
@@ -136,8 +135,8 @@ class Case:
     ik_iterations: int = 8
     """IK iterations per frame.
 
-    The scene ships with 24. On the CPU, iterations after the eighth did not change any
-    bit of the positions of TCP and cube.
+    The scene as shipped has 24. On the CPU, iterations after the eighth did not change
+    any bit of the positions of the TCP and the cube.
     """
     state_sync: bool = False
     """Whether Newton's state and targets are written into the engine before every
@@ -148,9 +147,9 @@ class Case:
     some bodies are at times displaced by 0.1 mm.
     """
     ik_beside: bool = True
-    """Whether the IK of the next frame runs beside the physics of this frame.
+    """Whether the IK of the next frame runs in parallel with the physics of this frame.
 
-    Otherwise each frame waits for its own IK, as shipped.
+    Otherwise each frame waits for its own IK, as in the scene as shipped.
     """
     fixed_joints: bool = True
     """Whether links with fixed joints are separate bodies, as in the robot's

@@ -41,8 +41,8 @@ class KeptRun:
     Shape [frames, 3]; NaN before the shake.
     """
     contact: Mapping[str, np.ndarray]
-    """``normal_force_n``, ``tangential_force_n`` and ``penetration_mm``, shape [frames]
-    each.
+    """``normal_force_n``, ``tangential_force_n`` and ``penetration_mm``, all of shape
+    [frames].
     """
     cube_edge_m: float
     # Time in the shake at which the cube leaves the grasp; None if it never does.
@@ -50,7 +50,9 @@ class KeptRun:
 
     @property
     def slip_mm(self) -> np.ndarray:
-        """Return the length of the displacement, [frames]; NaN before the shake."""
+        """Return the length of the displacement, shape [frames]. It is NaN before the
+        shake.
+        """
         return np.linalg.norm(self.moved_mm, axis=1)
 
     @property

@@ -68,7 +68,7 @@ def slip_mm(moved: Displacement) -> float:
 
 
 def fit_line(moved: Displacement) -> tuple[float, float]:
-    """Return slope [m/s] and offset [m] of a line fitted along the main axis."""
+    """Return the slope [m/s] and the offset [m] of a line fitted along the main axis."""
     slope, offset = np.polyfit(moved.time_s, moved.along_m, 1)
     return float(slope), float(offset)
 
@@ -188,7 +188,7 @@ class Grasp:
 
 
 def grasp(rows: ContactRows) -> Grasp | None:
-    """Return numbers about the loaded contacts in a frame, or None if none exist.
+    """Return numbers about the loaded contacts in a frame, or None if there are none.
 
     The solver parameters are those of the contact with the largest force.
     """

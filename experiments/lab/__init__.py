@@ -1,4 +1,4 @@
-"""Measure the references for the engine of the page in MuJoCo's C engine.
+"""Measure the references for the engine that runs in a page, with MuJoCo's C engine.
 
 The references are the scene as MJCF and its cases. Newton builds the model, and
 ``mj_step`` alone runs it in double precision. The engine's midphase is off. It uses
@@ -28,7 +28,7 @@ from experiments.simulation.reference import DoubleShake
 from experiments.simulation.simulation import Simulation
 
 NEEDS_GPU = False
-"""Tells ``measured_report.measuring.machine`` that a GPU is not needed.
+"""This tells ``measured_report.measuring.machine`` that a GPU is not needed.
 
 The C engine runs on the CPU and is deterministic.
 """
@@ -100,7 +100,7 @@ def row_of(case: Case, trace: Trace, floor_mm_s: float) -> dict[str, object]:
 def scene_rows() -> list[dict[str, str]]:
     """Return the MJCF of the scene in consecutive parts.
 
-    Each part is as long as a text of a record may be.
+    No part is longer than a text of a record may be.
     """
     text = scene_mjcf()
     parts = [

@@ -56,7 +56,7 @@ it.
 """
 # Parts left out on a CPU, where frames with large buffers take long.
 ON_CPU = ("buffers",)
-# Worlds of a case that runs to the end on a GPU; on a CPU all of them would be equal.
+# Worlds of a case that runs to the end on a GPU. On a CPU all worlds would be equal.
 RUN_COUNT = 8
 AUDIT_FRAME_COUNT = {"full": 250, "quick": 130}
 
@@ -112,7 +112,7 @@ def measure_times(
         conditions.quick,
         ON_CPU if kind == "cpu" else WITH_MOST_WORLDS if many else WITHOUT,
     )
-    # Small ones first.
+    # The cases with small buffers are timed first.
     timed.sort(key=lambda case: case is not UNTRIMMED and has_large_buffers(case))
     untimed = absent(TIMED, "not timed here, where it would take long")
     columns = dict.fromkeys((case.name for case in variants(conditions.quick)), untimed)

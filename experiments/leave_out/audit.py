@@ -16,8 +16,7 @@ from experiments.simulation.timing import buffer_bytes_per_world
 
 # Frames of the run. For the shake these are the set-up and one and a half cycles.
 FRAME_COUNT = 300
-# Frames between two checks of the inverse kinematics and of the writes of Newton's
-# state.
+# Frames between two checks of the inverse kinematics and the written state.
 LOOK_FRAME_STEP = 10
 # Counts of rows in the engine's data: all rows, rows of limits, and rows of equality
 # constraints.
@@ -99,7 +98,7 @@ class Seen:
 
 
 def audit(scene: AuditedScene, frame_count: int = FRAME_COUNT) -> list[Item]:
-    """Run the scene for ``frame_count`` frames; list the available and used amounts."""
+    """Run the scene for ``frame_count`` frames and list the available and used amounts."""
     seen, task = Seen(), getattr(scene, "task", None)
     for frame in tqdm(range(frame_count), desc="audit", unit="frame", delay=3.0):
         is_look = frame % LOOK_FRAME_STEP == 0

@@ -30,9 +30,10 @@ Both pictures are at the bottom, so that the controls of a player cover only the
 """
 GAP = 2  # half the space between the two pictures [pixels]
 LEAD_S = 2.5  # time before the shake at which a clip begins [s]
-# Time in which the camera approaches [s]; it arrives at the start of the shake.
+# Time in which the camera approaches [s]. It arrives at the start of the shake.
 APPROACH_S = 1.2
-# Time after a cube has left the grasp [s]; the camera moves back to show where it fell.
+# Time after a cube has left the grasp [s], in which the camera moves back to show where
+# it fell.
 FALL_S = 4.0
 STAY_S = 1.0  # time for which the last picture is shown [s]
 ENCODER = {"crf": "28", "preset": "veryslow", "threads": "2"}
@@ -204,7 +205,7 @@ def plot_axes(sheet: "Sheet", readout: Mapping[str, np.ndarray]) -> Axes:
 
 
 def write_video(path: Path, frames: Iterable[np.ndarray]) -> np.ndarray:
-    """Encode frames as an H.264 video in MP4 and return the last frame.
+    """Encode the frames as an H.264 video in MP4 and return the last frame.
 
     The frames have the shape [HEIGHT, WIDTH, 3], 8 bits. The video can be played while
     it loads.
@@ -255,7 +256,7 @@ class Sheet:
     def write(
         self, left: float, top: float, text: str, size: float, colour: str, **style
     ) -> Text:
-        """Return text of ``size`` whose baseline begins at a position [pixels]."""
+        """Return a text of ``size`` whose baseline begins at a position [pixels]."""
         place = left / self.width, 1.0 - top / self.height
         return self.figure.text(
             *place, text, fontsize=0.72 * size, color=colour, **style
@@ -286,7 +287,7 @@ class Sheet:
 
 
 def reading(slip_mm: float) -> str:
-    """Return the text for a displacement."""
+    """Return the text that shows a displacement."""
     return "fell out" if np.isnan(slip_mm) else f"{slip_mm:.2f} mm"
 
 

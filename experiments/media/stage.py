@@ -74,7 +74,7 @@ class Camera:
         )
 
     def rays(self, x: np.ndarray, y: np.ndarray, width: int, height: int) -> np.ndarray:
-        """Return origins and directions of rays through points of the picture.
+        """Return the origins and the directions of rays through points of the picture.
 
         The points are in pixels, and the rays are in the frame of the camera. For
         points in arrays of any shape, the result has the shape [..., 2, 3].
@@ -134,7 +134,7 @@ class Stage:
         self.model.bvh_refit_shapes(self.state)
 
     def picture(self, camera: Camera, width: int, height: int) -> np.ndarray:
-        """Return pictures of all worlds, shape [worlds, height, width, 3].
+        """Return the pictures of all worlds, shape [worlds, height, width, 3].
 
         The colours are linear.
         """
@@ -182,7 +182,8 @@ class Stage:
 
 
 def display(linear: np.ndarray) -> np.ndarray:
-    """Return linear colours as displayed (sRGB), from 0 to 1.
+    """Return linear colours in the form in which they are displayed (sRGB), from 0 to
+    1.
 
     Colours that are almost white or brighter remain distinguishable.
     """
@@ -297,7 +298,7 @@ def _is_edge(brightness: np.ndarray, shape: np.ndarray) -> np.ndarray:
 
 
 def _spread(count: int) -> np.ndarray:
-    """Return evenly spread points in a pixel, shape [count, 2].
+    """Return points that are spread evenly over a pixel, shape [count, 2].
 
     They are from the R2 sequence (M. Roberts, 2018).
     """

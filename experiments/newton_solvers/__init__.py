@@ -61,9 +61,9 @@ QUICK_VARIANTS = ("warp", "xpbd", "steel", "steel-points", "steel-32-rows")
 TIMED_VARIANTS = ("warp", "steel", "steel-points", "xpbd", "vbd", "kamino")
 WORLD_COUNTS = {"cuda": (1, 4096, 16384), "cpu": (1,)}
 START_FRAME_COUNT = round(PHASE_SECONDS[LIFT] * FRAME_RATE) + SHAKE_FRAME_COUNT
-"""Frames from the start with the cube in the hand into the shake."""
+"""Frames from the start, with the cube in the hand, until the shake has begun."""
 SLOW_MS = 100.0
-"""Largest time of a frame for which a solver is also timed with more worlds.
+"""A solver with a longer frame is not timed with more worlds.
 
 Slower solvers would need minutes to reach the shake.
 """

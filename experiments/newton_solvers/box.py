@@ -1,4 +1,4 @@
-"""Run the box on a turning, a sloped and a still table in Newton's solvers.
+"""Run the box on a rotating, a sloped and a still table in Newton's solvers.
 
 The path of the box is curved by the acceleration ω² r. If a solver makes the velocity
 at the contact vanish at the end of each step of length h, and moves the box by the
@@ -23,10 +23,10 @@ from experiments.simulation.simulation import captured
 from measured_report.measuring.measurement import Conditions, absent
 
 STEPS_S = {"full": (0.002, 0.001), "quick": (0.002,)}
-SECONDS = {"full": 4.0, "quick": 2.0}  # duration on the turning table
-STANDING = ("slope", "still")  # scenes in which the table does not turn
+SECONDS = {"full": 4.0, "quick": 2.0}  # duration on the rotating table
+STANDING = ("slope", "still")  # scenes in which the table does not rotate
 STANDING_S = 2.0
-SLOPE = 0.35  # tangent of the slope [rad/rad]; friction can hold up to 1
+SLOPE = 0.35  # tangent of the slope [rad/rad]; friction holds the box up to 1
 FRAME_STEPS = 8  # steps of a frame, if contacts are detected once per frame
 OPTIONS: Mapping[str, Mapping[str, Any]] = {
     "SolverMuJoCo": {"cone": "elliptic", "integrator": "implicitfast"},
@@ -147,7 +147,7 @@ def reason_of(error: Exception) -> str:
 def number_of(scene: str) -> str:
     """Return the name of the number that is measured in a scene.
 
-    It is the growth of the radius on the turning table, and the creep on the slope and
+    It is the growth of the radius on the rotating table, and the creep on the slope and
     the still table.
     """
     return "creep_mm_s" if scene in STANDING else "growth_per_s"
@@ -156,7 +156,7 @@ def number_of(scene: str) -> str:
 def build(scene_name: str, device: str) -> newton.Model:
     """Return the model of a box on four feet on a table.
 
-    The table turns on a hinge or stands still. On the slope, gravity is tilted.
+    The table rotates on a hinge or stands still. On the slope, gravity is tilted.
     """
     scene, builder = turntable(0.0), newton.ModelBuilder()
     box, [table] = scene["body"], scene["supports"]
@@ -236,7 +236,7 @@ def run(
 
 
 def columns(scene: str, path: np.ndarray) -> dict[str, object]:
-    """Return the speed of the box along the table, and whether it stays on it."""
+    """Return the speed of the box along the table, and whether the box stays on it."""
     name = number_of(scene)
     if not np.isfinite(path).all():
         return {"stays": False} | absent([name], "a position is not finite")

@@ -70,7 +70,7 @@ def watch_overflow(
 
 
 class SteelRecorder(SolverRecorder):
-    """Record contacts, and also the first frame in which rows did not fit."""
+    """Record the contacts, and the first frame in which rows did not fit."""
 
     def watch_substep(self) -> None:
         super().watch_substep()

@@ -52,7 +52,7 @@ class SolverStepper(Stepper):
         self.states = state, state_out
 
     def step(self, substep: int, control: newton.Control, step_s: float) -> None:
-        """Queue a substep; the first state holds the result of every second one."""
+        """Queue a substep. The first state has the result of every second substep."""
         last, between = (
             self.case.substeps - 1,
             self.variant.steps_between_contacts or self.case.substeps,
@@ -102,7 +102,9 @@ class SolverStepper(Stepper):
 
 
 def weight_of_the_arm(stepper: Stepper) -> wp.array:
-    """Return forces that carry the weight of the moving links [N, N m], [bodies]."""
+    """Return the forces that carry the weight of the moving links [N, N m], shape
+    [bodies].
+    """
     model, cube = stepper.model, stepper.scene.links["cube"].body
     names = [label.rsplit("/", 1)[-1] for label in model.body_label]
     carried = np.array([name not in FIXED_BODIES for name in names]).reshape(
@@ -134,7 +136,9 @@ def colours_of(model: Model) -> list[wp.array]:
 
 @wp.func
 def place(body: int, point: wp.vec3, body_q: wp.array[wp.transform]):
-    """Return the world position of a point of a body or of the world."""
+    """Return the position in the world of a point that belongs to a body or to the
+    world.
+    """
     pose = wp.transform_identity()
     if body >= 0:
         pose = body_q[body]

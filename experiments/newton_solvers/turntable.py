@@ -1,4 +1,4 @@
-"""Describe the box on a turning table for Newton's solvers."""
+"""Describe the box on a rotating table for Newton's solvers."""
 
 from typing import Any
 
@@ -12,7 +12,7 @@ FEET = [(x, y, -0.04) for x in (0.04, -0.04) for y in (0.04, -0.04)]
 
 
 def turntable(seconds: float) -> dict[str, Any]:
-    """Return the box on four feet, at rest on the turning table."""
+    """Return the box on four feet, at rest on the rotating table."""
     inertia = [MASS_KG / 3.0 * (HALF_EDGE_M**2 + 0.04**2)] * 2 + [
         MASS_KG / 3.0 * 2.0 * HALF_EDGE_M**2
     ]

@@ -1,4 +1,4 @@
-"""Measure time and memory for one to 16,384 worlds.
+"""Measure the time and the memory of one to 16,384 worlds.
 
 They are compared with the engine's own steps, which are a lower bound, and with its
 benchmark.
@@ -65,7 +65,7 @@ class Worlds:
 
     def __init__(self, warm: WarmState, world_count: int):
         self.world_count = world_count
-        gc.collect()  # memory of the previous batch must not count
+        gc.collect()  # the memory of the previous batch must not count
         before = memory_bytes(warm.device)
         self.frames = build_frames(FIXED, world_count, warm)
         self.bytes_per_world = (memory_bytes(warm.device) - before) // world_count

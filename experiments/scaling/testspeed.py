@@ -38,7 +38,7 @@ STEP_COUNTS = {
     4096: 300,
     16384: 200,
 }
-# Approximate time limit for all ways to run with one number of worlds [s].
+# Approximate time limit for all ways to run one number of worlds [s].
 CAP_S = 12.0
 TIMEOUT_S = 300.0
 

@@ -102,7 +102,7 @@ CASES = [
 
 
 def rows(conditions: Conditions) -> list[dict[str, object]]:
-    """Return a row for each run: the measured and predicted creep of the capsule."""
+    """Return a row with the measured and predicted creep of the capsule for each run."""
     seconds = SECONDS[conditions.profile]
     rows = []
     for case in tqdm(CASES, desc="capsule", unit="run", delay=3.0):

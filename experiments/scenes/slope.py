@@ -1,4 +1,4 @@
-"""Measure a box on a slope too flat for sliding: the simplest creep of a contact."""
+"""Measure the simplest creep of a contact: a box on a slope too flat for sliding."""
 
 import math
 from dataclasses import asdict, dataclass

@@ -1,4 +1,4 @@
-"""Define the box on four feet on a turning table, for engines without MJCF."""
+"""Define the box on four feet on a rotating table, for engines without MJCF."""
 
 from dataclasses import replace
 
@@ -34,7 +34,7 @@ TABLE = Support(
 
 
 def turntable(step_s: float, seconds: float) -> Scene:
-    """Return the box on four feet, at rest on the turning table."""
+    """Return the box on four feet, at rest on the rotating table."""
     return Scene(
         step_s,
         SAMPLE_S,
@@ -52,6 +52,6 @@ def still(step_s: float, seconds: float) -> Scene:
 
 
 def slope(step_s: float, seconds: float) -> Scene:
-    """Return the same box on a slope of 0.35; friction can hold up to 1."""
+    """Return the same box on a slope of 0.35. Friction holds it up to a slope of 1."""
     gravity = GRAVITY_M_S2 * np.array([0.35, 0.0, -1.0]) / np.hypot(1.0, 0.35)
     return replace(still(step_s, seconds), gravity_m_s2=gravity)

@@ -37,11 +37,14 @@ BISECTION_COUNT = 50
 
 @dataclass(frozen=True)
 class Motion:
-    """Sums over the shake of a run in C, in the TCP frame, shape [3] each."""
+    """Sums over the shake of a run in C. All have the shape [3] and are in the TCP
+    frame.
+    """
 
     bias_m_s: np.ndarray  # ∫ g dt
     damping_m_s: np.ndarray  # ∫ e dt with implicitfast
-    # ∫ R f dt with the shipped impratio and cone, mean over the loaded contacts.
+    # ∫ R f dt with the impratio and the cone of the scene as shipped, as a mean over
+    # the loaded contacts.
     load_m_s: np.ndarray
     depth_m: float  # final mean depth of these contacts
     # Displacement of the cube minus the integral of its velocity, in single precision.
@@ -181,8 +184,8 @@ def softness(case: Case, reference: Case, depth_m: float) -> float:
     balance the grip, k d(r) r = R f, so that stiffer pads have a smaller depth. The
     rows of a pyramidal cone are both normal and friction rows. There are four for each
     contact, with R = 2 μ² (1 + μ²) / impratio times that of the normal row of an
-    elliptic cone (MuJoCo, ``mj_makeImpedance``). Each carries a quarter of the normal
-    force, so that these pads have a smaller depth as well.
+    elliptic cone (MuJoCo, ``mj_makeImpedance``). Each row carries a quarter of the
+    normal force, so that these pads have a smaller depth as well.
 
     Args:
         depth_m: Depth of the contacts in the reference case.

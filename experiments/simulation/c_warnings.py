@@ -1,4 +1,4 @@
-"""Turn warnings of MuJoCo's C engine into failures.
+"""Make warnings of MuJoCo's C engine count as failures.
 
 The engine continues after these warnings, but the results are no longer valid.
 """

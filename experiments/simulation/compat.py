@@ -15,7 +15,9 @@ from newton.solvers import SolverMuJoCo
 
 
 def warp_has_noslip() -> bool:
-    """Return whether MuJoCo Warp has the noslip pass here; all C engines have it."""
+    """Return whether the installed MuJoCo Warp has the noslip pass. All C engines have
+    it.
+    """
     return any(
         field.name == "noslip_iterations" for field in fields(mujoco_warp.Option)
     )
@@ -46,9 +48,10 @@ def make_solver(
 def _buffers_on_the_device() -> Iterator[None]:
     """Make ``mujoco_warp.put_data`` allocate contacts and rows on the device.
 
-    By default it creates arrays of zeros on the host and copies them. With the shipped
-    buffers these are 2 MB per world, which takes a minute for 16,384 worlds. Each step
-    overwrites the arrays, except for the type of contacts, which Newton does not write.
+    By default it creates arrays of zeros on the host and copies them. With the buffers
+    of the scene as shipped these are 2 MB per world, which takes a minute for 16,384
+    worlds. Each step overwrites the arrays, except for the type of contacts, which
+    Newton does not write.
     """
     put_data = mujoco_warp.put_data
 

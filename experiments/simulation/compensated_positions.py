@@ -8,10 +8,10 @@ The solver is a SolverMuJoCo on MuJoCo Warp, before its first step.
 
 In single precision, a position of 1 rad changes in steps of 1e-7 rad. A joint that
 creeps moves by less than half of that in a short time step, so its position never
-changes, whatever its velocity is, while the held object moves on. Kahan's summation
-keeps the rounding error of each sum and adds it to the next one ("Further remarks on
-reducing truncation errors", Communications of the ACM 8, 1965). It is applied to
-hinges, slides and the translation of free joints. MuJoCo Warp calls
+changes, even if its velocity is not zero, while the held object moves on. Kahan's
+summation keeps the rounding error of each sum and adds it to the next one ("Further
+remarks on reducing truncation errors", Communications of the ACM 8, 1965). It is
+applied to hinges, slides and the translation of free joints. MuJoCo Warp calls
 ``Model.callback.control`` in each step. There, the sum at the end of the previous step
 is repeated with compensation.
 """

@@ -46,7 +46,7 @@ BLOCK_FRAME_COUNT = 4
 
 A block with many worlds has fewer frames because they take long. On a CPU it has one.
 """
-LARGE_BATCH = 8192  # number of worlds from which a block has one frame
+LARGE_BATCH = 8192  # a batch of this size or larger has one frame per block
 BUILD_COUNT = {"cuda": 2, "cpu": 1}
 """Number of builds of each simulation that needs at most SHARE_AGAIN.
 
@@ -57,7 +57,7 @@ SHARE_AGAIN = 1 / 32
 SHARE_BUILT = 1 / 8
 """Share of a device's memory that the cases after the first one may use.
 
-If they need more, they are timed before more cases are built.
+If they need more, they are timed before the next cases are built.
 """
 PADS = AS_SHIPPED, STIFF_PADS  # cases with the pads of the timed frames
 RATIO = ("frame_ratio", "frame_ratio_p5", "frame_ratio_p95", "ratio_resolution")
@@ -67,10 +67,10 @@ TIMED = (*TIMES, "buffer_bytes_per_world")
 
 
 class WarmState:
-    """The states from which blocks start.
+    """The start states of blocks.
 
-    In each round, all cases with the same pads start from the same state. There is one
-    state for each of the rounds of ``paired_timing``.
+    In each round, all cases with the same pads start from the same state. Each round of
+    ``paired_timing`` has its own state.
     """
 
     def __init__(self, device: wp.Device):
@@ -135,7 +135,7 @@ class Clone(Simulation):
 
 
 class Frames:
-    """Run blocks of frames of a case.
+    """Run a case in blocks of frames.
 
     Cases that differ only in RUN_TIME_FIELDS may share a simulation.
     """
@@ -163,7 +163,9 @@ class Frames:
         )
 
     def columns(self, found: PairedTimes) -> dict[str, object]:
-        """Return times, ratio and memory, or the reason if the frames are not valid."""
+        """Return the times, the ratio and the memory, or the reason if the frames are
+        not valid.
+        """
         if self.reason:
             return untimed(TIMED, self.reason)
         memory = buffer_bytes_per_world(
@@ -222,7 +224,7 @@ class EngineSteps:
 def build_frames(
     case: Case, world_count: int, warm: WarmState, device: wp.Device | None = None
 ) -> Frames:
-    """Return frames of a case in this number of worlds.
+    """Return the frames of a case in this number of worlds.
 
     The default is the device of the warm states.
     """
@@ -233,7 +235,7 @@ def build_frames(
 def time_columns(
     times: PairedTimes, name: str = "frame_ms", ratio: str = "frame_ratio"
 ) -> dict[str, Any]:
-    """Return columns with the time, the ratio and the resolution of the ratio.
+    """Return the columns of the time, the ratio and the resolution of the ratio.
 
     The percentiles of the ratio are taken over the rounds.
     """
@@ -263,7 +265,7 @@ def untimed(names: Sequence[str], reason: str) -> dict[str, object]:
 def time_cases(
     cases: Sequence[Case], world_count: int, device: wp.Device, cap_s: float = CAP_S
 ) -> dict[str, dict]:
-    """Time frames of the shake in ``world_count`` worlds against the first case.
+    """Time frames of the shake in ``world_count`` worlds, relative to the first case.
 
     Return columns by case. If memory runs out or the frames are not valid, every number
     is None, with a reason. Cases that differ only in run-time fields share a
@@ -290,7 +292,7 @@ def time_cases(
 
 
 class Comparison:
-    """Time cases in turn against the first one, some at a time."""
+    """Time the cases in turn with the first one, a few of them at a time."""
 
     def __init__(self, cases: Sequence[Case], world_count: int, device: wp.Device):
         self.first, self.world_count, self.device = cases[0], world_count, device

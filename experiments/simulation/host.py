@@ -25,7 +25,8 @@ from measured_report.records.identity import package_versions
 
 # a chosen value: with more processes, all wait for the largest module
 PROCESS_COUNT = 16
-# More than the modules of a frame, so that a process that is done takes the next.
+# There are more shares than modules of a frame, so that a process that has finished one
+# takes the next.
 SHARE_COUNT = 64
 DEVICE_LOST = re.compile(
     "(?i)cuda error|cudaerror|device-side|driver|unspecified launch failure|graph capture"
@@ -51,7 +52,7 @@ def warp_device(kind: str | None) -> wp.Device:
 
 
 def card(kind: str) -> tuple[str | None, str | None]:
-    """Return the name and uuid of the GPU to measure on; see ``warp_device``."""
+    """Return the name and the UUID of the GPU to measure on; see ``warp_device``."""
     device = warp_device(kind)
     return (device.name, device.uuid) if device.is_cuda else (None, None)
 
@@ -135,7 +136,8 @@ def be_quiet() -> None:
 
 
 def note_work(note: Callable[[str], None]) -> None:
-    """Note name and size of every kernel that is launched or captured from now on.
+    """Note the name and the size of every kernel that is launched or captured from now
+    on.
 
     Timed functions then run for one look only, so that the noted work does not depend
     on speed.

@@ -25,7 +25,8 @@ KEPT_COUNT = 12  # a chosen value: a frame of the scene needs about 55 modules
 
 @contextmanager
 def launching(instead: Launch) -> Iterator[None]:
-    """Call ``instead`` with each kernel, its size and its options, without a launch.
+    """Call ``instead`` with each kernel, its size and its options, and do not launch
+    it.
 
     Within the block, new arrays contain zeros.
     """

@@ -34,7 +34,7 @@ def is_clamped(case: Case) -> bool:
 def reference_stiffness(
     timeconst_s: float, dampratio: float, shortest_s: float, dmax: float = PAD_DMAX
 ) -> float:
-    """Return k [1/s²] of the reference acceleration -b v - k r.
+    """Return the stiffness k [1/s²] of the reference acceleration -b v - k r.
 
     k = 1 / (dmax² timeconst² dampratio²), with a timeconst of at least ``shortest_s``
     (MuJoCo documentation, "Modeling", solver parameters).
@@ -94,7 +94,8 @@ def friction_load(case: Case, demand: float, grip_force_n: float) -> float:
 
 
 def exit_bound_m_s(case: Case) -> float:
-    """Return the largest exit speed [m/s] from ``start_overlap_m``, overlap √k.
+    """Return the largest exit speed [m/s] from ``start_overlap_m``, which is overlap
+    √k.
 
     An undamped spring would throw the cube out at this speed.
     """

@@ -15,12 +15,12 @@ MPS, MPS_FOLDER = "CUDA_MPS_PIPE_DIRECTORY", "/tmp/nvidia-mps"
 MPS is the daemon through which processes share a GPU.
 """
 ALONE = {MPS: "/nonexistent"}
-# Numbers of processes that share a GPU; without MPS they take turns.
+# Numbers of processes that share a GPU. Without MPS only one of them runs at a time.
 SHARE_COUNT, MPS_SHARE_COUNT = (
     4,
     16,
 )
-SHARE_MIB = 2048  # memory of a GPU that each of them needs
+SHARE_MIB = 2048  # memory of the GPU that each process needs
 
 
 def accelerators() -> list[Accelerator]:

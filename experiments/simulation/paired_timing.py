@@ -59,11 +59,11 @@ def time_in_turn(
     cap_s: float = CAP_S,
     clock: Callable[[], float] = time.perf_counter,
 ) -> list[PairedTimes]:
-    """Time blocks against the first one until each ratio is known to RESOLUTION.
+    """Time blocks until each ratio to the first one is as precise as RESOLUTION.
 
-    There are at most LOOK_COUNT looks. A case whose ratio is known is no longer timed,
-    but the reference is timed to the end. A reference alone is timed for the first look
-    only.
+    There are at most LOOK_COUNT looks. A case whose ratio is precise enough is no
+    longer timed, but the reference is timed to the end. A reference alone is timed for
+    the first look only.
 
     Args:
         blocks: Functions that return the time of a case's frame [ms] in a given round.

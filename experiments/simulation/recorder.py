@@ -1,4 +1,4 @@
-"""Record runs on the device; data are copied to the host after the run."""
+"""Record runs on the device, and copy the data to the host after the run."""
 
 import numpy as np
 import warp as wp
@@ -127,7 +127,9 @@ class Recorder:
         """Add the contact forces to the statistics of the frame."""
 
     def keep_contact_rows(self, frame: int) -> None:
-        """Copy every live contact of every world to the host; only between frames."""
+        """Copy every live contact of every world to the host. This is possible only
+        between frames.
+        """
 
     def begin_frame(self) -> None:
         wp.launch(

@@ -18,7 +18,9 @@ ROBOT = ROOT / "assets/fr3.urdf"
 BASELINE = Case(name="")
 ROBOT_POSITION = (-0.5, -0.5, 0.0)
 READY_POSE = (0.0, 0.5, 0.0, -1.5, 0.0, 2.0, np.pi / 4.0, 0.035, 0.035)
-"""Joint coordinates [rad, rad, …, m, m] from which the approach pose is solved."""
+"""Joint coordinates [rad, rad, …, m, m] with which the search for the approach pose
+starts.
+"""
 ARM_DOF_COUNT = 7
 ROBOT_DOF_COUNT = 9
 TARGET_KE = 400.0

@@ -1,4 +1,4 @@
-"""Run cases and return traces; compatible cases are worlds of one batch."""
+"""Run cases and return their traces. Compatible cases are worlds of one batch."""
 
 import time
 from collections.abc import Callable, Sequence
@@ -31,7 +31,7 @@ PROGRESS_FRAMES = 30
 
 
 class Simulation:
-    """Run a batch of cases with the same ``batch_key``, one world for each."""
+    """Run cases with the same ``batch_key`` as the worlds of one batch."""
 
     # Creates the stepper from the scene and the cases.
     stepper_of: Callable[..., Stepper] = MuJoCoStepper
@@ -140,7 +140,7 @@ class Simulation:
         self.recorder.end_frame(self.body_q, self.task.phase)
 
     def frame(self) -> None:
-        """Queue one frame with the IK of the next frame beside it.
+        """Queue one frame, and the IK of the next frame in parallel.
 
         The frame consists of targets, substeps and recording.
         """
@@ -160,11 +160,11 @@ class Simulation:
     def step(self) -> None:
         """Run one frame, as graphs from the second frame on.
 
-        The first step compiles and must not be captured. The work beside the physics is
-        a separate graph. The loops of the solver are conditional nodes, and Warp cannot
-        capture these while a second stream is part of the capture. Warp also replays
-        graphs on the CPU, which saves the cost of launching from Python. MuJoCo's C
-        engine is not a kernel and is called frame by frame.
+        The first step compiles and must not be captured. The work in parallel with the
+        physics is a separate graph. The loops of the solver are conditional nodes, and
+        Warp cannot capture these while a second stream is part of the capture. Warp
+        also replays graphs on the CPU, which saves the cost of launching from Python.
+        MuJoCo's C engine is not a kernel and is called frame by frame.
         """
         with wp.ScopedDevice(self.device), wp.ScopedStream(self.stream):
             self.frame()
@@ -247,7 +247,8 @@ def simulate(
     """
     has_away = wp.get_device(device).is_cuda and not contact_frames
     every = batches(cases)
-    # Runs on the CPU have their own processes, beside the GPU and each other.
+    # Runs on the CPU have their own processes, in parallel with the GPU and with each
+    # other.
     away = [
         members
         for members in every

@@ -17,8 +17,9 @@ from experiments.simulation.scene import Scene
 CONTACT_MAX = 64
 """Default number of contacts per world; for rows see ``stepper_warp.CONSTRAINT_MAX``.
 
-The measured peaks are 49 contacts and 50 constraint rows as shipped. Every record
-contains the peaks of its runs. A run that needs more is marked as a failure.
+In the scene as shipped, the measured peaks are 49 contacts and 50 constraint rows.
+Every record contains the peaks of its runs. A run that needs more is marked as a
+failure.
 """
 
 

@@ -64,7 +64,7 @@ def update_data_interval(case: Case) -> int:
 
 
 class MuJoCoStepper(WarpStepper):
-    """Step a batch in MuJoCo Warp or in C."""
+    """Step a batch in MuJoCo Warp or in MuJoCo's C engine."""
 
     @property
     def is_queued(self) -> bool:
@@ -107,7 +107,7 @@ class MuJoCoStepper(WarpStepper):
         return solver
 
     def _install_remedies(self, solver: SolverMuJoCo) -> None:
-        """Install in each world of a solver the remedies of its case.
+        """Install the remedies of each case in its world.
 
         Remedies that none of the cases use are not installed.
         """
@@ -170,7 +170,9 @@ class MuJoCoRecorder(WarpRecorder):
             super().record_contacts()
 
     def keep_contact_rows(self, frame: int) -> None:
-        """Copy every live contact of every world to the host; only between frames."""
+        """Copy every live contact of every world to the host. This is possible only
+        between frames.
+        """
         self.contact_rows.append(
             contact_rows(self.solver, len(self.cursor), frame, self.names)
         )

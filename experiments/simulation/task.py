@@ -60,7 +60,9 @@ def set_targets(
     target_rotation: wp.array[wp.vec4],
     target_finger: wp.array[float],
 ):
-    """Advance the phase clock by a frame and set the targets of TCP and fingers."""
+    """Advance the phase clock by a frame and set the targets of the TCP and the
+    fingers.
+    """
     world = wp.tid()
     t = elapsed[world] + FRAME_DT
     elapsed[world] = t
@@ -212,7 +214,7 @@ class Task:
             self.solve()
 
     def command(self, body_q: wp.array, joint_target: wp.array) -> None:
-        """Queue the joint targets of this frame, and the end of the phase if due.
+        """Queue the joint targets of this frame, and end the phase if it is over.
 
         Args:
             body_q: Body poses, shape [worlds, bodies].

@@ -1,4 +1,4 @@
-"""Provide states in the middle of the shake for timing, and validate times."""
+"""Provide start states in the middle of the shake for timing, and validate times."""
 
 import time
 from collections.abc import Callable, Sequence

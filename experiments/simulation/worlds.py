@@ -1,9 +1,9 @@
-"""Extrapolate a model of many equal worlds from models of two and of three worlds.
+"""Extrapolate a model of many equal worlds from models with two and three worlds.
 
 Newton's builder processes Python lists world by world, which takes minutes for many
 thousands of worlds. But the worlds are equal. Every number in the model is either the
 same in all worlds, or it is an index that depends linearly on the number of the world
-and on the count of worlds. Two models determine both coefficients.
+and on the world count. Two models determine both coefficients.
 """
 
 from collections.abc import Callable
@@ -80,7 +80,8 @@ def _extended(two: object, three: object, count: int, name: str) -> object:
         or not hasattr(three, "__dict__")
     ):
         return three
-    # A plain copy of Newton's lazy set of pairs would contain those of three worlds.
+    # Newton's set of pairs is lazy, so that a plain copy would contain the pairs of
+    # three worlds.
     extended = type(three).__new__(type(three))
     vars(extended).update(vars(three))
     for attribute, value in vars(three).items():

@@ -59,7 +59,7 @@ HOLD_END = slice(
     HOLD_FRAME_COUNT - 11,
     HOLD_FRAME_COUNT - 1,
 )
-# A cube that has moved farther in the hand at the end of the hold is sliding out.
+# If a cube has moved farther in the hand at the end of the hold, it is sliding out.
 GONE_M = 0.005
 EXIT_FRAMES = 15
 
@@ -117,7 +117,7 @@ def measure_long(conditions: Conditions) -> tuple[Probe, Trace]:
 def simulate_repeats(
     conditions: Conditions, runs: Sequence[Probe]
 ) -> list[list[tuple[Case, Trace]]]:
-    """Return every repeat of every run; all run side by side.
+    """Return every repeat of every run. All of them run side by side.
 
     A run that explodes does so immediately and then uses all solver iterations, so that
     all worlds of its batch wait for it. Runs that may explode are therefore tried for
