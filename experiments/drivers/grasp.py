@@ -1,4 +1,4 @@
-"""Compute the effect of a shake on the grasp from the trace of any engine."""
+"""Compute how a shake affects the grasp, from the trace of any engine."""
 
 import numpy as np
 

@@ -83,10 +83,9 @@ class Trace:
             (x, y, z, w), or a position alone. Shape [1 + samples, bodies, 7 or 3].
         forces: Sums of normal and of tangential forces [N] and the largest depth [m] of
             all contacts after each sample, shape [samples, 3]; NaN if they are unknown.
-        joints: Final positions of all joints [rad, m].
-        velocity_m_s: Velocity of the body, shape [1 + samples, worlds, 3].
-        contacts: Final contacts of the first world.
-        model: The model in the engine.
+        joints: Final positions of all joints [rad, m]. velocity_m_s: Velocity of the
+        body, shape [1 + samples, worlds, 3]. contacts: Final contacts of the first
+        world. model: The model that the engine uses.
     """
 
     poses: np.ndarray

@@ -97,7 +97,8 @@ class Case:
     visuals: bool = True  # whether the robot keeps its visual shapes
     # ``warp`` (MuJoCo Warp) or ``mujoco`` (MuJoCo's C engine, always on the CPU).
     backend: str = "warp"
-    device: str | None = None  # Warp device; None is the device of the measurement
+    # Warp device; without one, the case runs on the device of the measurement.
+    device: str | None = None
     # Source of contacts: ``newton`` or ``mujoco``. The C engine always generates its
     # own.
     contacts: str = "newton"

@@ -38,7 +38,7 @@ class KeptRun:
     moved_mm: np.ndarray
     """Displacement in the TCP frame since the start of the shake, as it was kept.
 
-    Shape [frames, 3]; NaN before the shake.
+    It has the shape [frames, 3], and is NaN before the shake.
     """
     contact: Mapping[str, np.ndarray]
     """``normal_force_n``, ``tangential_force_n`` and ``penetration_mm``, all of shape

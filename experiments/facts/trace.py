@@ -41,10 +41,11 @@ class ContactRows:
     # contact.
     force_n: np.ndarray
     residual_m: np.ndarray
-    """Position residual of the normal and both friction rows, shape [n, 3]; NaN without
-    a row.
+    """Position residual of the normal and both friction rows, shape [n, 3]. It is NaN
+    without a row.
     """
-    # Velocity of the normal and both friction rows, shape [n, 3]; NaN without a row.
+    # Velocity of the normal and both friction rows, shape [n, 3]. It is NaN without a
+    # row.
     velocity_m_s: np.ndarray
     reference_m_s2: np.ndarray
     """Acceleration that the rows aim at, shape [n, 3].

@@ -40,7 +40,7 @@ class AuditedScene(Protocol):
 
 @dataclass(frozen=True)
 class Item:
-    """Describe a costly part of a scene."""
+    """Describe a part of a scene that takes time or memory."""
 
     name: str
     present: float  # available amount

@@ -48,9 +48,9 @@ COLOURS = (
 CUBE_RGB = ((0.87, 0.37, 0.08), (0.10, 0.45, 0.82))  # colours of their cubes
 
 WIDE = ((1.10, -1.75, 0.86), (-0.20, -0.45, 0.31), 27.0)
-"""Eye, target and vertical field of view [°] for the whole arm, in the world."""
+"""Eye, target and vertical field of view [°] that show the whole arm, in the world."""
 CLOSE = ((0.19, -0.30, 0.075), (0.0, 0.0, 0.001), 18.5)
-"""Eye, target and field of view for the grasp, relative to the TCP.
+"""Eye, target and field of view that show the grasp, relative to the TCP.
 
 The camera moves with the hand.
 """
@@ -60,7 +60,7 @@ STILL = (
     1200,
     630,
 )
-# View of the long exposure, relative to the TCP.
+# View that the long exposure shows, relative to the TCP.
 STILL_VIEW = (
     (0.15, -0.35, 0.075),
     (0.010, 0.0, 0.004),

@@ -53,7 +53,7 @@ NOTHING = 0xFFFFFFFF
 
 @dataclass(frozen=True)
 class Camera:
-    """Describe the view of a picture."""
+    """Describe the view that a picture shows."""
 
     eye: np.ndarray  # position [m], shape [3]
     target: np.ndarray  # centre of the picture [m], shape [3]

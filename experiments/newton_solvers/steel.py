@@ -9,7 +9,7 @@ from experiments.newton_solvers.box import STEEL, Variant
 from experiments.newton_solvers.stepper import SolverRecorder, SolverStepper
 from experiments.simulation.scene import Scene
 
-# Instead of 32; rows that do not fit are dropped.
+# The default is 32. Rows that do not fit are dropped.
 ROWS = {"articulation_constraint_max": 256}
 # Distance [rad, m] from a joint's limit below which the limit gets a row.
 LIMIT_GAP = 1e-3

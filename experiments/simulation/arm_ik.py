@@ -115,7 +115,7 @@ def solve_arm(
     columns: wp.array3d[wp.spatial_vector],
     joint_q: wp.array2d[float],
 ):
-    """Step ``joint_q`` in each world.
+    """Move ``joint_q`` by one step in each world.
 
     Args:
         parent_pose: Pose of each joint in its parent body, shape [joints].

@@ -95,7 +95,7 @@ class _Sums:
         self.stage = 0
 
     def add(self, m: mujoco_warp.Model, d: mujoco_warp.Data) -> None:
-        """Queue the sum of the last step and the contribution of a stage of RK4."""
+        """Queue the sum of the last step, and add the velocity of an RK4 stage."""
         staged = int(m.opt.integrator) == RUNGE_KUTTA
         if self.stage == 0:
             wp.launch(

@@ -71,7 +71,7 @@ def body_index(builder_or_model, name: str) -> int:
 
 @dataclass(frozen=True)
 class Link:
-    """Describe the body and pose of a link.
+    """Describe the body that contains a link, and the pose of the link.
 
     The link has its own body unless links with fixed joints are merged.
     """

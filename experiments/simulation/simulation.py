@@ -140,7 +140,7 @@ class Simulation:
         self.recorder.end_frame(self.body_q, self.task.phase)
 
     def frame(self) -> None:
-        """Queue one frame, and the IK of the next frame in parallel.
+        """Queue one frame, and run the IK of the next frame in parallel.
 
         The frame consists of targets, substeps and recording.
         """

@@ -109,7 +109,7 @@ class MuJoCoStepper(WarpStepper):
     def _install_remedies(self, solver: SolverMuJoCo) -> None:
         """Install the remedies of each case in its world.
 
-        Remedies that none of the cases use are not installed.
+        Remedies that no case uses are not installed.
         """
         if any(case.compensated for case in self.cases):
             if solver.use_mujoco_cpu:
