@@ -1,1 +1,1 @@
-"""Values and claims derived from the records: the sections, and the story that combines them."""
+"""Derive values and claims from the records, in sections and in a story that combines them."""

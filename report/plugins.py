@@ -1,4 +1,4 @@
-"""The content of this report besides its sections: clips, the replay and downloads."""
+"""Add the clips, the replay and the downloads to the pages of this report."""
 
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
@@ -92,7 +92,8 @@ class Plugins(plugins.Plugins):
         if records:
             machine = records[0].machine_text.partition(" (")[0]
             packages = records[0].identity.packages
-        # These two decide most results. The foot of the page lists all packages.
+        # These two packages decide most results. The foot of the page lists all
+        # packages.
         engine = (self.edition.report.settings.edition, "mujoco-warp")
         engines = [f"{name} {packages[name]}" for name in engine if name in packages]
         return {

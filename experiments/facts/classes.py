@@ -74,7 +74,7 @@ def is_exploded(case: Case, trace: Trace) -> bool:
 def excess_speed_m_s(case: Case, trace: Trace) -> np.ndarray:
     """Return the cube's speed without its fall [m/s], shape [frames - 1].
 
-    The fall counts from frame 0.
+    The fall begins at frame 0.
     """
     energy = excess_energy(
         trace.poses[:, metrics.CUBE, :3], case.gravity_m_s2, trace.frame_dt

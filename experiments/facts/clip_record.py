@@ -24,7 +24,7 @@ RUNS = {
 }
 """The runs of section poses that each clip shows, left and right."""
 FIRST = "3cm"
-STILL = "long-exposure"  # the picture of the runs of FIRST
+STILL = "long-exposure"  # the picture that shows the runs of FIRST
 MESHES = "assets/visual"
 
 

@@ -86,7 +86,9 @@ class KeptRun:
 
 
 def kept_run(row: Mapping[str, Any], poses: pd.DataFrame) -> KeptRun:
-    """Return the run of a row of section poses, with the trace beside its record."""
+    """Return the run that a row of section poses describes. Its trace is stored beside
+    the record.
+    """
     joints = poses[list(JOINTS)].to_numpy()
     links = link_poses(
         read_joints(DESCRIPTION),

@@ -145,7 +145,9 @@ def _state_change(scene: AuditedScene) -> float:
 
 
 def _moving_iterations(task: Task, before: wp.array, iterations: int) -> int:
-    """Solve again from ``before``; return the last IK iteration that changed a bit."""
+    """Solve again from ``before`` and return the last IK iteration that changed any
+    bit.
+    """
     solutions = [before.numpy()]
     for count in range(1, iterations + 1):
         solution = wp.clone(before)

@@ -267,11 +267,11 @@ def time_cases(
 ) -> dict[str, dict]:
     """Time frames of the shake in ``world_count`` worlds, relative to the first case.
 
-    Return columns by case. If memory runs out or the frames are not valid, every number
-    is None, with a reason. Cases that differ only in run-time fields share a
-    simulation. As many simulations as fit into memory are built before any is timed,
-    because building after timing makes all later frames of the process slower.
-    Therefore, cases that need little memory should come first.
+    Return the columns of each case by its name. If memory runs out or the frames are
+    not valid, every number is None, with a reason. Cases that differ only in run-time
+    fields share a simulation. As many simulations as fit into memory are built before
+    any is timed, because building after timing makes all later frames of the process
+    slower. Therefore, cases that need little memory should come first.
     """
     groups: dict[Case, list[Case]] = {}
     for case in cases:

@@ -126,8 +126,8 @@ def _compile(kind: str, index: int) -> None:
 
 def be_quiet() -> None:
     """Let Warp print only errors."""
-    # Old releases of Warp lack it, and compile_first reports the features that they
-    # lack.
+    # Old releases of Warp do not have this setting. ``compile_first`` reports the
+    # features that they lack.
     if hasattr(
         wp,
         "LOG_ERROR",

@@ -147,7 +147,8 @@ class Unlaunched(Simulation):
 
 @cache
 def scene_kernels(alias: str) -> dict[tuple[Any, int], list[wp.Kernel]]:
-    """Return the kernels of building the scene and its frame on a device.
+    """Return the kernels that are launched to build the scene and to run its frame on a
+    device.
 
     See ``launched_kernels``.
     """

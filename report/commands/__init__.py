@@ -1,1 +1,1 @@
-"""The commands that only this report has, each in a module as in measured_report/commands/."""
+"""Define the commands that only this report has, in one module for each command."""

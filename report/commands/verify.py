@@ -99,7 +99,7 @@ def comparisons_of(
             )
             agrees = slip.value == tracked.slip_mm.value and lack == tracked_lack
             words = f"{'agrees' if agrees else 'differs'} ({difference.reason})"
-        # More digits than on a page, so that equal results can be recognized.
+        # These are more digits than on a page, so that equal results can be recognized.
         cells = [
             str(number) if number.value is None else f"{number.value:.6f} mm"
             for number in (slip, tracked.slip_mm, difference)

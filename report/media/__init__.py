@@ -1,1 +1,1 @@
-"""How pages show kept runs: clips and the replay."""
+"""Show kept runs on pages, as clips and in the replay."""

@@ -1,4 +1,4 @@
-"""Clips of a release, written as HTML for its pages."""
+"""Write the clips of a release as HTML for its pages."""
 
 from dataclasses import dataclass
 from pathlib import Path

@@ -1,1 +1,1 @@
-"""One module per section, which derives its values, tables, figures and claims."""
+"""Derive the values, tables, figures and claims of each section, in one module for each."""

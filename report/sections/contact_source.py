@@ -1,4 +1,4 @@
-"""The slip with contacts from another engine, at other rates, and on other shapes."""
+"""Compare the slips with contacts from another engine, at other rates and on other shapes."""
 
 from report.shared import Results, Section, by_case, variants_claim
 

@@ -1,4 +1,4 @@
-"""The contact rows of the solver: their residuals, and the reason why they slide."""
+"""Show the residuals of the solver's contact rows, and the reason why the rows slide."""
 
 from dataclasses import replace
 
@@ -31,7 +31,7 @@ def derive(results: Results) -> Section:
     runs = [row for row in results.rows if row.kind == "run"]
     shipped_runs = (row for row in runs if row.case == "as-shipped")
     run = next(shipped_runs, results.row["as-shipped"])
-    # In MuJoCo C: contact rows without the left-out acceleration, and with it.
+    # These runs in MuJoCo C leave out the acceleration, or restore it.
     left_out = [results.row[f"{case}-missing-term"] for case in CASES]
     restored = [results.row[f"{case}-term-restored"] for case in CASES]
 
@@ -128,7 +128,7 @@ def derive(results: Results) -> Section:
     ends = all_of(at_most(rest, little), *falls)
 
     has_own = decided(bool(timeconst.value), timeconst)
-    # The engine states the time constant, so a missing one proves the opposite.
+    # The engine reports its time constant, so that a missing one proves the opposite.
     has_own = replace(has_own, is_opposite=has_own == FAILS)
     predicted = left_out[0].predicted_slide_mm
     without = left_out[0].slide_mm

@@ -1,4 +1,4 @@
-"""Run time of a frame with and without the root cure, in one world and in many."""
+"""Compare the run times with and without the root cure, in one world and in many."""
 
 from report.shared import (
     PERCENT,

@@ -1,4 +1,4 @@
-"""The law of the drift, compared with the drift of the runs of section stiffness."""
+"""Compare the law of the drift with the drift of the runs of section stiffness."""
 
 from functools import partial
 
@@ -54,8 +54,8 @@ def derive(results: Results) -> Section:
     follows = _follows(results, runs, laws)
     by_hand = _by_hand(results, laws.get(SHIPPED))
 
-    # The same acceleration from speed and curvature of the recorded motion of the
-    # joints.
+    # The same acceleration follows from the speed and the curvature of the recorded
+    # motion.
     others = Sections(results.others)
     motion: dict[str, Quantity] = {name: others.value("poses", name) for name in MOTION}
     swing = results.value(

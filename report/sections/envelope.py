@@ -1,4 +1,4 @@
-"""Harder shakes: slip against amplitude and frequency, as a table and as a map."""
+"""Show the slip over amplitude and frequency, as a table and as a map."""
 
 import math
 from dataclasses import replace
@@ -55,7 +55,7 @@ def derive(results: Results) -> Section:
         lambda map: np.divide(*_slips(map)).min(),
         trace,
     )
-    # The table has the shakes at round numbers.
+    # The table lists the shakes with round numbers.
     stiff_cases = (
         row["case"] for row in results.rows if row["case"].startswith("stiff-")
     )

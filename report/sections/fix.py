@@ -1,4 +1,4 @@
-"""The fix as downloads: the slip measured with the offered files themselves."""
+"""Offer the fix as downloads, with the slip that was measured with these files."""
 
 from experiments.facts.case import STIFF_PADS
 from experiments.facts.fix_files import fix_files
@@ -40,8 +40,8 @@ def derive(results: Results) -> Section:
     tells = decided(passes == [False, True], shipped.slip_mm, fixed.slip_mm)
     before, after = ("passes" if is_passed else "fails" for is_passed in passes)
 
-    # The engine does not use a timeconst of less than two steps, so no contact is
-    # harder.
+    # The engine does not use a timeconst of less than two steps, which limits the
+    # hardness.
     step = Sections(results.others).value("stiffness", "substep")
     if step.value is None:
         step = results.value(

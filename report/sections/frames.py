@@ -1,4 +1,4 @@
-"""The displacement as shipped, divided into motions between pairs of bodies."""
+"""Divide the displacement in the scene as shipped into motions between pairs of bodies."""
 
 from report.shared import (
     PERCENT,

@@ -1,4 +1,4 @@
-"""The slip with friction coefficients far below and far above the shipped ones."""
+"""Compare the slips with friction coefficients far below and far above the shipped ones."""
 
 from report.shared import Results, Section, variants_claim
 

@@ -1,4 +1,4 @@
-"""The contact gap: it adds contacts, but these do not carry any force."""
+"""Test whether the contacts that the contact gap adds carry any force."""
 
 from report.shared import (
     PERCENT,

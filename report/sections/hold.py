@@ -1,4 +1,4 @@
-"""The same grasp with the arm held still: its drift compared with that of the shake."""
+"""Compare the drift with the arm held still with that of the shake."""
 
 import numpy as np
 
@@ -40,7 +40,7 @@ def derive(results: Results) -> Section:
     slip = long.slip_mm
     duration = long.shake_duration_s
 
-    # A drift in the other direction is not a part of the drift as shipped.
+    # A drift in the other direction cannot be a part of the drift with shipped pads.
     held = results.row["hold"].drift_mm_s
     drift = shaken.drift_mm_s
     share = results.value(

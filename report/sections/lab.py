@@ -1,4 +1,4 @@
-"""The runs with which the engine in the page is compared."""
+"""List the runs with which the engine in the page is compared."""
 
 from report.shared import Claim, Results, Section, at_least, by_case
 

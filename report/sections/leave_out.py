@@ -1,4 +1,4 @@
-"""Parts of the scene that it does not use: their cost, and the slip without them."""
+"""Show the cost of parts that the scene does not use, and the slip without them."""
 
 import math
 
@@ -141,8 +141,8 @@ def derive(results: Results) -> Section:
     )
     bound = relevance(results, base)
 
-    # The cost of each part by itself, with the number of worlds with which it was
-    # timed.
+    # Compare the cost of each part, with the number of worlds in which it was timed by
+    # itself.
     counts = [
         worlds for kind, case, worlds in timed if (kind, case) == (device, REFERENCE)
     ]

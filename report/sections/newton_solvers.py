@@ -1,4 +1,4 @@
-"""Newton's own solvers compared with MuJoCo Warp: the box on a table, and the shake."""
+"""Compare Newton's own solvers with MuJoCo Warp: the box on a table, and the shake."""
 
 from typing import Any
 
@@ -107,7 +107,7 @@ def _label(name: str) -> str:
 def _box_table(results: Results, walk: Value) -> Table:
     """Make a table with one line per solver, or a reason if a solver cannot run.
 
-    On the turning table the box moves outward. On a table held still it may creep.
+    On the rotating table the box moves outward. On a table held still it may creep.
     """
     why = "a millimetre in a quarter of an hour"
     creep = results.chosen("creep_seen", why, 1e-3, "mm/s")
@@ -287,7 +287,7 @@ def _steel_claims(
     points = rows["steel-points", "3cm"]
     points_far = rows["steel-points", "10cm"]
 
-    # The anchors of Steel's friction keep the box in place on the turning table.
+    # The anchors of Steel's friction keep the box in place on the rotating table.
     anchors, pointed, plain = (
         results.derived[f"{name}_2ms"] for name in ("steel", "steel-points", "mujoco")
     )

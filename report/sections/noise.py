@@ -1,4 +1,4 @@
-"""An A/A test: the scatter of repeated runs of one case."""
+"""Derive the scatter of repeated runs of one case (an A/A test)."""
 
 from statistics import fmean, stdev
 

@@ -1,4 +1,4 @@
-"""The runs of the replay, and the motion of the hand, computed from its joints."""
+"""List the runs of the replay, and compute the motion of the hand from its joints."""
 
 import numpy as np
 import pandas as pd

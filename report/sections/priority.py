@@ -1,4 +1,4 @@
-"""The material of a contact: that of the cube, of the pads, or a mix of both."""
+"""Test whose material a contact has: that of the cube, of the pads, or a mix of both."""
 
 import math
 

@@ -1,4 +1,4 @@
-"""The shake test as shipped and with stiff pads, on each engine and device."""
+"""Compare the shake test with shipped and with stiff pads on each engine and device."""
 
 from collections.abc import Callable
 
@@ -83,7 +83,8 @@ def derive(results: Results) -> Section:
         at_most(stiff.slip_mm, bound),
     )
 
-    # Both halves have the same even number of cycles, because odd and even ones differ.
+    # Both halves have the same even number of cycles, because odd and even cycles
+    # differ.
     early = _increment(results, "earlier", lambda later: later[: _half(later)])
     late = _increment(
         results, "later", lambda later: later[len(later) - _half(later) :]
@@ -102,7 +103,8 @@ def derive(results: Results) -> Section:
         departure(late, early),
     )
     steady = (10.0, "increments that differ by less count as steady")
-    # The path of the shake repeats every two cycles, so that odd and even ones may differ.
+    # The path of the shake repeats every two cycles, so that odd and even cycles may
+    # differ.
     even = _increment(results, "even", lambda later: later[::2])
     odd = _increment(results, "odd", lambda later: later[1::2])
     apart = results.value(

@@ -1,4 +1,4 @@
-"""Time and memory by number of worlds, compared with the engine's own benchmark."""
+"""Compare time and memory by number of worlds with the engine's own benchmark."""
 
 from itertools import takewhile
 

@@ -1,4 +1,4 @@
-"""The slip with other settings of the solver: iterations, impratio, step and noslip."""
+"""Compare the slips with other solver settings: iterations, impratio, step and noslip."""
 
 from report.shared import (
     PERCENT,

@@ -1,4 +1,4 @@
-"""Speed of one world as shipped, with the fix, and with each of its changes alone."""
+"""Compare the speed of one world with shipped pads, with the fix, and with each of its changes."""
 
 from report.shared import (
     PERCENT,

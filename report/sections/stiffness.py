@@ -1,4 +1,4 @@
-"""The cause of the slip, and the contact parameters and slips that ke and kd give."""
+"""Test the cause of the slip, and show the contact parameters that ke and kd give."""
 
 from dataclasses import replace
 from functools import partial
@@ -257,7 +257,7 @@ def derive(results: Results) -> Section:
 
 
 def _result(row: Row, shipped: Quantity, bound: Quantity) -> str:
-    """Compare the slip with a visible slip and with that of shipped pads, in words."""
+    """Return in words whether a run holds, or slips farther or less than shipped pads."""
     if None in (row.slip_mm.value, shipped.value, bound.value) or not is_held(row):
         return "lost" if row.dropped else ""
     if at_most(row.slip_mm, bound) == HOLDS:

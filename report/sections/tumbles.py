@@ -1,4 +1,4 @@
-"""The energy of bodies that wobble, spin, roll or tumble, with and without the term."""
+"""Compare the energy of bodies that wobble, spin, roll or tumble with and without the term."""
 
 from report.shared import (
     Claim,

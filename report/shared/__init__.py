@@ -1,6 +1,7 @@
-"""Helpers of derivations: rows, values, tests, tables and arithmetic.
+"""Collect the helpers of derivations: rows, values, tests, tables and arithmetic.
 
-Those of figures are in ``drawing`` and ``maps``, because Matplotlib takes long to import.
+The helpers of figures are in ``drawing`` and ``maps``, because Matplotlib takes long to
+import.
 """
 
 # ruff: noqa: F401

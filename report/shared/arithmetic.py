@@ -1,4 +1,4 @@
-"""Arithmetic on quantities, and access to the findings of other sections."""
+"""Compute with quantities, and give access to the findings of other sections."""
 
 import math
 from collections.abc import Callable, Iterable, Mapping, Sequence

@@ -1,4 +1,4 @@
-"""Helpers for figures, and elements that several figures share."""
+"""Draw the elements that several figures share."""
 
 # ruff: noqa: F401
 

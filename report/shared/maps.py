@@ -1,4 +1,4 @@
-"""Maps of amplitude and frequency: the slip of each cell, and the cells that lose the cube."""
+"""Draw maps of the slip over amplitude and frequency, with the cells that lose the cube."""
 
 import numpy as np
 import pandas as pd

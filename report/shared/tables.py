@@ -1,4 +1,4 @@
-"""Tables of rows, and the text of their cells."""
+"""Make tables of rows, and the text of their cells."""
 
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any

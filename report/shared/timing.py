@@ -1,4 +1,4 @@
-"""Helpers of the sections on run time and memory."""
+"""Provide helpers for the sections on run time and memory."""
 
 from collections.abc import Iterable
 

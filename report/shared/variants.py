@@ -1,4 +1,4 @@
-"""Cases that each change one setting, compared with the baseline of the same record."""
+"""Compare cases that change one setting with the baseline of the same record."""
 
 from collections.abc import Collection
 

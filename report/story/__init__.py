@@ -1,1 +1,1 @@
-"""The front page and the story: claims, tables and figures that combine several sections."""
+"""Derive the claims, tables and figures that combine several sections, for the front page."""

@@ -1,4 +1,4 @@
-"""The table of suspects: the change of each, the resulting slip, and why it is not the cause."""
+"""List the suspects: their changes, the slips, and the reasons why they are not the cause."""
 
 from markupsafe import Markup
 

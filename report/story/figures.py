@@ -1,4 +1,4 @@
-"""The figure that explains the mechanism."""
+"""Draw the figure that explains the mechanism."""
 
 import numpy as np
 from matplotlib.axes import Axes

@@ -1,4 +1,4 @@
-"""Slip against run time: engines and remedies in one figure, and the recommended one."""
+"""Draw slip against run time for engines and remedies, and recommend a setup."""
 
 import math
 from dataclasses import dataclass, replace

@@ -1,4 +1,4 @@
-"""Statements of the investigation that this report follows, and the claims that test them."""
+"""Test the statements of the investigation that this report follows."""
 
 from measured_report.findings.chapters import Chapters
 from report.shared import Claim, Outcome, Section, all_of, sections_of

@@ -1,4 +1,4 @@
-"""The story of a release: mechanism, recommended setup, and releases that need the fix."""
+"""Derive the story of a release: mechanism, recommended setup, and releases that need the fix."""
 
 from markupsafe import Markup
 

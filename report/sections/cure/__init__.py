@@ -1,4 +1,4 @@
-"""The root cure: the effect of its parts, on several scenes, and the recommendation."""
+"""Show the effect of each part of the root cure on several scenes, and recommend a setup."""
 
 from dataclasses import replace
 

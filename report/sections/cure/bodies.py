@@ -1,4 +1,4 @@
-"""Bodies and contacts other than those of a grasp, with the term put back."""
+"""Test the restored term with bodies and contacts other than those of a grasp."""
 
 import math
 from collections import defaultdict

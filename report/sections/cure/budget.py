@@ -1,4 +1,4 @@
-"""The parts of the slip, predicted and measured, and the recommended remedy."""
+"""Compare the predicted and measured parts of the slip, and recommend a remedy."""
 
 import numpy as np
 
@@ -36,7 +36,7 @@ BEST = "newton-euler-400-shipped-{}-full-kept"
 FIRM = "newton-implicitfast-400-stiff-{}-centred-kept"
 KF_OFF = "newton-implicitfast-50-shipped-{}-kf-off"  # only in releases that read ``kf``
 # Names by case, whose parts are contacts, integrator, impratio, pads, shake, term and
-# positions. The shake is left open.
+# positions. The name of the shake is filled in later.
 NAMES = {
     SHIPPED: "as shipped",
     STIFF: "stiff pads, the fix",
@@ -201,7 +201,8 @@ def _closed_count(least: float, most: float, *numbers: float) -> int:
 
     Remainders and slips alternate.
     """
-    # NumPy, because the noise of this count takes a call per cell of a thousand runs.
+    # This uses NumPy, because the noise of this count takes a call for each cell of a
+    # thousand runs.
     cells = np.array(numbers)
     bounds = np.maximum(least, 0.01 * most * cells[1::2])
     return np.count_nonzero(cells[::2] <= bounds)

@@ -1,4 +1,4 @@
-"""Control experiments: straight and turning shakes, both Jacobians, arm held still."""
+"""Compare control experiments: straight and rotating shakes, both Jacobians, an arm held still."""
 
 from report.shared import (
     PERCENT,
@@ -51,7 +51,7 @@ def derive(results: Results) -> Section:
         at_most(off, 1.0, "the same creep"),
     )
 
-    # Walls that carry a cube along an arc, on two slides, on a hinge, or on two hinges
+    # The walls carry a cube along an arc, on two slides, on a hinge, or on two hinges
     # that keep them upright.
     slides = results.value(
         "slides_drift",
@@ -80,7 +80,7 @@ def derive(results: Results) -> Section:
     )
     version = results.record.identity.packages["mujoco"]
 
-    # A minute with the arm held still.
+    # Test the creep in a minute with the arm held still.
     rounded, kept, best = (results.row[case] for case in ("rounded", "kept", "best"))
     gain = results.value(
         "kept_gain",

@@ -1,4 +1,4 @@
-"""The cure at the limits of the grasp, where it could lose the cube."""
+"""Test the cure at the limits of the grasp, where it could lose the cube."""
 
 from collections import defaultdict
 from typing import Any
@@ -32,7 +32,7 @@ def derive(results: Results) -> Section:
     for row in rows_with(results, "of", "variant", "family", "kept"):
         runs[row.of][row.variant] = row
     lines = []
-    # A run counts if it was made with all variants on its pads.
+    # A setting counts if it was run with all variants on its pads.
     for variants in (VARIANTS, STIFF_VARIANTS):
         tried = [rows for rows in runs.values() if {"plain", *variants} <= set(rows)]
         lines += [_line(results, variant, tried) for variant in variants]

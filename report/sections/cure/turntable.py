@@ -1,4 +1,4 @@
-"""A box on a turning table: how fast it moves outward, compared with the law."""
+"""Compare how fast a box on a rotating table moves outward with the law."""
 
 from dataclasses import replace
 
@@ -88,7 +88,7 @@ def derive(results: Results) -> Section:
     as_law = at_most(off, 0.5, "the same growth")
     follows = all_of(as_law, at_least(growths["plain-warp"], resolution))
 
-    # The law by hand, without the contacts' regularization.
+    # Compute the law by hand, without the contacts' regularization.
     turn = results.chosen(
         "turn", "given: the angular velocity of the table", 2.0, "rad/s"
     )

@@ -1,4 +1,4 @@
-"""Other engines: box on a table, pinched capsule, shake, and published numbers."""
+"""Compare other engines: box on a table, pinched capsule, shake, and published numbers."""
 
 from collections.abc import Iterator
 from typing import NamedTuple

@@ -1,4 +1,4 @@
-"""The shake in other engines, compared with the slip in MuJoCo."""
+"""Compare the shake in other engines with that in MuJoCo."""
 
 from report.shared import (
     Claim,
@@ -67,7 +67,7 @@ def derive(results: Results, labels: dict[str, str]) -> Section:
     )
     stiff = Sections(results.others).cell("solver", "stiff-pads-mujoco-c", "slip_mm")
     # This slip was measured on another machine. The comparison is valid because MuJoCo
-    # C repeats to the last bit.
+    # C computes the same bits in every run.
     is_less = None not in (stiff.value, slip.value) and stiff.value < slip.value
     farthest = all_of(
         *(greater(slip, other_slip) for other_slip in (worst, held, still_worst)),

@@ -1,4 +1,4 @@
-"""Error against run time: the gain of each setting, and its cost."""
+"""Compare the error with the run time: the gain of each setting, and its cost."""
 
 import math
 from functools import partial
@@ -124,8 +124,8 @@ def derive(results: Results) -> Section:
         "reference_margin", "this error over that of the reference", least / worst
     )
 
-    # Settings of the effort: solver, iterations, line search, and contacts found in
-    # each substep.
+    # These settings change the effort: solver, iterations, line search, and contacts
+    # found in each substep.
     efforts = [
         row
         for row in points.settings
@@ -274,7 +274,7 @@ def _crossover(results: Results, points: Points) -> Claim:
         {
             "advantage": lead,
             "engine": runs.ENGINES[rows[0].backend],
-            # There is no crossover if one engine is faster throughout.
+            # There is no crossover if one engine is always faster.
             "crossover": "" if crossover.value is None else crossover,
             "gain": gain,
             "most": rows[-1].worlds,

@@ -1,4 +1,4 @@
-"""The diagram of error against run time."""
+"""Draw the diagram of error against run time."""
 
 from typing import Any
 

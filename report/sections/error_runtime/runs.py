@@ -1,4 +1,4 @@
-"""The rows of the diagram of error against run time, grouped by their role."""
+"""Group the rows of the diagram of error against run time by their role."""
 
 from dataclasses import dataclass
 

@@ -1,4 +1,4 @@
-"""Other scenes: their creep compared with one law, and published grasps that fail."""
+"""Compare the creep of other scenes with one law, and with published grasps that fail."""
 
 from report.sections.scenes import capsule, creep, pick
 from report.shared import Results, Section, joined

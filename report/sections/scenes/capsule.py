@@ -1,4 +1,4 @@
-"""A pinched capsule that sinks, compared with published rates and with the law."""
+"""Compare the sinking of a pinched capsule with published rates and with the law."""
 
 from report.shared import (
     AS_PUBLISHED,

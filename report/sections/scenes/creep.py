@@ -1,4 +1,4 @@
-"""The measured creep compared with the predicted one, in all scenes."""
+"""Compare the measured creep with the predicted one, in all scenes."""
 
 from collections.abc import Iterator
 from typing import NamedTuple

@@ -1,4 +1,4 @@
-"""A Panda that lifts and shakes a cube or a ball, compared with published failures."""
+"""Compare a Panda that lifts and shakes a cube or a ball with published failures."""
 
 from itertools import product
 

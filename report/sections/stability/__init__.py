@@ -1,4 +1,4 @@
-"""The limits of the grasp: where it holds, creeps, drops or explodes."""
+"""Show the limits of the grasp: where it holds, creeps, drops or explodes."""
 
 import numpy as np
 from markupsafe import Markup

@@ -1,4 +1,4 @@
-"""Claims of section stability, each about a family of runs."""
+"""Test the claims of section stability, each of them about a family of runs."""
 
 import math
 from collections.abc import Callable, Iterable
@@ -59,7 +59,8 @@ def _end(
     return results.value(name, formula, extreme(choose, cells))
 
 
-# These return the smallest and the largest number of a column. It is missing without rows.
+# These functions return the smallest and the largest number of a column, which is
+# missing if there are no rows.
 least = partial(_end, min)
 most = partial(_end, max)
 

@@ -1,4 +1,4 @@
-"""The figures of section stability."""
+"""Draw the figures of section stability."""
 
 import math
 from collections.abc import Callable
@@ -32,7 +32,7 @@ from report.shared.drawing import (
     write_beside,
 )
 
-# Colours and markers of the classes. A creeping run has its rate instead of a marker.
+# Colours and markers of the classes. A creeping run is marked with its rate.
 COLOURS = ("#cfe8cf", "#d6e6f5", "#f6cf8f", "#f09a86", "#cdb4dd", "#8c939b")
 MARKS = ("o", "", "v", "*", "s", "x")
 CREEPS = {  # colours of creeping cells, by upper bounds of their rate [mm/s]
@@ -69,7 +69,7 @@ def draw_maps(panels: list[Panel]) -> Drawing:
     handles: list[Any] = []
     names = []
     edge = {"edgecolor": MAP_INK, "linewidth": 0.4}
-    # Matplotlib draws a text as a marker only if it may parse it as a formula.
+    # Matplotlib draws a text as a marker only if it is allowed to parse formulas.
     with matplotlib.rc_context({"text.parse_math": True}):
         for name, colour, mark in zip(CLASSES, COLOURS, MARKS, strict=True):
             if name not in classes:

@@ -1,4 +1,4 @@
-"""The range in which each setting holds, and the nearest setting that breaks."""
+"""Find the range in which each setting holds, and the nearest setting that breaks."""
 
 from itertools import filterfalse
 from typing import NamedTuple

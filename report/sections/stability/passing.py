@@ -1,4 +1,4 @@
-"""The criteria by which a run of section stability passes."""
+"""Define the criteria by which a run of section stability passes."""
 
 from experiments.facts import classes
 from report.shared import Quantity, Row

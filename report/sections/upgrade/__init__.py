@@ -1,4 +1,4 @@
-"""The changes of a new release in numbers and claims, and their cause."""
+"""Show the numbers and claims that change in a new release, and the cause."""
 
 from dataclasses import replace
 from itertools import pairwise

@@ -1,4 +1,4 @@
-"""The two releases between which changes are reported."""
+"""Choose the two releases between which changes are reported."""
 
 from dataclasses import dataclass
 

@@ -1,4 +1,4 @@
-"""The tables and the figure that compare releases side by side."""
+"""Make the tables and the figure that compare releases side by side."""
 
 from markupsafe import Markup
 
