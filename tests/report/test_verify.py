@@ -63,3 +63,28 @@ def test_what_is_measured_again_agrees_up_to_a_bound_and_is_known_within_one_run
 def test_a_release_that_was_not_measured_so_is_refused(edition):
     with pytest.raises(ReportError, match="no results of reproduction to compare"):
         verify(replace(edition, chapters={}), found(CPU, SHIPPED))
+
+
+@pytest.mark.parametrize(
+    ("tracked_reason", "words", "agrees"),
+    [("it broke down", "agrees (", True), ("the cube fell", "differs (", False)],
+)
+def test_two_runs_without_a_slip_agree_if_they_lack_it_for_the_same_reason(
+    edition, tracked_reason, words, agrees
+):
+    """The run on this machine breaks down, and so does the tracked run, or it falls."""
+    chapter = edition.chapters["reproduction"]
+    rows = [
+        {**row, "slip_mm": None, "slip_mm_reason": tracked_reason}
+        if row["case"] == "as-shipped"
+        else row
+        for row in chapter.results.record.rows
+    ]
+    record = replace(chapter.results.record, rows=rows)
+    results = replace(chapter.results, record=record)
+    lost = replace(
+        edition, chapters={"reproduction": replace(chapter, results=results)}
+    )
+    line, line_agrees = next(comparisons_of(lost, found(GPU, None)))
+    assert words in line
+    assert line_agrees is agrees

@@ -4,6 +4,7 @@ from dataclasses import replace
 
 import pytest
 
+from experiments.simulation.task import FRAME_RATE
 from measured_report.editions.project import Project
 from measured_report.records.record import load_record
 from measured_report.values.quantities import absent
@@ -92,3 +93,8 @@ def test_true_flags_stand_together_or_not():
         (): "fails",
     }
     assert {each: arithmetic.contiguous(each).name for each in flags} == flags
+
+
+def test_the_frame_rate_is_that_of_the_measured_task():
+    """The report cannot import the simulator, so it types the rate again."""
+    assert arithmetic.FRAME_RATE == FRAME_RATE
