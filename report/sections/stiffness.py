@@ -269,20 +269,22 @@ def _result(row: Row, shipped: Quantity, bound: Quantity) -> str:
     return "slips as far" if more == less == FAILS else "cannot tell"
 
 
-def _draw_sweep(every: list[Row], ke_alone: list[Row], clamp_kd: float) -> Drawing:
+def _draw_sweep(rows: list[Row], ke_alone: list[Row], clamp_kd: float) -> Drawing:
     """Draw slip over ke, with runs that lose the cube as crosses on the upper edge."""
     figure, axes = new_figure(7.2, 4.2)
-    sweep = [row for row in every if row.case.startswith("sweep-")]
+    sweep = [row for row in rows if row.case.startswith("sweep-")]
     fine = [row for row in sweep if row not in ke_alone]
     slips = [row.slip_mm.value for row in ke_alone + fine if is_held(row)]
     top = 3.0 * max(slips)
-    for label, rows, colour in (
+    for label, sweep_rows, colour in (
         ("kd at its default", ke_alone, SERIES[5]),
         ("kd = 2√ke, damping ratio 1", fine, SERIES[4]),
     ):
-        kept = [(row.pad_ke.value, row.slip_mm.value) for row in rows if is_held(row)]
+        kept = [
+            (row.pad_ke.value, row.slip_mm.value) for row in sweep_rows if is_held(row)
+        ]
         axes.plot(*zip(*kept, strict=True), label=label, color=colour, markevery=1)
-        lost = [(row.pad_ke.value, top) for row in rows if not is_held(row)]
+        lost = [(row.pad_ke.value, top) for row in sweep_rows if not is_held(row)]
         drawing.mark_points(
             axes, lost, color=colour, marker="x", clip_on=False, markersize=7
         )
@@ -292,7 +294,7 @@ def _draw_sweep(every: list[Row], ke_alone: list[Row], clamp_kd: float) -> Drawi
     ):
         points = [
             (row.pad_ke.value, row.slip_mm.value)
-            for row in every
+            for row in rows
             if row.case == case and is_held(row)
         ]
         drawing.mark_points(

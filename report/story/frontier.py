@@ -363,10 +363,10 @@ NUMBERS = (
 """Names that the wording of the advice can print, which are empty without advice."""
 
 
-def advice(sections: Sections, every: dict[str, Sections]) -> list[Claim]:
+def advice(sections: Sections, by_release: dict[str, Sections]) -> list[Claim]:
     """Recommend a setup for each bound: a visible slip, and a tenth of it."""
     return [
-        _advised(sections, name, sections.value(*bound), every)
+        _advised(sections, name, sections.value(*bound), by_release)
         for name, bound in BOUNDS.items()
     ]
 
@@ -425,7 +425,7 @@ def _faster(sections: Sections, setup: Setup, time: Quantity) -> Quantity | str:
 
 
 def _advised(
-    sections: Sections, name: str, bound: Quantity, every: dict[str, Sections]
+    sections: Sections, name: str, bound: Quantity, by_release: dict[str, Sections]
 ) -> Claim:
     """Recommend the fastest setup of the least effort that keeps the slip below a bound."""
     numbers: dict[str, Any] = dict.fromkeys(NUMBERS, "") | {"bound": bound}
@@ -452,7 +452,7 @@ def _advised(
     variant = setup.timed.rpartition("/")[2]
     off = sections.cell("newton_solvers", f"{variant}-3cm", "wander_mm")
     exceeding = []  # slips above the bound in other releases
-    for release, findings in every.items() if setup.is_other else ():
+    for release, findings in by_release.items() if setup.is_other else ():
         slip = setup.slip(findings)
         if slip.value is not None and slip.value > bound.number:
             exceeding.append((slip, release))

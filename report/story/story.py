@@ -51,14 +51,15 @@ CONTACTS = {
 def derive(releases: Releases, release: str) -> Section:
     """Derive the figures, the table and the claims of the story of one release."""
     releases = released(releases, release)
-    every = {name: sections_of(chapters) for name, chapters in releases.items()}
-    sections = every[release]
+    by_release = {name: sections_of(chapters) for name, chapters in releases.items()}
+    sections = by_release[release]
     if not {"reproduction", "contact_source", "cure_cost"} & sections.results.keys():
         return Section()
     bound = sections.value("reproduction", "slip_bound")
     slips = {  # of shipped and of stiff pads, in each release
         contacts: [
-            [findings.cell(*place) for place in places] for findings in every.values()
+            [findings.cell(*place) for place in places]
+            for findings in by_release.values()
         ]
         for contacts, places in CONTACTS.items()
     }
@@ -67,7 +68,9 @@ def derive(releases: Releases, release: str) -> Section:
         for contacts, cells in slips.items()
     }
     shipped = {
-        contacts: {name: before for name, (before, _) in zip(every, cells, strict=True)}
+        contacts: {
+            name: before for name, (before, _) in zip(by_release, cells, strict=True)
+        }
         for contacts, cells in slips.items()
     }
     measured = {
@@ -96,7 +99,7 @@ def derive(releases: Releases, release: str) -> Section:
     pyramids = " and ".join(filter(None, (", ".join(names), last)))
 
     claims = [
-        *frontier.advice(sections, every),
+        *frontier.advice(sections, by_release),
         Claim(
             "fine_since",
             fine_since,
@@ -108,7 +111,7 @@ def derive(releases: Releases, release: str) -> Section:
         Claim("still_needed", is_needed, {"pyramids": pyramids}),
     ]
     for name, contacts in (("with_mujoco", MUJOCO), ("with_pyramid", PYRAMID)):
-        before, after = slips[contacts][list(every).index(release)]
+        before, after = slips[contacts][list(by_release).index(release)]
         is_halved = None not in (before.value, after.value)
         is_halved = is_halved and 2.0 * after.number <= before.number
         outcome = all_of(
@@ -119,7 +122,9 @@ def derive(releases: Releases, release: str) -> Section:
         claims.append(Claim(name, outcome, {"before": before, "after": after}))
     slide = sections.cell("contacts", "as-shipped-missing-term", "slide_mm")
     return Section(
-        tables={"needed": table_of("release", map(settings.short_name, every), needed)},
+        tables={
+            "needed": table_of("release", map(settings.short_name, by_release), needed)
+        },
         figures={
             "mechanism": Figure(draw_mechanism, [slide]),
             "frontier": frontier.figure(sections),

@@ -1,4 +1,4 @@
-"""The alarm for this report: what can't be trusted is named first, of tracked records that were changed."""
+"""Test the alarm with changed copies of the tracked records; untrusted numbers come first."""
 
 import json
 import re
@@ -19,11 +19,13 @@ from measured_report.records.record import Record, load_record, write_record
 
 SECTIONS = ("contact_source", "noise", "reproduction", "upgrade")
 SHAKEN = "slip_mm drift_mm_s oscillation_mm wander_mm increment_mean_mm increment_last_mm cycle_count".split()
-"""Numbers that a run which breaks down does not have."""
+"""Numbers that a run without finite poses does not have."""
 
 
 def broken(row: dict, frame: int) -> dict:
-    """The row of a run whose poses are not finite from a frame on, as the recorder leaves it."""
+    """Return the row of a run whose poses are not finite from a frame on, as the
+    recorder writes it.
+    """
     reason = f"a body's pose is not finite in frame {frame}"
     lost = [name for name in SHAKEN if name in row]
     return row | {
@@ -34,13 +36,13 @@ def broken(row: dict, frame: int) -> dict:
 
 
 def say(section: str, claim: Claim) -> str:
-    """Words it by nothing but its test."""
+    """Word it by its test alone."""
     return f"{section}.{claim.name} {claim.outcome.answer}"
 
 
 @pytest.fixture
 def measured(tmp_path) -> Callable[..., Project]:
-    """Makes an edition out of the tracked records of 1.8.0, each changed by a function."""
+    """Make an edition from the tracked records of 1.8.0, which a function changes."""
     link(tmp_path, *SOURCES)
 
     def make(
@@ -67,7 +69,9 @@ def changed(project: Project, before: str = "1.8.0") -> Comparison:
 def change_of(
     section: str, *rows_of: Callable[[dict], dict]
 ) -> Callable[[Record], Record]:
-    """Changes each row of a section, or of all, by these functions in turn."""
+    """Apply these functions one after the other to each row of a section, or of all
+    sections.
+    """
 
     def change(record: Record) -> Record:
         rows = record.rows
@@ -97,7 +101,9 @@ def rows_changed(
     ],
 )
 def test_what_is_not_a_number_is_named_first(measured, section, cases, frame):
-    """All of it from the first frame on, as Newton 1.3.0 has it with a later Warp, and one run from frame 500 on."""
+    """All runs fail in the first frame, as in Newton 1.3.0 with a later Warp, and one
+    run fails in frame 500.
+    """
     found = changed(measured("1.9.0", rows_changed(section, cases, frame)))
     assert found.is_alarm
     said = diff_text(found, "", "text", say).splitlines()

@@ -1,4 +1,4 @@
-"""The pages as people meet them: how long they are, whose they are, and what a lost row costs."""
+"""Test the length of the pages, their languages, and the effect of a lost row."""
 
 import re
 import sys
@@ -41,7 +41,7 @@ VOID = {"meta", "link", "br", "img", "input", "source", "hr", "wbr"}
 
 
 class Words(HTMLParser):
-    """What is read of <main>, but for what is folded, hidden or drawn; and each caption."""
+    """Return the visible text of <main> without drawings, and each caption."""
 
     def __init__(self, page: Path, but: Sequence[str] = ()):
         super().__init__()
@@ -82,13 +82,15 @@ def counts(site: Path) -> dict[str, int]:
 
 
 def test_no_paragraph_begins_with_a_mark_that_ends_a_sentence(site):
-    """A passage that is broken over lines would become a paragraph of its own."""
+    """A passage with line breaks would become a separate paragraph."""
     for path in site.rglob("*.html"):
         assert re.findall(r"<p>\s*[,.;:]", path.read_text(encoding="utf-8")) == [], path
 
 
 def test_no_passage_within_a_line_begins_with_a_blank():
-    """It would be removed, and two words would become one: write &nbsp; or a comma."""
+    """The space would be removed, and two words would become one: write &nbsp; or a
+    comma.
+    """
     for path in sorted((ROOT / "templates").rglob("*.j2")):
         text = path.read_text(encoding="utf-8")
         assert re.findall(r"\w\{% passage[^%]*%\} \w+", text) == [], path
@@ -182,7 +184,9 @@ def test_a_suspect_is_out_only_where_its_claims_hold(editions):
 
 
 def test_a_row_that_is_missing_costs_no_section(editions):
-    """Three rows of each section; the weekly workflow removes each row in turn."""
+    """Return three rows of each section. The weekly workflow removes every row, one at
+    a time.
+    """
     perturbation, release = (
         of_editions(editions, Templates(ROOT / "templates"), ()),
         own_release(),

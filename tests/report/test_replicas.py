@@ -1,4 +1,5 @@
-"""What was measured again: nothing that is the same rings, and what was planted in the packages and measured does.
+"""Test that repeated measurements do not raise an alarm, and that planted changes of
+packages do.
 
 ``plants.tgz`` has the deciding sections of release 1.4.0 on an H200, with one change in the installed packages each,
 under the version of mujoco-warp that says which.
@@ -38,12 +39,14 @@ UNCHANGED = "3.10.0.16"
 
 @pytest.fixture(scope="module")
 def plants() -> Mapping[str, Mapping[str, Record]]:
-    """The records of what was planted, by the version of mujoco-warp and by section."""
+    """Return the records of planted changes, by the version of mujoco-warp and by
+    section.
+    """
     found: dict[str, dict[str, Record]] = {}
     with tarfile.open(Path(__file__).with_name("plants.tgz")) as archive:
         for member in (member for member in archive if member.name.endswith(".json")):
             _, folder, name = member.name.split("/")
-            # They are as old as records without a seal.
+            # These records are older than seals.
             text = archive.extractfile(member).read().decode().rstrip()
             text = sealed(text.removesuffix("}").rstrip())
             record = read_record(text.encode(), Path(name))
@@ -55,7 +58,7 @@ def plants() -> Mapping[str, Mapping[str, Record]]:
 
 @pytest.fixture(scope="module")
 def edition(tmp_path_factory) -> Edition:
-    """1.4.0 as far as it is compared, with its replicas."""
+    """Return the compared sections of 1.4.0 with its replicas."""
     root = tmp_path_factory.mktemp("project")
     link(root, *SOURCES)
     folder, tracked = root / f"results/newton-{LABEL}", Project(LABEL)
@@ -71,7 +74,7 @@ def edition(tmp_path_factory) -> Edition:
 
 @pytest.fixture
 def measured_as(edition) -> Callable[..., Comparison]:
-    """Compares the edition with records as if they were another release's, some cells changed."""
+    """Compare the edition with changed records, as if these were of another release."""
 
     def measure(
         records: Mapping[str, Record],
@@ -155,7 +158,9 @@ def test_a_planted_setting_rings_and_is_named_first(
     "plant", ["12", "13", "15"], ids=["armature +1 %", "gravity 9.80", "timeconst +3 %"]
 )
 def test_what_is_hidden_in_the_kernels_is_told_as_changed(measured_as, plants, plant):
-    """No setting tells of it. The slip is among the first three that changed, whether that matters or not."""
+    """No setting shows this change. The slip is among the first three changes, even if
+    it does not matter.
+    """
     found = measured_as(plants[f"3.10.0.{plant}"])
     assert len(
         found.moves
@@ -184,7 +189,7 @@ def test_the_least_change_that_would_have_rung_is_that_which_rings(
 
 
 def test_a_replica_that_is_left_out_rings_nothing(edition, measured_as):
-    """It is one of those that it is compared with."""
+    """The replica is one of the measurements that it is compared with."""
     tracked = {record.section: record for record in records_of(edition.project)}
     for path in replica_files(edition.project):
         records = alike(tracked, read_replica(path))

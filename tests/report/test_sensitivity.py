@@ -1,7 +1,7 @@
-"""The alarm in every section: what changed in it is listed, and nothing if nothing did.
+"""Test the alarm in every section: it lists the changes, and no others.
 
-The tracked results of 1.4.0 are compared with copies of which all numbers of a section
-are larger, and its measurements with each other.
+The tracked results of 1.4.0 are compared with copies in which all numbers of a section
+are larger. Repeated measurements are compared with each other.
 """
 
 import os
@@ -25,7 +25,8 @@ from measured_report.values.body import body_of
 from measured_report.values.evidence import Evidence, repeats_of, scatters
 
 STEP = 1 if os.environ.get("WORLDS") else 5
-"""The weekly workflow compares all measurements, the suite some of them."""
+"""The weekly workflow compares all measurements, and the suite compares some of them.
+"""
 pytestmark = pytest.mark.slow
 LABEL = "1.4.0"
 Measured = Mapping[tuple[str, str], Sequence[Record | None]]
@@ -38,14 +39,14 @@ def project() -> Project:
 
 @pytest.fixture(scope="module")
 def chapters(project) -> Mapping[str, Chapter]:
-    """The sections of 1.4.0, which need not be derived to be compared."""
+    """Return the sections of 1.4.0, which can be compared without deriving them."""
     cache = DerivedCache(project.root, project.report)
     return read_edition(project, cache).chapters
 
 
 @pytest.fixture(scope="module")
 def measured(project) -> Measured:
-    """All measurements of all releases."""
+    """Return all measurements of all releases."""
     found = {}
     for release in project.releases:
         each = project.of(release)
@@ -74,7 +75,7 @@ def evidence_of(measured: Measured) -> Mapping[str, Evidence]:
 def side(
     chapter: Chapter, evidence: Evidence, record: Record, *, is_single: bool = True
 ) -> Chapter:
-    """Return the chapter with that record, by itself or as the mean of all measurements."""
+    """Return the chapter with this record, alone or as the mean of all measurements."""
     if is_single:
         columns = chapter.results.columns
         is_noise = chapter.name == columns.settings.noise_section
@@ -86,7 +87,7 @@ def side(
 
 
 def scaled(record: Record, factor: float, columns: Schema) -> Record:
-    """Return the record with all numbers that are compared as many times as large."""
+    """Return the record with all compared numbers multiplied by a factor."""
     rows = [
         {
             name: cell * factor
@@ -105,7 +106,7 @@ def listed(moves: Sequence[Move]) -> list[Move]:
 
 @pytest.fixture(scope="module")
 def compared(chapters) -> list[Chapter]:
-    """The sections that have numbers to compare."""
+    """Return the sections that have numbers to compare."""
     sections = []
     for chapter in chapters.values():
         record = chapter.results.record

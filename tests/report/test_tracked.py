@@ -1,4 +1,4 @@
-"""The tracked results: what is measured is shown, and whatever comes out next time can be said."""
+"""Test that all tracked results are shown, and that every other outcome has a sentence."""
 
 import random
 import shutil
@@ -56,7 +56,9 @@ def test_every_claim_table_and_figure_is_on_the_page_and_only_what_was_not_measu
 
 
 def test_every_outcome_of_every_claim_can_be_said(editions):
-    """A wording that names a number it does not have would fail only when the claim flips."""
+    """A wording that names a missing number would otherwise fail only when the claim
+    flips.
+    """
     chapters = {release: edition.chapters for release, edition in editions.items()}
     words = {
         name: Templates(ROOT / "templates").words(f"{name}.md.j2")
@@ -85,13 +87,13 @@ def test_every_outcome_of_every_claim_can_be_said(editions):
 
 
 def shaken(row: dict, floors: dict[str, float], chance: random.Random) -> dict:
-    """The row as another measurement of the same might have it: runs differ by up to the noise."""
+    """Return the row of another possible measurement, which differs by up to the noise."""
     if (
         row.get("backend") in ("c", "mujoco", "mujoco-c")
         or row.get("device") == "cpu"
         or row["case"].startswith("double-")
     ):
-        return row  # these repeat to the last bit
+        return row  # these runs give the same bits every time
     found = {name: row[name] for name in floors if row.get(name) is not None}
     moved = {
         name: value + (chance.random() - 0.5) * floors[name]

@@ -1,4 +1,4 @@
-"""The headline measured again, beside what is tracked."""
+"""Test ``make verify``, which measures the headline again."""
 
 from dataclasses import replace
 
@@ -15,7 +15,7 @@ TRACKED = {
     for row in load_record(Project(own_release()).record_path("reproduction")).rows
 }
 SHIPPED, STIFF = (TRACKED[case]["slip_mm"] for case in ("as-shipped", "stiff-pads"))
-"""What is tracked [mm], from the GPU that the noise was measured on."""
+"""Tracked slips [mm], from the GPU on which the noise was measured."""
 GPU = {"device": "cuda", "gpu": "NVIDIA H200", "cpu": "A processor"}
 CPU = {"device": "cpu", "gpu": None, "cpu": "A processor"}
 
@@ -72,7 +72,7 @@ def test_a_release_that_was_not_measured_so_is_refused(edition):
 def test_two_runs_without_a_slip_agree_if_they_lack_it_for_the_same_reason(
     edition, tracked_reason, words, agrees
 ):
-    """The run on this machine breaks down, and so does the tracked run, or it falls."""
+    """Here the run breaks down. The tracked run breaks down as well, or its cube falls."""
     chapter = edition.chapters["reproduction"]
     rows = [
         {**row, "slip_mm": None, "slip_mm_reason": tracked_reason}

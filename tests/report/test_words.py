@@ -1,4 +1,4 @@
-"""The words of this report's templates: what they cite is still there, and what fails is not said to be otherwise."""
+"""Test that the templates cite existing things, and word failed claims correctly."""
 
 import re
 from importlib.metadata import version
@@ -34,9 +34,11 @@ UNSHOWN = re.compile(
 
 
 def overstated(templates: Path) -> list[tuple[str, str]]:
-    """List claims whose ``{% fails %}`` has, between two stops, neither a number nor that something is not shown.
+    """List claims whose ``{% fails %}`` has a sentence without a number and without the
+    words "not shown".
 
-    A claim fails for want of what would show it as well as where its contrary is shown, which has ``{% opposite %}``.
+    A claim fails if it is not shown, and also if its opposite is shown, for which there
+    is ``{% opposite %}``.
     """
     found = []
     for path in sorted(templates.rglob("*.md.j2")):

@@ -1,4 +1,4 @@
-"""replay.html: one script, known by its digest and built from its sources, and the data that was kept."""
+"""Test replay.html: its single script, the digest of the script, and the packed runs."""
 
 import base64
 import hashlib

@@ -1,4 +1,4 @@
-"""All sections of a release, as they are tracked."""
+"""Test all sections of a release with the tracked records."""
 
 import pytest
 from deriving import results_with, shown_numbers

@@ -1,4 +1,4 @@
-"""What the contact rows do."""
+"""Test the section on contact rows."""
 
 import pytest
 from deriving import NOISE, assert_found

@@ -1,4 +1,4 @@
-"""The cure."""
+"""Test the section on the root cure."""
 
 import pytest
 from deriving import assert_found

@@ -1,4 +1,4 @@
-"""How much longer a frame takes with the cure."""
+"""Test the additional time of a frame with the root cure."""
 
 import pytest
 from deriving import assert_found

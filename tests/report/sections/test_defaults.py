@@ -1,4 +1,4 @@
-"""What a release sets by itself."""
+"""Test the section on the defaults of a release."""
 
 import pytest
 from deriving import assert_found

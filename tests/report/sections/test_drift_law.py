@@ -1,4 +1,4 @@
-"""The law of the drift."""
+"""Test the law of the drift."""
 
 import pytest
 from deriving import NOISE, assert_found

@@ -1,4 +1,4 @@
-"""When times of two releases are compared."""
+"""Test which times of two releases are compared."""
 
 from dataclasses import replace
 from types import SimpleNamespace

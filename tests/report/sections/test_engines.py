@@ -1,4 +1,4 @@
-"""Other engines: what a cell says in words follows the numbers beside it."""
+"""Test that the words in cells about other engines follow the numbers."""
 
 from dataclasses import replace
 
@@ -14,7 +14,9 @@ from report.sections.engines import published
 
 @pytest.mark.words
 def test_each_solver_of_a_release_has_numbers_or_an_excuse(editions):
-    """One that a release adds and that can't run our scenes has neither."""
+    """An engine that a release adds, and that cannot run the scenes of this report, has
+    neither.
+    """
     for release, edition in editions.items():
         if "newton_solvers" not in edition.chapters:
             continue

@@ -1,4 +1,4 @@
-"""Maps of harder shakes."""
+"""Test the maps of harder shakes."""
 
 import pandas as pd
 import pytest
@@ -14,7 +14,7 @@ MAP = {
     "dropped": [False, False, False, True] + 4 * [False],
     "cube_height_m": [0.2, 0.16, 0.2, 0.01] + 4 * [0.2],
 }
-"""Four cells a side, of which shipped pads drop one."""
+"""Each side has four cells, and shipped pads drop the cube in one of them."""
 
 
 @pytest.mark.parametrize(

@@ -1,4 +1,4 @@
-"""Error against run time: which settings none beats, and from how many worlds on Warp is ahead."""
+"""Test which settings no other setting beats, and from how many worlds on Warp is ahead."""
 
 from dataclasses import replace
 

@@ -1,4 +1,4 @@
-"""Whether the files of the fix hold the cube."""
+"""Test whether the files of the fix hold the cube."""
 
 import pytest
 from deriving import assert_found

@@ -1,4 +1,4 @@
-"""Between which bodies the cube moves."""
+"""Test between which bodies the cube moves."""
 
 import pytest
 from deriving import NOISE, assert_found

@@ -1,4 +1,4 @@
-"""Whether the friction coefficient changes the slip."""
+"""Test whether the friction coefficient changes the slip."""
 
 import pytest
 from deriving import NOISE, assert_found

@@ -1,4 +1,4 @@
-"""Whether the contact gap changes the slip."""
+"""Test whether the contact gap changes the slip."""
 
 import pytest
 from deriving import NOISE, assert_found

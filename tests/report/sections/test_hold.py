@@ -1,4 +1,4 @@
-"""The drift and the creep with the arm held still."""
+"""Test the drift and the creep with the arm held still."""
 
 import pytest
 from deriving import NOISE, assert_found

@@ -1,4 +1,4 @@
-"""What a frame saves without unused parts."""
+"""Test the reduction of a frame's time without the unneeded parts."""
 
 import pytest
 from deriving import assert_found

@@ -1,4 +1,4 @@
-"""Newton's own solvers: what a second measurement says of them."""
+"""Test the claims about Newton's own solvers after a second measurement."""
 
 from collections.abc import Mapping
 from dataclasses import replace

@@ -1,4 +1,4 @@
-"""How much runs of one case scatter."""
+"""Test the scatter between runs of one case."""
 
 import pytest
 from deriving import assert_found

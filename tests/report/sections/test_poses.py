@@ -1,4 +1,4 @@
-"""How the hand moves by the record of its joints."""
+"""Test the motion of the hand, computed from recorded joint positions."""
 
 import numpy as np
 import pandas as pd
@@ -11,7 +11,7 @@ from experiments.facts.metrics import SHAKE
 
 
 def test_a_hand_that_swings_about_the_base_moves_on_an_arc_about_it():
-    """It swings by 0.02 rad, twice a second, around a vertical axis."""
+    """The hand swings by 0.02 rad, twice in a second, about a vertical axis."""
     swing, turn = 0.02, 2 * np.pi * 2.0
     time_s = np.arange(304) / 50.0
     run = pd.DataFrame(0.0, index=range(len(time_s)), columns=list(JOINTS))

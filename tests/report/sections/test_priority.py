@@ -1,4 +1,4 @@
-"""Whose material counts."""
+"""Test whose material determines a contact."""
 
 import pytest
 from deriving import NOISE, assert_found

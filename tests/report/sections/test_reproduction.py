@@ -1,4 +1,4 @@
-"""The shake test: slip, gain of stiff pads, agreement of engines."""
+"""Test the slip, the gain of stiff pads, and the agreement of the engines."""
 
 import numpy as np
 import pandas as pd

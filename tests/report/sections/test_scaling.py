@@ -1,4 +1,4 @@
-"""The time of a frame by the number of worlds."""
+"""Test the time of a frame by the number of worlds."""
 
 import pytest
 from deriving import assert_found

@@ -1,4 +1,4 @@
-"""The creep of other scenes."""
+"""Test the creep of other scenes."""
 
 import pytest
 from deriving import assert_found

@@ -1,4 +1,4 @@
-"""Whether the solver's settings change the slip."""
+"""Test whether the settings of the solver change the slip."""
 
 import pytest
 from deriving import NOISE, assert_found

@@ -1,4 +1,4 @@
-"""The speed of one world and of many."""
+"""Test the speed of one world and of many worlds."""
 
 import pytest
 from deriving import assert_found

@@ -1,4 +1,4 @@
-"""The cause, and what ke and kd do."""
+"""Test the cause, and the effect of ke and kd."""
 
 import pytest
 from deriving import assert_found

@@ -1,4 +1,4 @@
-"""Whether the term puts energy into bodies that tumble."""
+"""Test whether the term adds energy to bodies that tumble."""
 
 import pytest
 from deriving import assert_found

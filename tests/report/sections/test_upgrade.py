@@ -1,4 +1,4 @@
-"""The section on releases: what changed between them, and its cause."""
+"""Test the changes between releases, and their cause."""
 
 import shutil
 from dataclasses import replace
@@ -46,7 +46,7 @@ def derive(results):
 
 
 def measure_upgrade(toy: Toy, ends: dict[str, str]) -> None:
-    """Measure the section on these releases, as one of the two ends gave it."""
+    """Return the section on these releases, as one of the two ends derives it."""
     for release, end in ends.items():
         rows = [
             {
@@ -74,7 +74,7 @@ def measure_upgrade(toy: Toy, ends: dict[str, str]) -> None:
 
 @pytest.fixture
 def upgraded(toy) -> Toy:
-    """The real section on releases, beside one that stands for the noise."""
+    """The real section on releases, and one that provides the noise."""
     shutil.copytree(
         ROOT / "report/sections/upgrade", toy.project.root / "report/sections/upgrade"
     )
@@ -162,7 +162,7 @@ CHANGES = {
     "solver": {"cone-pyramidal": {"slip_mm": 5.75}},
     "reproduction": {"as-shipped-mujoco-c": {"slip_mm": 6.28}},
 }
-"""Cells that a newer release has otherwise."""
+"""Cells that differ in a newer release."""
 
 
 def found_between(**releases) -> dict:
@@ -268,8 +268,10 @@ def test_what_changed_follows_from_the_cells_of_two_releases(changes, expected):
 
 
 def test_a_release_that_changes_nothing_is_said_to_be_the_same_and_within_what():
-    """No number is known better than within 0.05 %, and the difference of two within √2
-    times that. A frame that was timed once differs between hosts by more than the bound."""
+    """No number is more precise than 0.05 %, and no difference of two numbers is more
+    precise than √2 times that. The time of a frame that was measured once differs
+    between hosts by more than the bound.
+    """
     same = [OLD, {"upgrade": {"as-shipped": {"slip_mm": 6.0}}}]
     same.append({"speed": {"*": {"frame_ms": 10.0}}})
     found = found_between(**{"1.4.0": same, "1.8.0": same})

@@ -1,4 +1,4 @@
-"""Cells that are not there, and what a section does without its row."""
+"""Test cells and rows that are missing."""
 
 from dataclasses import replace
 

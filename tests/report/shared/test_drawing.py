@@ -1,4 +1,4 @@
-"""Ticks and numbers of figures."""
+"""Test the ticks and the numbers of figures."""
 
 from report.shared.drawing import new_figure, tick_125, tick_at
 

@@ -1,4 +1,4 @@
-"""The front page and the story: short, made of passages, and following the data."""
+"""Test that the front page and the story are short and follow the data."""
 
 import re
 from dataclasses import replace
@@ -33,7 +33,7 @@ def templates():
 
 
 def texts(editions, templates, release: str) -> dict[str, str]:
-    """Title and text of the front page, and the story, as HTML."""
+    """Return the title and the text of the front page, and the story, as HTML."""
     [page] = [
         content
         for content in contents(editions, templates, release)
@@ -103,7 +103,7 @@ def before(editions, templates) -> dict[str, str]:
 
 
 def flipped(editions, section: str, claim: str, outcome: Outcome) -> dict[str, Edition]:
-    """The editions, with another outcome of a claim of 1.4.0."""
+    """Return the editions with another outcome of a claim of 1.4.0."""
     edition = editions["1.4.0"]
     chapter = edition.chapters[section]
     claims = [
@@ -380,7 +380,9 @@ def test_the_advice_follows_the_slips(slips, said):
 
 
 def test_a_run_that_failed_is_not_one_that_was_not_measured(editions):
-    """It leaves open which releases need the fix, and the table says that it failed."""
+    """The claim cannot tell which releases need the fix, and the table shows that the
+    run failed.
+    """
     lost = Quantity(
         None,
         "mm",
@@ -444,7 +446,7 @@ TOLD = {
     "cure": {"pyramidal-implicitfast-50-stiff-3cm-plain-rounded": {"slip_mm": 0.5}},
     "error_runtime": {"stiff/c/cone-pyramidal": {"grasp_error_mm_per_cycle": 0.03}},
 }
-"""Cells of a release in which shipped pads slip and stiff ones do not."""
+"""Return the cells of a release in which shipped pads slip and stiff pads do not."""
 FINE = {"reproduction": {"as-shipped": {"slip_mm": 0.3}}}
 
 
