@@ -78,7 +78,6 @@ GIVEN = {
                 "others_hold": "holds",
                 "others_hold/solvers": "Kamino and Steel",
                 "others_hold/fastest": "Steel",
-                "others_hold/are_many": True,
                 "others_hold/faster": "",
                 "steel_speedup": 0.833333,
                 "kamino_speedup": 0.05,
