@@ -110,14 +110,8 @@ def _draw_map(axes: Axes, frame: pd.DataFrame, side: str):
             x[cells], y[cells], marker=marker, s=9, linewidths=0.8, color=MAP_INK
         )
     if lost.any() and not lost.all():
-        axes.contour(
-            frequency,
-            amplitude,
-            lost.astype(float),
-            levels=[0.5],
-            colors=MAP_INK,
-            linewidths=1.6,
-        )
+        edge = lost.astype(float)
+        axes.contour(frequency, amplitude, edge, levels=[0.5], colors=MAP_INK)
     tick_at(axes.xaxis, FREQUENCY_TICKS_HZ)
     tick_at(axes.yaxis, AMPLITUDE_TICKS_CM)
     return colours
