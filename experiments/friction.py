@@ -1,5 +1,4 @@
-"""Measure the slip with friction coefficients from far below to far above those of the
-scene as shipped.
+"""Measure the slip with friction coefficients from far below to far above the defaults.
 
 The coefficients of the pads and of the cube are varied separately.
 """

@@ -50,7 +50,7 @@ def cases(profile: str) -> list[Case]:
 
 
 def name(ke: float) -> str:
-    """Return a number in the form ``2.5e3``."""
+    """Return a number in short form, such as ``2.5e3`` for 2500.0."""
     return f"{ke:.1e}".replace("e+0", "e")
 
 

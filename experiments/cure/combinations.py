@@ -59,8 +59,8 @@ Each pair needs a separate simulation. All other parameters vary between its wor
 def cases(kind: str, quick: bool) -> list[Case]:
     """Return every combination with one source of contacts.
 
-    The quick profile has only Newton's contacts, the pads and the impratio of the scene
-    as shipped, without the 10 cm shake and without RK4.
+    The quick profile has only Newton's contacts, the default pads and the default
+    impratio, without the 10 cm shake and without RK4.
     """
     combinations = []
     for (integrator, impratio), pads, amplitude, term, positions in product(

@@ -116,7 +116,7 @@ MODELS = (
     Model("discrete-20ms", MUJOCO, scenes=("turntable",)),
 )
 QUICK = ("dart", "pybullet")
-# Damping of the pads in FET028: that of the scene as shipped, and a lower one.
+# Damping of the pads in FET028: the default, and a lower one.
 PADS_KD = (100.0, 5.0)
 
 

@@ -70,9 +70,7 @@ KNOBS = {
         "stiff": {},
     },
 }  # type: dict[str, dict[str, dict]]
-"""Parameters that are varied one at a time, with the method and the substeps of the
-scene as shipped.
-"""
+"""Parameters that are varied one at a time, with the default method and substeps."""
 CONVERGED = {
     "integrator": "rk4",
     "iterations": 200,

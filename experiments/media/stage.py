@@ -182,8 +182,7 @@ class Stage:
 
 
 def display(linear: np.ndarray) -> np.ndarray:
-    """Return linear colours in the form in which they are displayed (sRGB), from 0 to
-    1.
+    """Convert linear colours to sRGB, from 0 to 1.
 
     Colours that are almost white or brighter remain distinguishable.
     """

@@ -63,7 +63,7 @@ WORLD_COUNTS = {"cuda": (1, 4096, 16384), "cpu": (1,)}
 START_FRAME_COUNT = round(PHASE_SECONDS[LIFT] * FRAME_RATE) + SHAKE_FRAME_COUNT
 """Frames from the start, with the cube in the hand, until the shake has begun."""
 SLOW_MS = 100.0
-"""A solver with a longer frame is not timed with more worlds.
+"""Largest time of a frame of a solver that is also timed with more worlds.
 
 Slower solvers would need minutes to reach the shake.
 """

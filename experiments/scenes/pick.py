@@ -41,7 +41,7 @@ OBJECTS = {
 TOUCHED_M = {"cube": 0.02, "ball": 0.0}
 """Largest height above its centre at which the pads touch an object.
 
-A ball has only one point that they touch.
+They touch a ball at a single point.
 """
 SPREAD_RAD = 0.025  # standard deviation of the targets of a shake
 END_S = {"full": 20.0, "quick": 6.0}

@@ -43,8 +43,7 @@ class Motion:
 
     bias_m_s: np.ndarray  # ∫ g dt
     damping_m_s: np.ndarray  # ∫ e dt with implicitfast
-    # ∫ R f dt with the impratio and the cone of the scene as shipped, as a mean over
-    # the loaded contacts.
+    # ∫ R f dt with the default impratio and cone, as a mean over the loaded contacts.
     load_m_s: np.ndarray
     depth_m: float  # final mean depth of these contacts
     # Displacement of the cube minus the integral of its velocity, in single precision.

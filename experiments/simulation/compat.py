@@ -48,10 +48,9 @@ def make_solver(
 def _buffers_on_the_device() -> Iterator[None]:
     """Make ``mujoco_warp.put_data`` allocate contacts and rows on the device.
 
-    By default it creates arrays of zeros on the host and copies them. With the buffers
-    of the scene as shipped these are 2 MB per world, which takes a minute for 16,384
-    worlds. Each step overwrites the arrays, except for the type of contacts, which
-    Newton does not write.
+    By default it creates arrays of zeros on the host and copies them. With the default
+    buffers these are 2 MB per world, which takes a minute for 16,384 worlds. Each step
+    overwrites the arrays, except for the type of contacts, which Newton does not write.
     """
     put_data = mujoco_warp.put_data
 

@@ -41,8 +41,7 @@ DAMPING = {"ke-critical": lambda ke: 2.0 * ke**0.5, "ke-kd-100": lambda ke: 100.
 """kd of the two grids over ke: with a damping ratio of 1, or at its import default."""
 TIMECONST_STEPS = {"full": np.geomspace(4.0, 0.25, 9), "quick": (4.0, 0.25)}
 SHAKE_MU = 0.0187
-"""Friction with which the grip of the scene as shipped could hold 1.4 times the weight
-of the cube at rest.
+"""Friction with which the default grip could hold 1.4 times the cube's weight at rest.
 """
 SHAKES = {  # amplitude [m] and frequency [Hz]
     "full": [
@@ -57,7 +56,7 @@ GRIPS = {
     "full": (0.25, 0.5, 0.7, 0.8, 0.9, 1.0, 1.1, 1.2, 1.4, 2.0, 4.0),
     "quick": (0.5,),
 }
-"""Grip force relative to the force that the shake of the scene as shipped needs."""
+"""Grip force relative to the force that the default shake needs."""
 FRICTIONS = {"full": (0.0, 1e-3, 0.1, 1.0, 2.0, 100.0), "quick": (0.0, 100.0)}
 MASSES_KG = {"full": np.geomspace(1e-3, 10.0, 9), "quick": (10.0,)}
 EDGES_M = {
@@ -67,8 +66,7 @@ EDGES_M = {
 OVERLAPS_M = {"full": (1e-4, 3e-4, 1e-3, 3e-3, 5e-3), "quick": (5e-3,)}
 GRAVITIES = {"full": (0.0, 9.81, 98.1, -9.81), "quick": (-9.81,)}
 SPRINGY = {"cube_ke": 1e8, "cube_kd": 1e3}
-"""Material of a cube that leaves the ground; that of the scene as shipped is damped too
-much.
+"""Material of a cube that leaves the ground. The default material is damped too much.
 """
 BUFFERS = (
     {},
@@ -212,8 +210,8 @@ def masses(profile: str) -> list[Probe]:
 
 
 def sizes(profile: str) -> list[Probe]:
-    """Return cubes of one density, in the grip of the scene as shipped and in a grip
-    that scales with the mass.
+    """Return cubes of one density, in the default grip and in a grip that scales with
+    the mass.
     """
     found = []
     as_shipped_n = TARGET_KE * (
@@ -244,8 +242,8 @@ def sizes(profile: str) -> list[Probe]:
 def overlaps(profile: str) -> list[Probe]:
     """Return cases that start with an overlap.
 
-    The cube overlaps both pads or the ground, with the contacts of the scene as shipped
-    or with springy contacts.
+    The cube overlaps both pads or the ground, with the default contacts or with springy
+    contacts.
     """
     starts = {f"pads-{pads}": changes for pads, changes in PADS.items()}
     if profile == "full":  # a quick run ends before a cube from the ground is shaken
@@ -312,8 +310,8 @@ def buffers(frame_count: int) -> list[Probe]:
 def carrying_force_n(mass_kg: float) -> float:
     """Return the force [N] of each finger that holds ``mass_kg`` with a margin.
 
-    Friction could hold slightly more than twice the mass in the shake of the scene as
-    shipped. The force is limited to the effort limit of the fingers.
+    Friction could hold slightly more than twice the mass in the default shake. The
+    force is limited to the effort limit of the fingers.
     """
     return min(
         mass_kg * target_demand_m_s2(BASE) / BASE.pad_mu + FINGER_FORCE_N,
