@@ -10,21 +10,22 @@ from decimal import ROUND_HALF_UP, Decimal, InvalidOperation
 from graphlib import CycleError, TopologicalSorter
 
 from number_audit.files import AuditError
-from number_audit.marks import Mark, NumberMark, WordMark, read_marks
+from number_audit.marks import NumberMark, WordMark, read_marks
 from number_audit.quantities import (
     LOWERED,
     Quantity,
     in_base_unit,
     in_unit,
     is_known,
+    same_unit,
 )
-from number_audit.sources import Source
+from number_audit.sources import Repeats
 
 MINUS = "\u2212"
 NUMBER = r"""
     # The number is not part of a word, of a decimal, of a number such as 1 000 or of a
     # power.
-    (?<![^\W_])(?<![.,])(?<!\d[ \xa0\u2009\u202f])(?<!\^)(?<!\^\{)(?<!<sup>)
+    (?<![^\W_])(?<!\w_)(?<![.,/:])(?<!\d[ \xa0\u2009\u202f])(?<!\^)(?<!\^\{)(?<!<sup>)
     (?P<digits>
         [−-]?
         (\d{1,3}(?P<group>[,_'\u202f\u2009\xa0])\d{3}((?P=group)\d{3})*(?!\d)|\d+)
@@ -33,13 +34,44 @@ NUMBER = r"""
     ((?P<ten>[eE]|\s?[×·x]\s?10(?=[⁻⁰¹²³⁴-⁹]))(?P<power>[+-]?\d{1,3}|[⁻⁰¹²³⁴-⁹]+))?
 """
 UNIT = r"(?P<unit>[^\W\d_]*[%×°]?(/[^\W\d_]+)?)"
-CLOSING = r"([\s*_`~)\]}$,;]|\\[,;\ ]|&\w{1,9};|</?\w[^<>\n]{0,80}>){0,20}"
-"""Spaces, punctuation and closing tags or brackets after a number."""
+CLOSING = r"(\]\([^()\n]{0,200}\)|[\s*_`~)\]}$,;]|\\[,;\ ]|\\(?=%)|&\w{1,9};|</?\w[^<>\n]{0,80}>){0,20}"
+"""Matches the spaces, punctuation, closing tags and brackets after a number."""
 
 NUMBER_AT_END = re.compile(NUMBER + CLOSING + UNIT + CLOSING + r"\Z", re.VERBOSE)
 CLOSING_AT_END = re.compile(CLOSING + r"\Z", re.VERBOSE)
+BOUND_BEFORE = re.compile(
+    r"""
+    (?P<negation>\bnot?\s+)?
+    ((?P<upper>
+        <|&lt;|≤|&le;|\\leq?\b|\\lt\b
+        |\b(at\ most|below|less\ than|fewer\ than|under|within)
+    )|(?P<lower>
+        ((?<=[^\s>][\ (])|(?<=[(|]))>|&gt;|≥|&ge;|\\geq?\b|\\gt\b
+        |\b(at\ least|above|(more|longer|later)\ than|over|exceed(s|ing)?)
+    ))
+    [\s$*_(~]{0,9}\Z
+    """,
+    re.VERBOSE | re.IGNORECASE,
+)
+"""Matches a text that makes the number after it a bound.
+
+At the start of a line, > is the sign of a quote and not of a bound.
+"""
+
+RANGE_BEFORE = re.compile(
+    rf"""
+    (?P<between>between\s+)?{NUMBER}{CLOSING}{UNIT}
+    (?P<joint>[\s$(]*(–|—|-|…|\.\.\.?|±|\\pm|\+/-|to|or|and)[\s$]*)\Z
+    """,
+    re.VERBOSE,
+)
+"""Matches the first number of a range and the sign after it, such as 12.3 ms ±."""
+
+LINK_BEFORE = re.compile(r"\]\([^()\n]*\Z")
+"""Matches a text that ends in the address of a link."""
+
 OPERAND = re.compile(r"[^\s(]+\#/\S+|\b[^\W\d_]\w*", re.VERBOSE)
-"""A place in a file, or the name of a mark."""
+"""Matches a place in a file, or the name of a mark."""
 
 OPERATIONS: Mapping[type, Callable[[Quantity, Quantity], Quantity]] = {
     ast.Add: Quantity.__add__,
@@ -48,10 +80,10 @@ OPERATIONS: Mapping[type, Callable[[Quantity, Quantity], Quantity]] = {
     ast.Div: Quantity.__truediv__,
 }
 ROUNDED = 0.5000001
-"""Largest change of a number by rounding, in units of its last digit."""
+"""The largest change of a number by rounding, in units of its last digit."""
 
 PROBLEMS = (AuditError, ArithmeticError, LookupError, OSError, TypeError, ValueError)
-"""Errors for files that are missing, damaged or in an unknown format."""
+"""The errors that a mark or a file can raise if it is missing, damaged or unknown."""
 
 
 @dataclass(frozen=True)
@@ -60,35 +92,37 @@ class Finding:
 
     line: int
     kind: str
-    """One of "fresh", "unclear", "stale", "false", "missing" and "invalid"."""
+    """This is "fresh", "unclear", "stale", "false", "missing" or "invalid"."""
     text: str
     start: int = 0
     end: int = 0
     replacement: str = ""
-    """The text that replaces the part from ``start`` to ``end``, or an empty string."""
+    """The text that replaces the part from ``start`` to ``end``, if it is not empty."""
 
     @property
     def is_error(self) -> bool:
         return self.kind not in ("fresh", "unclear")
 
 
-def printed_value(match: re.Match[str]) -> Decimal:
-    """Return the value of a ``NUMBER`` match as a Decimal with the printed digits."""
+def printed_value(match: re.Match[str]) -> tuple[float, int]:
+    """Return the value of a ``NUMBER`` match, and the power of ten of its last digit."""
     digits = re.sub(r"[^\d.-]", "", match["digits"].replace(MINUS, "-"))
     power = (match["power"] or "0").translate(LOWERED)
-    return Decimal(digits).scaleb(int(power))
+    last_digit = int(power) - len(digits.partition(".")[2])
+    return float(f"{digits}e{power}"), last_digit
 
 
 class Audit:
     """Compares the numbers and words of a text with the sources of its marks."""
 
-    def __init__(self, text: str, suffix: str, source_of: Callable[[str], Source]):
+    def __init__(self, text: str, suffix: str, source_of: Callable[[str], Repeats]):
         self._source_of = source_of
         self._marks = list(read_marks(text, suffix))
-        self._named: dict[str, NumberMark] = {}
-        for mark in self._marks:
-            if isinstance(mark, NumberMark) and mark.name:
-                self._named[mark.name] = mark
+        self._named = {
+            mark.name: mark
+            for mark in self._marks
+            if isinstance(mark, NumberMark) and mark.name
+        }
         self._values: dict[str, Quantity | Exception] = {}
         self._evaluate_names()
 
@@ -96,16 +130,14 @@ class Audit:
         """Yield a finding for each mark."""
         for mark in self._marks:
             try:
-                yield self._finding(mark)
+                if isinstance(mark, NumberMark):
+                    yield self._of_number(mark)
+                elif isinstance(mark, WordMark):
+                    yield self._of_word(mark)
+                else:
+                    yield Finding(mark.context.line, "invalid", mark.problem)
             except PROBLEMS as error:
                 yield Finding(mark.context.line, "missing", message_of(error))
-
-    def _finding(self, mark: Mark) -> Finding:
-        if isinstance(mark, NumberMark):
-            return self._of_number(mark)
-        if isinstance(mark, WordMark):
-            return self._of_word(mark)
-        return Finding(mark.context.line, "invalid", mark.problem)
 
     def _of_number(self, mark: NumberMark) -> Finding:
         """Compare a printed number with its source."""
@@ -116,7 +148,7 @@ class Audit:
                     f"the name {mark.name} is used for another mark too: rename one"
                 )
         match = NUMBER_AT_END.search(mark.context.before)
-        if not match:
+        if not match or LINK_BEFORE.search(mark.context.before, 0, match.start()):
             source = mark.source
             raise AuditError(
                 f"the mark = {source} does not follow a number, or follows one in an"
@@ -130,70 +162,72 @@ class Audit:
                 f"the text has the unit {unit}, but the source is in {quantity.unit}"
             )
         value = measured.value
-        printed = printed_value(match)
-        last_digit = printed.as_tuple().exponent
-        assert isinstance(last_digit, int)
+        printed, last_digit = printed_value(match)
+        low, high, obstacle = _printed_range(
+            mark.context.before[: match.start("digits")], printed
+        )
+        if match["ten"]:
+            obstacle = "a power of ten"
+        elif not same_unit(match["unit"] or mark.unit, quantity.unit):
+            obstacle = "this number because its unit is not known: write it in the mark"
         exact = Decimal(repr(value))
         if mark.digits and value:
             last_digit = exact.adjusted() + 1 - int(mark.digits)
+        is_bound = math.inf in (-low, high)
         limit = max(
-            ROUNDED * 10.0**last_digit,
+            0.0 if is_bound else ROUNDED * 10.0**last_digit,
             math.sqrt(2) * measured.noise,  # The text may be from another measurement.
             float(mark.tolerance or 0) / 100 * abs(value),
         )
         text = f"the text has {match[0].strip()}"
         source = f"{mark.source} has {measured}"
-        if abs(float(printed) - value) <= limit:
+        if low - limit <= value <= high + limit:
             return Finding(mark.context.line, "fresh", f"{text}, and {source}")
+        replacement = "" if obstacle else _rounded(exact, last_digit, match)
+        if not replacement:
+            obstacle = obstacle or "a number by 0 or by more than 28 digits"
+            source += f" (--fix does not replace {obstacle})"
         return Finding(
             mark.context.line,
             "stale",
             f"{text}, but {source}",
-            start=mark.context.start + match.start("digits"),
-            end=mark.context.start + match.end("digits"),
-            replacement=_rounded(exact, last_digit, match),
+            mark.context.start + match.start("digits"),
+            mark.context.start + match.end("digits"),
+            replacement,
         )
 
     def _of_word(self, mark: WordMark) -> Finding:
-        """Compare a word with the comparison that decides about it."""
+        """Check whether a word agrees with the comparison in its mark."""
         before = CLOSING_AT_END.sub("", mark.context.before)
-        words = [
-            word
-            for word in (mark.yes, mark.no)
-            if re.search(rf"(?<!\w){re.escape(word)}\Z", before)
-        ]
-        if not words:
+        words = f"{re.escape(mark.yes)}|{re.escape(mark.no)}"
+        match = re.search(rf"(?<!\w)({words})\Z", before)
+        if not match:
             raise AuditError(f"the mark does not follow {mark.yes} or {mark.no}")
-        word = max(words, key=len)
+        word = match[0]
         difference = self._evaluated(f"( {mark.left} ) - ( {mark.right} )", "")
         holds = difference.value < 0 if mark.sign == "<" else difference.value > 0
         is_clear = abs(difference.value) > difference.noise
         comparison = f"{mark.left} {mark.sign} {mark.right}"
-        truth = "true" if holds else "false"
-        text = f"the text has {word}, and {comparison} is {truth}"
+        text = f"the text has {word}, and {comparison} is {str(holds).lower()}"
         if not is_clear:
             text += ", but within the noise"
-        right = ""
+        correction = ""
         if holds == (word == mark.yes):
             kind = "fresh"
         elif not is_clear:
             kind = "unclear"
         else:
             kind = "false"
-            right = mark.yes if holds else mark.no
-        end = mark.context.start + len(before)
-        start = end - len(word)
-        return Finding(
-            mark.context.line, kind, text, start=start, end=end, replacement=right
-        )
+            correction = mark.yes if holds else mark.no
+        start = mark.context.start + match.start()
+        end = start + len(word)
+        return Finding(mark.context.line, kind, text, start, end, correction)
 
     def _evaluate_names(self) -> None:
         """Evaluate each named mark once, after the marks on which it depends."""
         sorter = TopologicalSorter(
             {
-                name: {
-                    used for used in OPERAND.findall(mark.source) if used in self._named
-                }
+                name: self._named.keys() & set(OPERAND.findall(mark.source))
                 for name, mark in self._named.items()
             }
         )
@@ -226,12 +260,12 @@ class Audit:
         """Return the value of an expression, in ``unit`` if its operands have none."""
         operands: dict[str, Quantity] = {}
 
-        def named(match: re.Match[str]) -> str:
+        def operand_name(match: re.Match[str]) -> str:
             name = f"q{len(operands)}"
             operands[name] = self._operand(match[0])
             return name
 
-        code = OPERAND.sub(named, expression).strip()
+        code = OPERAND.sub(operand_name, expression).strip()
         if code in operands:
             result = operands[code]
         else:
@@ -247,45 +281,66 @@ class Audit:
 
 
 def _computed(code: str, operands: Mapping[str, Quantity], expression: str) -> Quantity:
-    """Compute sums, differences, products and ratios; raise AuditError for others."""
+    """Compute an expression of numbers and operands with ``+ - * /`` and brackets."""
 
-    def of(node: ast.expr) -> Quantity:
+    def value_of(node: ast.expr) -> Quantity:
         if isinstance(node, ast.Name):
             return operands[node.id]
-        if isinstance(node, ast.Constant) and type(node.value) in (int, float):
-            return Quantity(float(code[node.col_offset : node.end_col_offset]))
+        if isinstance(node, ast.Constant) and isinstance(node.value, int | float):
+            return Quantity(float(node.value))
         if isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.USub):
-            return -of(node.operand)
+            return -value_of(node.operand)
         if isinstance(node, ast.BinOp) and type(node.op) in OPERATIONS:
-            return OPERATIONS[type(node.op)](of(node.left), of(node.right))
+            operation = OPERATIONS[type(node.op)]
+            return operation(value_of(node.left), value_of(node.right))
         raise AuditError(
             "expected FILE#/PLACE or an arithmetic expression of places and names,"
             f" got {expression:.60}"
         )
 
     try:
-        return of(ast.parse(code, mode="eval").body)
+        return value_of(ast.parse(code, mode="eval").body)
     except SyntaxError as error:
         raise AuditError(f"cannot compute {expression:.60}: {error.msg}") from None
     except (RecursionError, MemoryError):
         raise AuditError(f"the expression {expression:.60} is too long") from None
 
 
+def _printed_range(before: str, printed: float) -> tuple[float, float, str]:
+    """Return the smallest and the largest value that a printed number allows.
+
+    The third result describes a bound or a range, which ``--fix`` does not replace. It
+    is empty for other numbers. ``before`` is the text before the number.
+    """
+    if match := BOUND_BEFORE.search(before):
+        if bool(match["upper"]) != bool(match["negation"]):
+            return -math.inf, printed, "a bound"
+        return printed, math.inf, "a bound"
+    match = RANGE_BEFORE.search(before)
+    if not match or ("and" in match["joint"] and not match["between"]):
+        return printed, printed, ""
+    other = printed_value(match)[0]
+    joint = match["joint"]
+    if re.search(r"[±m/]", joint):
+        return other - printed, other + printed, "a number with ±"
+    if re.fullmatch(r"\s+[–—-]\s+|.*(to|or).*", joint):  # It may fall from 5 to 3.
+        return printed, printed, "a number that may end a range"
+    return min(other, printed), max(other, printed), "a range"
+
+
 def _rounded(value: Decimal, last_digit: int, printed: re.Match[str]) -> str:
     """Return a number in the format of the printed one.
 
-    The result is empty if the number has a power of ten or more than 28 digits.
+    The result is empty if the number would become 0 or have more than 28 digits.
     """
-    if printed["ten"]:
-        return ""
     try:
         rounded = value.quantize(Decimal(1).scaleb(last_digit), ROUND_HALF_UP)
     except InvalidOperation:
         return ""
-    group = printed["group"]
-    text = f"{rounded:,f}" if group else f"{rounded:f}"
+    if value and not rounded:
+        return ""
     minus = MINUS if MINUS in printed[0] else "-"
-    return text.replace("-", minus).replace(",", group or "")
+    return f"{rounded:,f}".replace("-", minus).replace(",", printed["group"] or "")
 
 
 def message_of(error: Exception) -> str:

@@ -6,21 +6,28 @@ read.
 """
 
 import argparse
+import glob
 import io
 import json
+import os
+import subprocess
 import sys
 import unicodedata
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import suppress
 from functools import cache
 from pathlib import Path
 
 from number_audit.audit import PROBLEMS, Audit, Finding, message_of
 from number_audit.files import AuditError, read_file, replace_file
-from number_audit.sources import NoiseOfRecord, Source
+from number_audit.sources import NoiseOfRecord, Repeats, Source
 from number_audit.suggestions import suggestions
 
-UNPRINTABLE = ("Cc", "Cf", "Cs", "Co", "Cn", "Zl", "Zp")
-"""Categories of characters that disturb a terminal or a log."""
+COMMIT_LIMIT = 20
+"""The largest number of earlier commits that are searched."""
+
+UNPRINTABLE = "Cc Cf Cs Co Cn Zl Zp".split()
+"""Unicode categories of characters that can disturb a terminal or a log."""
 
 
 def main(
@@ -59,7 +66,7 @@ def _parser(prog: str) -> argparse.ArgumentParser:
     parser.add_argument(
         "--fix",
         action="store_true",
-        help="replace stale numbers and false words by those of the sources",
+        help="correct stale numbers and false words",
     )
     parser.add_argument(
         "--check",
@@ -69,7 +76,7 @@ def _parser(prog: str) -> argparse.ArgumentParser:
     parser.add_argument(
         "--suggest",
         metavar="RESULTS",
-        help="mark each number that occurs exactly once in these results",
+        help="add a mark to each number that is in these results",
     )
     parser.add_argument(
         "--allow",
@@ -77,7 +84,7 @@ def _parser(prog: str) -> argparse.ArgumentParser:
         type=Path,
         action="append",
         default=[],
-        help="also read sources in this folder, outside the repository",
+        help="also read results from this folder outside the repository",
     )
     parser.add_argument(
         "--format",
@@ -91,28 +98,46 @@ def _parser(prog: str) -> argparse.ArgumentParser:
 def _findings(
     path: Path, options: argparse.Namespace, noise_of_record: NoiseOfRecord | None
 ) -> list[Finding]:
-    """Return the findings on one file, after fixing or marking it if requested."""
+    """Return the findings in one file, and fix or mark the file if requested."""
 
     @cache
-    def source_of(name: str) -> Source:
-        file = (path.parent / name).absolute()
-        content = _read_source(file, _project_of(path), options.allow)
-        return Source(file, content, noise_of_record)
+    def loaded(name: str) -> Repeats | AuditError:
+        project = _project_of(path)
+        sources = []
+        try:
+            for file in _files(path.parent / name):
+                content = _read_source(file, project, options.allow)
+                sources.append(Source(file, content, noise_of_record))
+        except AuditError as error:
+            return error
+        except Exception as error:  # Each library raises errors of its own.
+            return AuditError(f"{name} cannot be read: {message_of(error)}")
+        return Repeats(name, sources)
+
+    def source_of(name: str) -> Repeats:
+        source = loaded(name)
+        if isinstance(source, AuditError):
+            raise source
+        return source
 
     try:
         content = read_file(path)
-        text = _decoded(content)
+        # Bytes that are not UTF-8 are restored when the text is encoded.
+        text = content.decode("utf-8", "surrogateescape")
+        if "\0" in text:
+            raise AuditError("the file is not UTF-8 text")
         if options.suggest:
-            source = source_of(options.suggest)
-            findings = list(suggestions(text, path.suffix, options.suggest, source))
+            name = Path(os.path.relpath(options.suggest, path.parent)).as_posix()
+            source = source_of(name)
+            earlier = _earlier_sources(path.parent, name)
+            findings = suggestions(text, path.suffix, [("", source), *earlier])
         else:
             findings = list(Audit(text, path.suffix, source_of).findings())
-        if not (options.fix or options.suggest):
-            return findings
-        fixed = _fixed(text, findings)
+        is_changed = options.fix or options.suggest
+        fixed = _fixed(text, findings) if is_changed else text
         if fixed == text:
             return findings
-        replace_file(path, content, _encoded(fixed))
+        replace_file(path, content, fixed.encode("utf-8", "surrogateescape"))
         if options.suggest:
             return findings
         return list(Audit(fixed, path.suffix, source_of).findings())
@@ -120,12 +145,40 @@ def _findings(
         return [Finding(1, "missing", message_of(error))]
 
 
+def _files(path: Path) -> list[Path]:
+    """Return the files that match a path, which may contain * in its last part."""
+    if "*" not in path.name:
+        return [path.absolute()]
+    pattern = glob.escape(path.name).replace("[*]", "*")
+    files = sorted(path.absolute().parent.glob(pattern))
+    if not files:
+        raise AuditError(f"no file matches {path.name}")
+    return files
+
+
+def _earlier_sources(folder: Path, name: str) -> Iterator[tuple[str, Repeats]]:
+    """Yield the last commits of a result file and its content at that time."""
+    log = _git(folder, "log", f"-{COMMIT_LIMIT}", "--format=%h", "--", name)
+    for commit in log.decode().split():
+        content = _git(folder, "show", f"{commit}:./{name}")
+        with suppress(Exception):  # The file may have been damaged at that time.
+            yield commit, Repeats(name, [Source(Path(name), content)])
+
+
+def _git(folder: Path, *command: str) -> bytes:
+    """Return the output of a git command, which is empty if git fails."""
+    try:
+        return subprocess.run(
+            ["git", *command], cwd=folder, capture_output=True, check=False
+        ).stdout
+    except OSError:
+        return b""
+
+
 def _project_of(path: Path) -> Path:
     """Return the repository of a file, or the current folder if there is none."""
-    for folder in path.absolute().parents:
-        if (folder / ".git").exists():
-            return folder
-    return Path.cwd()
+    folders = path.absolute().parents
+    return next((each for each in folders if (each / ".git").exists()), Path.cwd())
 
 
 def _read_source(file: Path, project: Path, allowed: Sequence[Path]) -> bytes:
@@ -139,19 +192,8 @@ def _read_source(file: Path, project: Path, allowed: Sequence[Path]) -> bytes:
     return read_file(resolved)
 
 
-def _decoded(content: bytes) -> str:
-    """Decode a text so that ``_encoded`` restores bytes that are not UTF-8."""
-    if b"\0" in content:
-        raise AuditError("the file is not UTF-8 text")
-    return content.decode("utf-8", "surrogateescape")
-
-
-def _encoded(text: str) -> bytes:
-    return text.encode("utf-8", "surrogateescape")
-
-
 def _fixed(text: str, findings: Sequence[Finding]) -> str:
-    """Return a text with all replacements applied."""
+    """Return the text after all replacements."""
     parts = []
     end = 0
     for finding in findings:

@@ -1,4 +1,4 @@
-"""Reads and replaces files as bytes, each one completely or not at all."""
+"""Reads whole files, and replaces them without ever leaving a part of one."""
 
 import os
 import shutil
@@ -10,7 +10,7 @@ BYTE_LIMIT = 256 << 20
 
 
 class AuditError(Exception):
-    """An error in the audited files. The message is one line."""
+    """An error in the audited files; its message is a single line."""
 
 
 def read_file(path: Path) -> bytes:
@@ -35,14 +35,14 @@ def read_file(path: Path) -> bytes:
 
 
 def replace_file(path: Path, old: bytes, new: bytes) -> None:
-    """Replace the bytes of a file, unless they are no longer ``old``.
+    """Replace the bytes ``old`` of a file by the bytes ``new``.
 
     Raises:
-        AuditError: The file was edited meanwhile, is read-only or cannot be written. It
-            then stays as it is.
+        AuditError: The file contains other bytes, is read-only or cannot be written. It
+            is left unchanged.
     """
     if not path.stat().st_mode & stat.S_IWUSR:
-        raise AuditError("the file is read-only, so nothing was fixed")
+        raise AuditError("the file is read-only and was left unchanged")
     try:
         descriptor, name = tempfile.mkstemp(prefix=f".{path.name}.", dir=path.parent)
         temporary = Path(name)
@@ -60,5 +60,5 @@ def replace_file(path: Path, old: bytes, new: bytes) -> None:
         finally:
             temporary.unlink(missing_ok=True)
     except OSError as error:
-        message = f"the file cannot be written, so nothing was fixed: {error.strerror}"
+        message = f"the file cannot be written and was left unchanged: {error.strerror}"
         raise AuditError(message) from None

@@ -1,6 +1,7 @@
 """Reads marks: comments and roles that name the source of the number before them.
 
 - Markdown and HTML: a comment, ``12.3 ms<!-- = bench.json#/mean -->``
+- after a table in Markdown: ``<!-- = bench.json#/{row}/{column} -->``
 - LaTeX: ``\\audited{12.3\\,ms}{= bench.json\\#/mean}``
 - reStructuredText: ``:audit:`12.3 ms <= bench.json#/mean>```
 
@@ -9,28 +10,27 @@ length.
 """
 
 import re
-from collections.abc import Iterator
-from dataclasses import dataclass
+from bisect import bisect
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, replace
+from urllib.parse import quote
+
+from number_audit.quantities import NO_UNIT, split_unit
+from number_audit.tables import MARKUP, Cell, Table, read_tables
 
 MARK_LIMIT = 600
-"""Most characters of a mark."""
+"""The largest number of characters in a mark."""
 
 BEFORE_LIMIT = 200
-"""Largest distance between a comment and the start of its number."""
-
-CODE_LIMIT = 200
-"""Most characters of inline code."""
-
-TICK_LIMIT = 8
-"""Most backticks before inline code."""
+"""The largest number of characters between a comment and the start of its number."""
 
 NUMBER_MARK = re.compile(
     r"""
     ((?P<name>[^\W\d_]\w*)\s*)?
-    =\s*(?=[\w(./-])(?P<source>.+?(?<=[\w)\]]))
-    (\s+(?P<unit>[^\W\d_]\S{0,20}))?
+    =\s*(?=[\w(./-])(?P<source>.+?(?<=[\w)\]}]))
+    (\s+(?P<unit>%|[^\W\d_]\S{0,20}))?
     (\s+digits\s+(?P<digits>\d{1,2}))?
-    (\s*±\s*(?P<tolerance>\d[\d.]{0,9})\s*%)?
+    (\s*(±|\+/?-)\s*(?P<tolerance>\d[\d.]{0,9})\s*%)?
     """,
     re.VERBOSE,
 )
@@ -41,41 +41,50 @@ WORD_MARK = re.compile(
     """,
     re.VERBOSE,
 )
-ROLE = re.compile(
-    r"""
-    (?P<opening>:audit:`|\\audited\{)
-    (?P<printed>[^`<{}]{1,200})(<|\}\{)
-    (?P<mark>[^`{}]{1,600})(>`|\})
-    """,
-    re.VERBOSE,
-)
-FENCE = r"^[ >]*(?P<fence>`{3,}(?=[^`\n]*$)|~{3,})"
-TICKS = r"(?P<ticks>`+)"
-OPENINGS = ("<!--", r"(?P<role>:audit:`|\\audited\{)")
-OPENINGS_BY_SUFFIX = {
-    ".html": OPENINGS,
-    ".htm": OPENINGS,
-    ".tex": OPENINGS,
-    ".rst": (*OPENINGS, TICKS),
+COMMENT = r"<!--(?P<comment>(?s:.*?))(-->|(?P<unclosed>\Z))"
+ROLE = r"""
+    (:audit:`|\\audited\{)(?P<printed>[^`<{}]{1,200})(<|\}\{)
+    (?P<role>[^`{}]{1,600})(>`|\})
+"""
+BROKEN = r"""
+    (?=(?P<broken>[^\n]{1,50}))
+    (:audit:\s?`|\\audited\s?[\[{]|<!\s?-{0,2}\s?(?=(\w{1,40}\s?)?=\s|[^\s#]{1,80}\#/))
+"""
+"""Matches the start of a role that is not complete, or of a misspelled comment."""
+
+FENCED_CODE = r"""
+    ^[ >]*(?P<fence>`{3,}(?=[^`\n]*$)|~{3,})
+    (?s:.*?)(^[ >]*(?P=fence)[`~]*[ \t\r]*$|\Z)
+"""
+INLINE_CODE = r"""
+    (?<![\\`])(?P<ticks>`{1,8})(?!`)
+    ([^\n]|\n(?![ \t\r]*\n)){1,200}?
+    (?<!`)(?P=ticks)(?!`)
+"""
+
+
+def region_pattern(*parts: str) -> re.Pattern[str]:
+    return re.compile("|".join(parts), re.VERBOSE | re.MULTILINE)
+
+
+MARKS = (COMMENT, ROLE, BROKEN)
+REGIONS = {
+    ".html": region_pattern(*MARKS),
+    ".htm": region_pattern(*MARKS),
+    ".tex": region_pattern(*MARKS),
+    ".rst": region_pattern(*MARKS, INLINE_CODE),
 }
-OPENINGS_OF_MARKDOWN = (*OPENINGS, FENCE, TICKS)
-BLANK_LINE = re.compile(r"\n[ \t\r]*\n")
-RULER = re.compile(r"={3,}")
-"""Matches a comment that divides a text, such as ``<!-- ===== Results ===== -->``."""
+"""Patterns of the comments, roles and code in each type of text; others are Markdown."""
 
+REGIONS_OF_MARKDOWN = region_pattern(*MARKS, FENCED_CODE, INLINE_CODE)
+MARK_START = re.compile(r"(?!={3})=|[^\W\d_]\w*\s*=(?!=)")
+"""Matches ``= place`` and ``name = place``, but neither ``===== Results =====`` nor
+``a == b``."""
 
-@dataclass(frozen=True)
-class Region:
-    """A comment, a role or code, in which numbers are not audited."""
-
-    start: int
-    end: int
-    mark: str | None = None
-    """The text of a comment or a role, or None for code."""
-    printed: tuple[int, int] = (0, 0)
-    """Start and end of the text whose last number belongs to the mark."""
-    is_role: bool = False
-    is_closed: bool = True
+WORD_MARK_START = re.compile(r"(?P<yes>.+?)\sif\s.*[<>=≤≥](?P<rest>.*)")
+TABLE_SOURCE = re.compile(r"\{row\}|\{column\}")
+PLAIN_IN_PLACES = "/~!$&()*+,:;=@[]|"
+"""Characters of a place that are not percent-encoded in a mark."""
 
 
 @dataclass(frozen=True)
@@ -84,7 +93,7 @@ class Context:
 
     line: int
     start: int
-    """Position of ``before`` in the text."""
+    """The position at which ``before`` begins in the text."""
     before: str
     """The text whose last number or word belongs to the mark."""
 
@@ -98,9 +107,9 @@ class NumberMark:
     name: str
     unit: str
     digits: str
-    """Significant digits to print; empty to keep the present number of digits."""
+    """The number of significant digits to print; empty to keep the present number."""
     tolerance: str
-    """Allowed deviation [%]; empty to allow only the noise."""
+    """The allowed deviation [%]; empty to allow only the noise."""
 
 
 @dataclass(frozen=True)
@@ -126,33 +135,46 @@ class BrokenMark:
 Mark = NumberMark | WordMark | BrokenMark
 
 
+def line_counter(text: str) -> Callable[[int], int]:
+    """Return a function that returns the line of a position in a text."""
+    newlines = [match.start() for match in re.finditer("\n", text)]
+    return lambda position: bisect(newlines, position) + 1
+
+
 def read_marks(text: str, suffix: str) -> Iterator[Mark]:
     """Yield the marks of a text from a file whose name ends in ``suffix``."""
-    line = 1
-    counted = 0
+    end = 0
+    line_of = line_counter(text)
+    tables = {table.end: table for table in read_tables(text)}
     for region in regions(text, suffix):
-        line += text.count("\n", counted, region.start)
-        counted = region.start
-        if region.mark is None:
-            continue
-        start, end = region.printed
-        mark = _parsed(region, Context(line, start, text[start:end]))
-        if mark is not None:
+        start, stop = region.span("printed")
+        if region["comment"] is not None:
+            stop = region.start()
+            start = max(end, stop - BEFORE_LIMIT)
+        end = region.end()
+        context = Context(line_of(region.start()), start, text[start:stop])
+        mark = _parsed(region, context)
+        if isinstance(mark, NumberMark) and TABLE_SOURCE.search(mark.source):
+            table = tables.get(start + len(text[start:stop].rstrip()))
+            yield from _marks_of_table(mark, table, line_of)
+        elif mark is not None:
             yield mark
 
 
-def _parsed(region: Region, context: Context) -> Mark | None:
-    """Return the mark of a comment or role, or None if the comment is not a mark."""
-    text = " ".join((region.mark or "").split())
+def _parsed(region: re.Match[str], context: Context) -> Mark | None:
+    """Return the mark of a comment or role, or None if a region is not a mark."""
+    role = region["role"] or region["broken"]
+    text = " ".join((region["comment"] or role or "").split())
     text = re.sub(r"\\([#%_&])", r"\1", text)  # LaTeX needs these escapes.
-    if region.is_closed and len(text) <= MARK_LIMIT:
+    is_closed = region["unclosed"] is None
+    if is_closed and len(text) <= MARK_LIMIT:
         if match := NUMBER_MARK.fullmatch(text):
             return NumberMark(context, **match.groupdict(""))
         if match := WORD_MARK.fullmatch(text):
             return WordMark(context, **match.groupdict(""))
-    if not (region.is_role or _looks_like_mark(text)):
+    if not (role or _looks_like_mark(text, context.before)):
         return None
-    if not region.is_closed:
+    if not is_closed:
         problem = "is not closed"
     elif len(text) > MARK_LIMIT:
         problem = f"has more than {MARK_LIMIT} characters"
@@ -161,72 +183,50 @@ def _parsed(region: Region, context: Context) -> Mark | None:
     return BrokenMark(context, f"{text:.60} {problem}")
 
 
-def _looks_like_mark(text: str) -> bool:
-    """Return whether a comment seems to be intended as a mark."""
-    names_place = any("#/" in word and "://" not in word for word in text.split())
-    return names_place or (text.startswith("=") and not RULER.match(text))
+def _looks_like_mark(text: str, before: str) -> bool:
+    """Return whether a comment after the text ``before`` is intended as a mark."""
+    if MARK_START.match(text):
+        return True
+    if any("#/" in word and "://" not in word for word in text.split()):
+        return True
+    words = WORD_MARK_START.match(text[:MARK_LIMIT])
+    if words is None:
+        return False
+    return "else" in words["rest"] or before.endswith(words["yes"])
 
 
-def regions(text: str, suffix: str) -> Iterator[Region]:
-    """Yield the comments, roles and code of a text in their order."""
-    openings = OPENINGS_BY_SUFFIX.get(suffix.lower(), OPENINGS_OF_MARKDOWN)
-    opening = re.compile("|".join(openings), re.MULTILINE)
-    end = 0
-    while match := opening.search(text, end):
-        start = match.start()
-        groups = match.groupdict()
-        if groups.get("role"):
-            region = _role(text, start, match.end())
-        elif groups.get("fence"):
-            region = Region(start, _end_of_fenced_code(text, match))
-        elif groups.get("ticks"):
-            region = Region(start, _end_of_code(text, match))
-        else:
-            region = _comment(text, start, max(end, start - BEFORE_LIMIT))
-        yield region
-        end = region.end
+def _marks_of_table(
+    mark: NumberMark, table: Table | None, line_of: Callable[[int], int]
+) -> Iterator[NumberMark | BrokenMark]:
+    """Yield a mark for each number of the table that a mark follows."""
+    if table is None or mark.name:
+        problem = "must follow a table, and cannot have a name"
+        yield BrokenMark(mark.context, f"{mark.source} {problem}")
+        return
+    for cell in number_cells(table):
+        before = cell.text.rstrip(MARKUP)
+        unit = split_unit(cell.column)[1]
+        if unit != NO_UNIT and before[-1].isdigit():
+            before += f" {unit}"
+        context = Context(line_of(cell.start), cell.start, before)
+        yield replace(mark, context=context, source=source_of_cell(mark.source, cell))
 
 
-def _comment(text: str, start: int, printed: int) -> Region:
-    content = start + len("<!--")
-    closing = text.find("-->", content)
-    is_closed = closing >= 0
-    if not is_closed:
-        closing = len(text)
-    return Region(
-        start=start,
-        end=closing + len("-->") if is_closed else closing,
-        mark=text[content:closing],
-        printed=(printed, start),
-        is_closed=is_closed,
+def number_cells(table: Table) -> Iterator[Cell]:
+    """Yield the cells with a number, except code and cells with a mark of their own."""
+    for cell in table.cells:
+        if re.fullmatch(r"(?!.*(`|<!--|\0)).*\d.*", cell.text.strip()):
+            yield cell
+
+
+def source_of_cell(source: str, cell: Cell) -> str:
+    """Insert the names of a cell's row and column into the source of a table's mark."""
+    column = split_unit(cell.column)[0]
+    return source.replace("{row}", quote(cell.row, PLAIN_IN_PLACES)).replace(
+        "{column}", quote(column, PLAIN_IN_PLACES)
     )
 
 
-def _role(text: str, start: int, content: int) -> Region:
-    """Read a role, or the start of one that is not valid."""
-    if match := ROLE.match(text, start):
-        printed = match.span("printed")
-        return Region(start, match.end(), match["mark"], printed, is_role=True)
-    following = text[start : content + 40].partition("\n")[0]
-    return Region(start, content, following, (start, start), is_role=True)
-
-
-def _end_of_fenced_code(text: str, opening: re.Match[str]) -> int:
-    """Return where fenced code ends: at a closing fence or at the end of the text."""
-    fence = opening["fence"]
-    closing = re.compile(rf"^[ >]*{fence}{fence[0]}*[ \t\r]*$", re.MULTILINE)
-    match = closing.search(text, opening.end())
-    return match.end() if match else len(text)
-
-
-def _end_of_code(text: str, opening: re.Match[str]) -> int:
-    """Return the end of inline code, or of its backticks if it is not closed."""
-    ticks = opening["ticks"]
-    start = opening.end()
-    if len(ticks) > TICK_LIMIT:
-        return start
-    closing = re.compile(f"(?<!`){ticks}(?!`)")
-    match = closing.search(text, start, start + CODE_LIMIT + TICK_LIMIT)
-    if not match or BLANK_LINE.search(text, start, match.start()):
-        return start
-    return match.end()
+def regions(text: str, suffix: str) -> Iterator[re.Match[str]]:
+    """Return the comments, roles and code of a text in their order."""
+    return REGIONS.get(suffix.lower(), REGIONS_OF_MARKDOWN).finditer(text)

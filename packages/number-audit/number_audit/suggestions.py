@@ -1,85 +1,181 @@
-"""Suggests marks for numbers in a text that occur exactly once in the results."""
+"""Suggests marks for numbers that are in the results, or were in earlier ones."""
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Sequence
+from contextlib import suppress
 from functools import cache
 from urllib.parse import quote
 
 from number_audit.audit import CLOSING, NUMBER, ROUNDED, UNIT, Finding, printed_value
-from number_audit.marks import regions
-from number_audit.quantities import in_unit, is_known
-from number_audit.sources import SAMPLES, Source
+from number_audit.files import AuditError
+from number_audit.marks import (
+    PLAIN_IN_PLACES,
+    line_counter,
+    number_cells,
+    regions,
+    source_of_cell,
+)
+from number_audit.quantities import in_unit, is_known, split_unit
+from number_audit.sources import SAMPLES, Repeats, simplified
+from number_audit.tables import Table, read_tables
 
 UNMARKED = re.compile(
     rf"(?<![\w./\#-]){NUMBER}(([ \xa0\u2009\u202f~]|\\,)?{UNIT})?(?![\w/-]|\.\w)",
     re.VERBOSE,
 )
+NOT_PROSE = re.compile(
+    r"""
+    \A---\r?\n(.*\n)*?---    # the front matter
+    |</?\w[^<>]*>            # a tag
+    |\]\([^()\n]*\)          # the address of a link
+    |^\[[^\]\n]*\]:.*
+    |\{\{[^{}\n]*\}\}|\{%[^%\n]*%\} # a template
+    |\$[^$\n]+\$             # a formula
+    |(?<=\n\n)(\ {4}.*\n)+    # code
+    """,
+    re.VERBOSE | re.MULTILINE,
+)
+"""Matches the parts of Markdown and HTML in which a comment would be visible."""
+
 MARKED = re.compile(rf"{CLOSING}<!--", re.VERBOSE)
+MARKED_TABLE = re.compile(r"\s*<!--[^>]*\{")
 FORMS = {".rst": ":audit:`{} <= {}>`", ".tex": r"\audited{{{}}}{{= {}}}"}
-COMMENT_FORM = "{}<!-- = {} -->"
-PLAIN_IN_PLACES = "/~!$&()*+,:;=@[]|"
-"""Characters of a place that are not percent-encoded in a mark."""
 
 CHOICE_LIMIT = 9
 """Most places that are listed for one number."""
 
 
-def suggestions(text: str, suffix: str, file: str, source: Source) -> Iterator[Finding]:
-    """Yield a mark for each unmarked number that occurs exactly once in the results.
+class Results:
+    """The numbers of a result file, as sources of marks."""
 
-    For a number that occurs several times, yield a line that lists its places.
-    """
-    form = FORMS.get(suffix, COMMENT_FORM)
-    places = [
-        quote(place, PLAIN_IN_PLACES)
-        for place, found in source.places.items()
-        if found.key not in SAMPLES
-    ]
-    quantities = [(f"{file}#{place}", source.quantity(place)) for place in places]
+    def __init__(self, source: Repeats):
+        self.source = source
+        self._values_in = cache(lambda unit: list(self._values(unit)))
 
-    @cache
-    def values_in(unit: str) -> list[tuple[str, float]]:
-        in_units = ((place, in_unit(quantity, unit)) for place, quantity in quantities)
-        return [(place, quantity.value) for place, quantity in in_units if quantity]
-
-    for match in UNMARKED.finditer(_without_regions(text, suffix)):
-        printed = printed_value(match)
-        unit = match["unit"] or ""
-        last_digit = printed.as_tuple().exponent
-        assert isinstance(last_digit, int)
+    def near(self, number: re.Match[str]) -> list[str]:
+        """Return the sources that agree with a number after rounding."""
+        printed, last_digit = printed_value(number)
         limit = ROUNDED * 10.0**last_digit
-        near = [
-            place
-            for place, value in values_in(unit)
-            if abs(value - float(printed)) <= limit
+        return [
+            source
+            for source, value in self._values_in(number["unit"] or "")
+            if abs(value - printed) <= limit
         ]
-        # Short numbers such as 2 or 10 occur in many results by chance.
-        is_telling = len(printed.as_tuple().digits) > (1 if last_digit < 0 else 2)
-        if not (near and is_telling) or MARKED.match(text, match.end()):
+
+    def _values(self, unit: str) -> Iterator[tuple[str, float]]:
+        """Yield the value of each place in a unit, which the mark states if needed."""
+        for pointer, place in self.source.places.items():
+            if place.key in SAMPLES:
+                continue
+            name = quote(pointer, PLAIN_IN_PLACES)
+            quantity = self.source.quantity(name)
+            measured = in_unit(quantity, unit)
+            if measured is None:
+                continue
+            source = f"{self.source.name}#{name}"
+            if is_known(quantity.unit) or not is_known(unit):
+                yield source, measured.value
+                continue
+            yield f"{source} {unit}", measured.value
+            if unit == "%":
+                yield f"{source} ratio", 100 * measured.value
+
+    def source_of(self, table: Table) -> str:
+        """Return the source of a table whose rows and columns are named in the file."""
+        cells = list(number_cells(table))
+        if len(cells) < 2:
+            return ""
+        row = f"/{cells[0].row}/"
+        column = simplified(split_unit(cells[0].column)[0])
+        for pointer, place in self.source.places.items():
+            if row in pointer and simplified(split_unit(place.key)[0]) == column:
+                parents = pointer.removesuffix(place.key).split(row)
+                name = "/{row}/".join(quote(part, PLAIN_IN_PLACES) for part in parents)
+                with suppress(AuditError):  # The file may not have all cells.
+                    for cell in cells:
+                        self.source.quantity(source_of_cell(f"{name}{{column}}", cell))
+                    return f"{self.source.name}#{name}{{column}}"
+        return ""
+
+
+def suggestions(
+    text: str, suffix: str, sources: Iterable[tuple[str, Repeats]]
+) -> list[Finding]:
+    """Return a mark for each table and each unmarked number that is at one place.
+
+    ``sources`` contains the results now, and those of earlier commits. A number that is
+    only in earlier results is stale. A number at several places, or at none, is listed
+    without a mark.
+    """
+    editions = [(commit, Results(source)) for commit, source in sources]
+    now = editions[0][1]
+    hidden = _blanked(text, [region.span() for region in regions(text, suffix)])
+    if suffix not in FORMS:
+        hidden = _blanked(
+            hidden, [match.span() for match in NOT_PROSE.finditer(hidden)]
+        )
+    line_of = line_counter(text)
+    findings = []
+    marked_tables = []
+    for table in read_tables(text):
+        end = table.end
+        is_marked = MARKED_TABLE.match(text, end)
+        source = now.source_of(table)
+        if hidden[table.start] == "\0" or not (is_marked or source):
+            continue
+        marked_tables.append((table.start, end))
+        if not is_marked:
+            mark = f"<!-- = {source} -->"
+            line = line_of(table.start)
+            findings.append(Finding(line, "fresh", mark, end, end, f"\n\n{mark}"))
+    for match in UNMARKED.finditer(_blanked(hidden, marked_tables)):
+        if not _is_telling(match) or MARKED.match(text, match.end()):
             continue
         start = match.start()
-        has_unit = is_known(unit) or unit in ("", "×", "%", "°")
-        end = match.end() if has_unit else match.start("unit")
-        number = text[start:end].rstrip()
-        line = text.count("\n", 0, start) + 1
-        if len(near) > 1:
-            choice = f"{number} may be {' or '.join(near[:CHOICE_LIMIT])}"
-            yield Finding(line, "unclear", choice)
-            continue
-        place = near[0]
-        if suffix == ".tex":
-            place = re.sub(r"(?=[#%_&])", r"\\", place)
-        mark = form.format(number, place)
+        unit = match["unit"] or ""
+        has_unit = is_known(unit) or unit in ("", "×", "°")
+        number = text[start : match.end() if has_unit else match.start("unit")].rstrip()
         end = start + len(number)
-        yield Finding(line, "fresh", mark, start=start, end=end, replacement=mark)
+        kind, message, place = _suggestion(number, match, editions)
+        mark = ""
+        if place:
+            form = FORMS.get(suffix, "{}<!-- = {} -->")
+            if suffix == ".tex":
+                place = re.sub(r"(?=[#%_&])", r"\\", place)
+            mark = form.format(number, place)
+            message = f"{mark}{message}"
+        findings.append(Finding(line_of(start), kind, message, start, end, mark))
+    return sorted(findings, key=lambda finding: finding.start)
 
 
-def _without_regions(text: str, suffix: str) -> str:
-    """Return the text with comments, roles and code blanked out."""
+def _suggestion(
+    number: str, match: re.Match[str], editions: Sequence[tuple[str, Results]]
+) -> tuple[str, str, str]:
+    """Return the kind of a suggestion, its message and the only place of a number."""
+    for commit, results in editions:
+        places = results.near(match)
+        if len(places) > 1:
+            choice = " or ".join(places[:CHOICE_LIMIT])
+            return "unclear", f"{number} may be {choice}", ""
+        if places and commit:
+            return "stale", f" was right until commit {commit}", places[0]
+        if places:
+            return "fresh", "", places[0]
+    return "unclear", f"{number} is not in {editions[0][1].source.name}", ""
+
+
+def _is_telling(number: re.Match[str]) -> bool:
+    """Return whether a number is unlikely to occur in the results by chance."""
+    digits = re.sub(r"\D", "", number["digits"]).lstrip("0")
+    return len(digits) > (1 if "." in number["digits"] else 2)
+
+
+def _blanked(text: str, spans: Iterable[tuple[int, int]]) -> str:
+    """Return a text in which the given parts are blanked out."""
     parts = []
-    end = 0
-    for region in regions(text, suffix):
-        parts.append(text[end : region.start])
-        parts.append("\0" * (region.end - region.start))
-        end = region.end
-    return "".join([*parts, text[end:]])
+    position = 0
+    for start, end in spans:
+        parts.append(text[position:start])
+        parts.append("\0" * (end - start))
+        position = end
+    return "".join([*parts, text[position:]])
