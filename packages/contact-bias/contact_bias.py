@@ -4,10 +4,10 @@
     import contact_bias
     contact_bias.install(solver)    # before the first step of a SolverMuJoCo
 
-A friction row asks for J q̈ = -b v, where v = J q̇ is the sliding velocity. But the
-velocity of the contact changes by J q̈ + J̇ q̇, so a body that a moving arm holds
-slides at J̇ q̇ / b for as long as the arm moves. With this module the rows ask for
-J q̈ = -b v - J̇ q̇.
+The engine solves each friction row for J q̈ = -b v, where v = J q̇ is the sliding
+velocity. But the velocity of the contact changes by J q̈ + J̇ q̇, so a body that is held
+by a moving arm slides at J̇ q̇ / b for as long as the arm moves. This module changes the
+right-hand side to -b v - J̇ q̇.
 
 MuJoCo Warp calls ``Model.callback.control`` in every step and in every stage of RK4,
 after it has made the rows and the bias forces and before the solver runs. ``Data.cacc``
@@ -18,9 +18,9 @@ of a captured graph.
 J̇ q̇ is the acceleration of the second body's material point at the contact, relative
 to that of the first body, for q̈ = 0. If the bodies stick, they move as one, so the
 motion of the contact point and the rotation of its frame do not matter. Normal rows
-stay unchanged by default: they control a distance, so errors do not add up. On a
-rolling body the material point accelerates towards the centre, which is not the
-acceleration of the distance.
+are not changed by default. They control a distance, so their errors do not add up. On a
+rolling body the material point accelerates towards the centre of the body, although the
+distance does not change.
 """
 
 from collections.abc import Sequence
@@ -53,12 +53,13 @@ def install(
         solver: An object with ``mjw_model`` and ``mjw_data``, such as a
             ``newton.solvers.SolverMuJoCo`` that does not use MuJoCo's C engine.
         centred: Whether the rows use the mean sliding velocity of the last step,
-            v - h J̇ q̇ / 2, in place of v at its end. A step of h moves a contact by
-            this mean velocity, so without it a semi-implicit integrator slides at
-            -h J̇ q̇ / 2. RK4 does not have this error.
-        normal: Whether to add it to normal rows too. This removes the swaying of bodies
-            that are held in soft contacts. Do not use it for bodies that roll.
-        worlds: For each world, whether to apply it there; by default to all.
+            v - h J̇ q̇ / 2, instead of the velocity v at the end of the step. A step of
+            length h moves a contact by this mean velocity, so without this option a
+            semi-implicit integrator slides at -h J̇ q̇ / 2. RK4 does not have this error.
+        normal: Whether to add the term to normal rows too. Bodies that are held in soft
+            contacts then do not sway. Do not use this option for bodies that roll.
+        worlds: A flag for each world that selects the worlds with the term. By default
+            all worlds have it.
 
     If the model already has a control callback, that callback is called first.
 
@@ -143,9 +144,9 @@ def apply(
     centred: bool,
     normal: bool,
 ) -> None:
-    """Subtract J̇ q̇ from the accelerations that the rows ask for.
+    """Subtract J̇ q̇ from the reference accelerations of the rows.
 
-    This is the work of the control callback; see ``install`` for the options.
+    The control callback calls this function; see ``install`` for the options.
     """
     wp.launch(
         subtract_bias,
@@ -160,7 +161,7 @@ def apply(
 def material_acceleration(
     velocity: wp.spatial_vector, acceleration: wp.spatial_vector, offset: wp.vec3
 ) -> wp.vec3:
-    """Return the acceleration of a point of a body, at an offset from its reference."""
+    """Return the acceleration of a body's point at an offset from its reference."""
     turning = wp.spatial_top(velocity)
     of_point = wp.spatial_bottom(velocity) + wp.cross(turning, offset)
     moved = wp.spatial_bottom(acceleration) + wp.cross(
@@ -182,16 +183,16 @@ def damping(solref: wp.vec2, solimp: vec5, timestep: float, refsafe: bool) -> fl
 
 @wp.func
 def is_solved(rows: Rows, worlds: wp.array[bool], contact: int) -> bool:
-    """Return whether a contact is in a chosen world, between bodies and solved."""
+    """Return whether the solver has rows for a contact of two geoms in a chosen world."""
     if contact >= rows.nacon[0] or rows.efc_address[contact, 0] < 0:
         return False
-    geoms = rows.geom[contact]  # A flex has a negative number.
+    geoms = rows.geom[contact]  # Flexes have negative numbers.
     return geoms[0] >= 0 and geoms[1] >= 0 and worlds[rows.worldid[contact]]
 
 
 @wp.func
 def subtract(rows: Rows, contact: int, linear: wp.vec3, angular: wp.vec3):
-    """Subtract accelerations along and about the axes of the frame from the rows."""
+    """Subtract a linear and an angular acceleration from the rows of a contact."""
     world, dim, frame = rows.worldid[contact], rows.dim[contact], rows.frame[contact]
     h = rows.timestep[world % rows.timestep.shape[0]]
     part = float(1.0)

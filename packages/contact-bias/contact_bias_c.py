@@ -27,7 +27,7 @@ def install(
         subtract_bias(engine, data, centred=centred, normal=normal)
 
     def step(engine: mujoco.MjModel, data: mujoco.MjData) -> None:
-        # The callback applies to all models, so it is only set during this step.
+        # MuJoCo calls the callback for every model, so it is set only during this step.
         mujoco.set_mjcb_control(control)
         try:
             mujoco.mj_step(engine, data)
@@ -53,7 +53,7 @@ def subtract_bias(
     centred: bool = False,
     normal: bool = False,
 ) -> None:
-    """Subtract J̇ q̇ from the accelerations that the rows ask for.
+    """Subtract J̇ q̇ from the reference accelerations of the rows.
 
     MuJoCo calls ``mjcb_control`` after it has made the rows and before it solves them.
     """
@@ -77,7 +77,7 @@ def subtract(
     """Subtract the missing accelerations of a contact from its rows.
 
     Args:
-        missing: Linear, then angular accelerations in the contact frame, shape [6].
+        missing: Three linear and three angular accelerations in the contact frame.
     """
     row, dim, is_elliptic = (
         contact.efc_address,
@@ -110,7 +110,7 @@ def velocity_product(
     """Return J̇ q̇ of the second geom relative to the first, at a contact.
 
     Returns:
-        The linear [m/s²] and the angular part [rad/s²], each of shape [3].
+        The linear part [m/s²] and the angular part [rad/s²], which have the shape [3].
     """
     of_geom = np.zeros((2, 2, 3, engine.nv))
     for (linear, angular), geom in zip(of_geom, contact.geom, strict=True):

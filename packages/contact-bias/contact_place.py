@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Adds the acceleration that contacts leave out, also for rolling and spinning bodies.
+"""Adds the acceleration that contacts leave out, even if bodies roll or spin.
 
     import contact_place    # needs contact_bias.py in the same folder
     contact_place.install(solver, normal=True)    # instead of contact_bias.install
@@ -16,21 +16,21 @@ and the rate of a row f · ω lacks f · (ω × Ω).
 
 ṗ and ṅ follow from the curvatures of both surfaces, because the two surfaces have the
 same normal at the contact at all times (D. Montana, "The kinematics of contact and
-grasp", International Journal of Robotics Research 7, 1988). With this addition a row
-gets its own rate, J̇ q̇. For flat bodies that stick the addition is zero.
+grasp", International Journal of Robotics Research 7, 1988). With this addition the rate
+of a row is exactly J̇ q̇. For flat bodies that stick the addition is zero.
 
-The curvatures are those of the engine's geoms at the contact: spheres, capsules,
-ellipsoids, and the sides and rims of cylinders. Boxes have faces, edges and corners.
-Meshes and height fields count as flat. A body on a flat side touches it with its own
-corners. The module needs one more kernel launch and allocates no memory. The launch can
-be part of a captured graph.
+The module computes the curvatures of spheres, capsules, ellipsoids, and the sides and
+rims of cylinders. Boxes have faces, edges and corners. Meshes and height fields are
+treated as flat, because a body on a flat side touches it with its own corners. The
+module needs one more kernel launch and allocates no memory. The launch can be part of a
+captured graph.
 
-A rate is only valid for a moment, but it acts over a step h, and a soft contact takes
-2/b to settle. During this time the bodies turn relative to each other, the contact runs
-around a rim, or the frame turns with a capsule that nearly stands. If φ is the sum of
-these angles, the rate may change by a fraction φ in this time, and an outdated rate would add
-energy to the bodies. So a row gets the share 1 - φ, which remains in any case. From
-φ = 1 on it gets nothing.
+A rate is valid for a moment, but it acts over a step h, and a soft contact takes 2/b to
+settle. During this time the bodies turn relative to each other, the contact runs around
+a rim, or the frame turns with a capsule that is nearly upright. If φ is the sum of these
+angles, the rate may change by a fraction φ in this time, and an outdated rate would add
+energy to the bodies. So only the share 1 - φ of the rate, which remains in any case, is
+added to a row. If φ is 1 or more, the row is not changed.
 """
 
 from collections.abc import Sequence
@@ -55,14 +55,14 @@ CAPSULE, BOX = (
 CYLINDER = wp.constant(int(mujoco.mjtGeom.mjGEOM_CYLINDER))
 ELLIPSOID = wp.constant(int(mujoco.mjtGeom.mjGEOM_ELLIPSOID))
 NEAR = wp.constant(1e-3)
-"""A contact lies on an end, a rim or a face within this share of the geom's size."""
+"""A contact is on an end, a rim or a face within this share of the geom's size."""
 UPRIGHT = wp.constant(0.02)
 """A cylinder or capsule is upright if the sine of its tilt is below this value.
 
 The direction in which it leans is then only noise.
 """
 ALONG = wp.constant(1e-4)
-"""Two surfaces lie along each other below this ratio of their curvatures."""
+"""Two surfaces touch along a line if the ratio of their curvatures is below this."""
 UNIT = wp.constant(wp.mat22(1.0, 0.0, 0.0, 1.0))
 
 
@@ -78,8 +78,8 @@ def install(
     Args:
         solver: See ``contact_bias.install``, which this function calls.
         centred: See ``contact_bias.install``.
-        normal: Whether to add it to normal rows too. It is correct for rolling bodies.
-        worlds: For each world, whether to apply it there; by default to all.
+        normal: Whether to add the term to normal rows too, even if bodies roll.
+        worlds: See ``contact_bias.install``.
 
     Raises:
         ValueError: See ``contact_bias.install``.
@@ -136,11 +136,11 @@ class Surface:
     """A geom at a contact, in the two tangents of the contact."""
 
     bend: wp.mat22
-    """Rotation of the outward normal per distance along the surface [1/m]."""
+    """How far the outward normal rotates per distance along the surface [1/m]."""
     sharp: wp.mat22
-    """Projection onto directions across an edge, in which the contact cannot move."""
+    """This projects onto directions across an edge, in which the contact cannot move."""
     varying: float
-    """Relative change of the curvature per distance along the surface [1/m]."""
+    """How fast the curvature changes, per distance along the surface [1/m]."""
 
 
 @wp.func
@@ -169,8 +169,8 @@ def surface_of(
     """Return the surface of a geom at a point, with all vectors in the geom's frame.
 
     Args:
-        at: The point.
-        out: The outward normal at the point.
+        at: The position of the point.
+        out: The normal at this point, which leads outward.
     """
     surface = Surface()
     axis = wp.vec3(0.0, 0.0, 1.0)
@@ -220,7 +220,7 @@ def surface_of(
                 surface.sharp = along(wp.cross(out, tangent), x, y)
                 surface.varying = 1.0 / size[0]
     elif kind == BOX:
-        # Along these axes, the normal has no component.
+        # The normal is perpendicular to these axes.
         edge = wp.vec3(flatness(out[0]), flatness(out[1]), flatness(out[2]))
         if edge[0] + edge[1] + edge[2] == 1.0:
             surface.sharp = along(wp.normalize(wp.cross(out, edge)), x, y)
@@ -240,8 +240,8 @@ def place_on(
     the second geom, u₂ is zero.
 
     Args:
-        first: The surface of the first geom.
-        second: The surface of the second geom.
+        first: The surface that the velocity refers to.
+        second: The surface that touches the first one.
         gap: Distance between the surfaces [m].
         turning: (ω₂ - ω₁) × n [rad/s].
         sliding: v, the velocity of the second body at its surface relative to the first
@@ -281,7 +281,7 @@ def lasting_part(rows: contact_bias.Rows, contact: int, turning: float) -> float
     """Return the share of a row's rate that remains until the row has settled.
 
     Args:
-        turning: Rate at which the row's rate turns [rad/s].
+        turning: How fast the direction of the rate changes [rad/s].
     """
     step = rows.timestep[rows.worldid[contact] % rows.timestep.shape[0]]
     settled = step + 2.0 / contact_bias.damping(
@@ -331,7 +331,7 @@ def subtract_place(
     v_1, v_2 = velocity_at(twist_1, arm_1), velocity_at(twist_2, arm_2)
     w_1, w_2 = wp.spatial_top(twist_1), wp.spatial_top(twist_2)
     v, w = v_2 - v_1, w_2 - w_1
-    # The surfaces are half of their distance away on either side.
+    # The contact is in the middle between the two surfaces.
     gap = rows.dist[contact]
     half = 0.5 * gap * n
     mat_1, mat_2 = (
@@ -350,7 +350,7 @@ def subtract_place(
     )
     turn, slide = wp.cross(w, n), wp.cross(w, half)
     turning = wp.vec2(wp.dot(turn, x), wp.dot(turn, y))
-    # The geoms touch side by side: treat it as a corner of the second geom on a plane.
+    # Two edges or corners touch: treat them as a corner of the second geom on a plane.
     if wp.trace(first.sharp) > 0.5 and wp.trace(second.sharp) > 0.5:
         first.bend = 0.0 * UNIT
         first.sharp = 0.0 * UNIT
@@ -364,7 +364,7 @@ def subtract_place(
         over_1 = place_on(first, second, gap, turning, sliding)
         bent = first.bend * over_1
         over_2 = over_1 + gap * bent - sliding
-    else:  # The same from the other side, where the normal is -n.
+    else:  # Seen from the second geom, the normal is -n.
         sliding = wp.vec2(wp.dot(slide - v, x), wp.dot(slide - v, y))
         over_2 = place_on(second, first, gap, turning, sliding)
         bent = -(second.bend * over_2)

@@ -5,10 +5,10 @@
     python -m contact_tumbles --quick    # 192 pairs, for a CPU
 
 Each world is run with and without the term. For both, the benchmark records the largest
-energy relative to that of the body at rest, and the largest height. Spins are slow
-enough for the term to act. Tumbling is chaotic, and the time step has an error of its
-own, so some worlds gain energy without the term. To see the effect of the term, compare
-the pairs in which only one of the two worlds gains energy or rises higher.
+energy relative to that of the body at rest, and the largest height. The spins are slow
+enough for the term to have an effect. Tumbling is chaotic, and the time step causes an
+error too, so some worlds gain energy without the term. To see the effect of the term,
+compare the pairs in which only one of the two worlds gains energy or rises higher.
 """
 
 import argparse
@@ -26,7 +26,8 @@ import warp as wp
 import contact_place
 
 STEPS_S = {"full": (0.0005, 0.001, 0.002, 0.005, 0.01), "quick": (0.005,)}
-# Number per body, step and start: 12 bodies, 5 steps and 4 starts make 24,000 pairs.
+# The number of pairs for each body, step and start. 12 bodies, 5 steps and 4 starts make
+# 24,000 pairs.
 PAIR_COUNT = {
     "full": 100,
     "quick": 4,
@@ -35,13 +36,14 @@ SECONDS = wp.constant(1.0)
 RADIUS_M, HELD_M, FRICTION, GAIN, RISE_M = 0.03, 0.2, 0.8, 1.01, 1e-3
 # Larger ratios of energy, and worlds without a finite energy, count as this ratio.
 BROKEN = 1e3
-STARTS = {  # Tilt [rad], spin [rad/s] and height above the body or ground below [m].
+# Each start has a tilt [rad], a spin [rad/s] and a height above the ground or block [m].
+STARTS = {
     "wobbles": ((0.03, 0.3), (2.0, 30.0), (0.0, 0.0)),
     "spins": ((0.03, 0.3), (10.0, 40.0), (0.0, 0.0)),
     "rolls": ((0.8, 1.5), (5.0, 30.0), (0.0, 0.0)),
     "falls": ((0.0, np.pi), (0.0, 40.0), (0.05, 0.5)),
 }
-AT_RANDOM = ("wobbles", "falls")  # The other starts spin about the body's own axis.
+AT_RANDOM = ("wobbles", "falls")  # In the other starts, bodies spin about their axis.
 CORNERS = " ".join(
     f"{x} {y} {z}"
     for x, y, z in np.random.default_rng(7).normal(scale=0.03, size=(14, 3)).round(4)
@@ -62,7 +64,7 @@ PADS = "".join(
     <geom type="box" size="0.01 0.04 0.04" mass="0.2" friction="{FRICTION}"/></body>"""
     for sign in (-1, 1)
 )
-BODIES = {  # The geom of the body, and further bodies beside the ground.
+BODIES = {  # Each entry has the geom of the body, and further bodies on the ground.
     "box": (f'type="box" size="{RADIUS_M} 0.02 0.045"', ""),
     "can": (CAN, ""),
     "coin": (COIN, ""),
@@ -102,7 +104,8 @@ def row_of(
     Args:
         energies: Largest energy of each world relative to its start, of shape
             [2, worlds]: first without the term, then with it.
-        heights_m: Largest height of the body, of the same shape.
+        heights_m: The largest height [m] that the body reaches in each world, of the
+            same shape.
     """
     (plain, exact), (plain_m, exact_m) = np.minimum(energies, BROKEN), heights_m
     counts = {
@@ -143,7 +146,7 @@ def model_of(body: str) -> mujoco.MjModel:
 def starts_of(
     model: mujoco.MjModel, count: int
 ) -> Iterator[tuple[np.ndarray, np.ndarray]]:
-    """Yield positions and velocities, the same for all steps.
+    """Yield the positions and velocities of the starts, which all steps share.
 
     Args:
         count: Number of draws for each start. Bodies between pads are not tilted.
@@ -213,8 +216,8 @@ def peaks(
 ) -> tuple[np.ndarray, np.ndarray]:
     """Return the largest relative energy of each world, and the height of its body [m].
 
-    Both have the shape [steps, 2, worlds]. All steps are worlds of one batch. A world
-    that has reached its end time continues, but is no longer recorded.
+    Both have the shape [steps, 2, worlds]. The worlds of all time steps run as one
+    batch. A world that has reached its end time continues, but is no longer recorded.
     """
     model = model_of(body)
     data = mujoco.MjData(model)
@@ -262,9 +265,9 @@ def peaks(
 def relative(start: np.ndarray, most: np.ndarray, last: np.ndarray) -> np.ndarray:
     """Return the largest energy relative to that at the start.
 
-    Both are taken above the lowest energy with which a world without the term ends.
-    Worlds that end without a finite energy do not count there. Shapes [steps, 2,
-    worlds].
+    Energies are measured from the lowest energy at which a world without the term ends;
+    worlds that end without a finite energy are ignored. All arrays have the shape
+    [steps, 2, worlds].
     """
     floor = np.nanmin(last[:, :1], axis=-1, keepdims=True)
     return (most - floor) / (start - floor)
