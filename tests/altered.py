@@ -336,18 +336,19 @@ TEMPLATES = Templates(ROOT / "templates")
 CLAIM = re.compile(r'data-claim="([^"]*)" data-outcome="([^"]*)"( data-opposite)?')
 
 
-def said_of(editions: Mapping[str, Edition], release: str) -> dict[str, str]:
-    """Return the outcome of every claim on the pages of the release, by section and name."""
+def text_of(editions: Mapping[str, Edition], release: str) -> str:
+    """Return the text of all pages of the release, in which no section is lost."""
     lost = [state for state in editions[release].left_out if state.kind != "missing"]
     assert not lost, f"lost: {[state.notes for state in lost]}"
-    parts = [
-        part
-        for content in contents(editions, TEMPLATES, release)
-        for part in content.parts
-    ]
+    pages = contents(editions, TEMPLATES, release)
+    return undrawn([part for content in pages for part in content.parts])
+
+
+def outcomes_in(text: str) -> dict[str, str]:
+    """Return the outcome of every claim in a text, by section and name."""
     return {
         claim: "opposite" if is_other else said
-        for claim, said, is_other in CLAIM.findall(undrawn(parts))
+        for claim, said, is_other in CLAIM.findall(text)
     }
 
 
@@ -355,25 +356,22 @@ def said_of(editions: Mapping[str, Edition], release: str) -> dict[str, str]:
 def said(scenario: Scenario) -> tuple[dict[str, str], list[str]]:
     """What claims of the own release say in a scenario, and what a check of its site, without drawings, finds."""
     own = own_release()
-    with project_of(
-        scenario, [own, NEWEST] if scenario.name == CHECKED else [own]
-    ) as project:
-        with mock.patch(
-            "measured_report.parts.figures.draw_svgs", _undrawn
-        ):  # most of the time goes into them
-            found = said_of(worded_editions(project, TEMPLATES), own)
-            if scenario.name != CHECKED:
-                return found, []
-            releases, _ = build(project)
+    releases = [own, NEWEST] if scenario.name == CHECKED else [own]
+    # Most of the time goes into drawings.
+    undraw = mock.patch("measured_report.parts.figures.draw_svgs", _undrawn)
+    with project_of(scenario, releases) as project, undraw:
+        if scenario.name != CHECKED:
+            editions = worded_editions(project, TEMPLATES)
+            return outcomes_in(text_of(editions, own)), []
+        states, _ = build(project)
         lost = [
-            state
-            for states in releases.values()
-            for state in states
+            f"{state.section}: {state.notes}"
+            for each in states.values()
+            for state in each
             if state.kind not in ("missing", "stale")
         ]
-        return found, [
-            f"{state.section}: {state.notes}" for state in lost
-        ] + check_site(project.site)
+        pages = [path.read_text("utf-8") for path in project.site.glob("*.html")]
+        return outcomes_in("".join(pages)), lost + check_site(project.site)
 
 
 def _undrawn(draw: Callable[[], object], *, name: str) -> list[str]:

@@ -3,10 +3,11 @@
 import os
 import shutil
 import sys
-from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
+from functools import cache
 from pathlib import Path
+from unittest import mock
 
 import pytest
 import warp as wp
@@ -26,6 +27,7 @@ from measured_report.editions.project import Project, own_release
 from measured_report.files.atomic import put_in_place, staging_folder
 from measured_report.files.cache import Cache
 from measured_report.files.root import ROOT
+from measured_report.findings import replicas
 from measured_report.findings.editions import Edition
 from measured_report.pages.prose import Templates
 from measured_report.pages.wording import worded_editions
@@ -33,6 +35,7 @@ from measured_report.parts.prose import Prose
 from measured_report.records import code
 from measured_report.records.code import cached_sources
 from measured_report.records.identity import package_versions
+from measured_report.records.replicas import read_replica
 from measured_report.records.traces import load_trace
 from measured_report.site.pages import Content, contents_of
 from report import sections
@@ -63,28 +66,35 @@ SOURCES = (
 SIMULATING = ("tests/experiments", "tests/newton_lint/newton_models")
 
 
-def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Begin with the files whose tests are the slowest, so that no process ends long after the others.
+LONGEST = (
+    "tests/experiments/test_fix.py",
+    "packages/measured-report/tests/changes/test_carry.py",
+    "tests/test_your_own.py",
+    "packages/measured-report/tests/findings/test_cache.py",
+    "packages/measured-report/tests/commands/test_publish.py",
+    "packages/measured-report/tests/commands/test_mistakes.py",
+    "packages/measured-report/tests/commands/test_secrets.py",
+    "tests/report/test_replicas.py",
+    "tests/report/test_sensitivity.py",
+    "tests/test_missing_results.py",
+    "tests/test_altered_results.py",
+    "tests/assets/test_page.py",
+    "tests/assets/lab/test_lab_page.py",
+    "packages/contact-bias/tests/test_contact_place.py",
+    "tests/report/test_tracked.py",
+    "tests/test_readme.py",
+    "tests/test_worlds.py",
+    "tests/experiments/simulation/test_simulation.py",
+    "tests/experiments/test_stability.py",
+)
+"""Files whose tests take longest. The first compiles the kernels and builds the tracked
+site; those after it need neither."""
 
-    Of those that simulate one is the first: the others wait until it has compiled the kernels; so do those that read
-    the tracked site, which it builds.
-    """
-    slow = Counter(item.path for item in items for _ in item.iter_markers("slow"))
-    simulating = {
-        path
-        for path in slow
-        if any(path.is_relative_to(ROOT / each) for each in SIMULATING)
-    }
-    waiting = simulating | {item.path for item in items if "site" in item.fixturenames}
-    first = max(sorted(simulating), key=slow.get, default=None)
-    items.sort(
-        key=lambda item: (
-            item.path != first,
-            not slow[item.path],
-            item.path in waiting,
-            -slow[item.path],
-        )
-    )
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Begin with the files that take longest, so that no process ends long after the others."""
+    ranks = {ROOT / name: rank for rank, name in enumerate(LONGEST)}
+    items.sort(key=lambda item: ranks.get(item.path, len(ranks)))
     for item in items:
         if any(item.path.is_relative_to(ROOT / path) for path in SIMULATING):
             item.fixturenames.insert(0, "kernels")
@@ -125,6 +135,10 @@ def site(tmp_path_factory) -> Path:
             for name, cache in caches.items():
                 shutil.copytree(cache, fresh / name)
             put_in_place(kept, fresh)
+        # The checkout has the same files, so its findings are the same.
+        own = Cache(ROOT).folder
+        own.mkdir(mode=0o700, parents=True, exist_ok=True)
+        shutil.copytree(caches["derived"], own, dirs_exist_ok=True)
 
     return made_once(tmp_path_factory, "tracked", make) / "site"
 
@@ -137,10 +151,14 @@ def editions(site) -> Mapping[str, Edition]:
         return worded_editions(project, Templates(project.templates))
 
 
+read_once = cache(read_replica)
+
+
 @pytest.fixture(scope="module")
 def unchanged() -> Iterator[None]:
-    """Mark tests of which none changes a source."""
-    yield
+    """Mark tests of which none changes a source or a replica: each replica is read once."""
+    with mock.patch.object(replicas, "read_replica", read_once):
+        yield
 
 
 @pytest.fixture

@@ -5,7 +5,7 @@ side.
 """
 
 import pytest
-from altered import SCENARIOS, said, said_of
+from altered import SCENARIOS, outcomes_in, said, text_of
 
 from measured_report.editions.project import own_release
 
@@ -59,7 +59,7 @@ def assert_that_claims_go_together(outcomes: dict[str, str]) -> None:
 
 @pytest.fixture(scope="module")
 def measured(editions) -> dict[str, str]:
-    return said_of(editions, own_release())
+    return outcomes_in(text_of(editions, own_release()))
 
 
 @pytest.mark.slow

@@ -14,10 +14,10 @@ from altered import (
     Scenario,
     as_measured,
     failed,
+    outcomes_in,
     project_of,
-    said_of,
+    text_of,
 )
-from conftest import contents, undrawn
 
 from measured_report.editions.project import own_release
 from measured_report.pages.wording import worded_editions
@@ -39,12 +39,8 @@ def told(
     )
     with project_of(scenario, releases, without) as project, undraw:
         editions = worded_editions(project, TEMPLATES)
-        found = {}
-        for release in releases:
-            pages = contents(editions, TEMPLATES, release)
-            parts = [part for content in pages for part in content.parts]
-            found[release] = said_of(editions, release), undrawn(parts)
-        return found
+        texts = {release: text_of(editions, release) for release in releases}
+        return {release: (outcomes_in(text), text) for release, text in texts.items()}
 
 
 def altered(section: str, change: Callable[[list[Row]], list[Row]]) -> Scenario:

@@ -71,6 +71,7 @@ def test_what_it_names_is_there_and_needs_no_uv_but_the_own():
     )
 
 
+@pytest.mark.usefixtures("site", "unchanged")
 def test_numbers_that_have_a_mark_are_what_was_measured(monkeypatch, capsys):
     monkeypatch.setattr(
         "sys.argv",

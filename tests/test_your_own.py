@@ -75,3 +75,12 @@ def test_the_document_works_line_by_line(tmp_path):
     assert "holds        ball.euler_rises_more" in said["make check"]
     assert "flipped: no claim" in said["make upgrade NUMPY=2.2.6"]
     assert (tmp_path / "published" / "index.html").is_file()
+
+
+def test_the_tests_of_the_skeleton_are_not_collected_with_those_of_the_packages():
+    """They need the modules of a new report."""
+    options = ["-c", "pyproject.toml", "--collect-only", "-n", "0"]
+    folder = "packages/measured-report/measured_report"
+    command = [sys.executable, "-m", "pytest", *options, folder]
+    done = subprocess.run(command, cwd=ROOT, capture_output=True, check=False)
+    assert done.returncode == pytest.ExitCode.NO_TESTS_COLLECTED, done.stdout

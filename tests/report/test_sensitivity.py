@@ -7,7 +7,7 @@ are larger. Repeated measurements are compared with each other.
 import os
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
-from itertools import combinations
+from itertools import combinations, product
 
 import pytest
 
@@ -24,9 +24,11 @@ from measured_report.records.record import Record
 from measured_report.values.body import body_of
 from measured_report.values.evidence import Evidence, repeats_of, scatters
 
-STEP = 1 if os.environ.get("WORLDS") else 5
-"""The weekly workflow compares all measurements, and the suite compares some of them.
-"""
+IS_WEEKLY = bool(os.environ.get("WORLDS"))
+STEP = 1 if IS_WEEKLY else 5
+"""The weekly workflow compares all measurements, and the suite compares some of them."""
+SIDES = [(1.05, True), (1.05, False), (1.2, True), (10.0, False)]
+"""Factors, each with whether one measurement is compared or all of them."""
 pytestmark = pytest.mark.slow
 LABEL = "1.4.0"
 Measured = Mapping[tuple[str, str], Sequence[Record | None]]
@@ -116,8 +118,10 @@ def compared(chapters) -> list[Chapter]:
     return sections
 
 
-@pytest.mark.parametrize("is_single", [True, False], ids=["one measurement", "all"])
-@pytest.mark.parametrize("factor", [1.05, 1.2, 10.0])
+@pytest.mark.parametrize(
+    ("factor", "is_single"),
+    [*product((1.05, 1.2, 10.0), (True, False))] if IS_WEEKLY else SIDES,
+)
 def test_a_change_of_a_section_is_listed_and_exceeds_its_threshold(
     compared, evidence, factor, is_single
 ):
