@@ -126,14 +126,14 @@ def site(tmp_path_factory) -> Path:
             "derived": Cache(root).folder,
             "sources": Cache(Path(code.HERE)).folder,
         }
-        for name, cache in caches.items():
+        for name, folder in caches.items():
             with suppress(FileNotFoundError):
-                shutil.copytree(kept / name, cache, dirs_exist_ok=True)
+                shutil.copytree(kept / name, folder, dirs_exist_ok=True)
         done = program("-c", REPORT, root, own_release())
         assert done.returncode == 0, done.stderr
         with suppress(OSError), staging_folder(kept) as fresh:
-            for name, cache in caches.items():
-                shutil.copytree(cache, fresh / name)
+            for name, folder in caches.items():
+                shutil.copytree(folder, fresh / name)
             put_in_place(kept, fresh)
         # The checkout has the same files, so its findings are the same.
         own = Cache(ROOT).folder
