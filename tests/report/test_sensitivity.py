@@ -4,12 +4,12 @@ The tracked results of 1.4.0 are compared with copies in which all numbers of a 
 are larger. Repeated measurements are compared with each other.
 """
 
-import os
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import combinations, product
 
 import pytest
+from toys import IS_WEEKLY
 
 from measured_report.changes.moves import Move, moves_between
 from measured_report.editions.project import Project, own_release
@@ -24,7 +24,6 @@ from measured_report.records.record import Record
 from measured_report.values.body import body_of
 from measured_report.values.evidence import Evidence, repeats_of, scatters
 
-IS_WEEKLY = bool(os.environ.get("WORLDS"))
 STEP = 1 if IS_WEEKLY else 5
 """The weekly workflow compares all measurements, and the suite compares some of them."""
 SIDES = [(1.05, True), (1.05, False), (1.2, True), (10.0, False)]

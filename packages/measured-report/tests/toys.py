@@ -43,6 +43,8 @@ GENERATOR, HERE = Path(measured_report.__file__).parents[1], Path(__file__).pare
 os.environ["PYTHONPATH"] = (
     f"{GENERATOR}{os.pathsep}{HERE}"  # of the programs that the tests start
 )
+IS_WEEKLY = bool(os.environ.get("WORLDS"))
+"""Whether to try all that the suite tries a sample of, as the weekly workflow does."""
 CACHE = os.environ.get("XDG_CACHE_HOME") or str(Path.home() / ".cache")
 KEPT = Path(
     os.environ.setdefault("CACHE_OF_TESTS", CACHE)
