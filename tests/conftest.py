@@ -87,8 +87,8 @@ LONGEST = (
     "tests/experiments/simulation/test_simulation.py",
     "tests/experiments/test_stability.py",
 )
-"""Files whose tests take longest. The first compiles the kernels and builds the tracked
-site; those after it need neither."""
+"""Files whose tests take longest. The first one compiles the kernels and builds the tracked
+site, which the next six do not need."""
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:

@@ -12,8 +12,8 @@ from measured_report.editions.project import own_release
 
 pytestmark = [pytest.mark.words, pytest.mark.usefixtures("unchanged")]
 pytestmark += [pytest.mark.filterwarnings("error::RuntimeWarning")]
-SAMPLE = [each for each in SCENARIOS if each.name not in ("moving-x-20",)]
-"""A cube that moves 0.05 and −1 times as much alters the same numbers."""
+SAMPLE = [scenario for scenario in SCENARIOS if scenario.name != "moving-x-20"]
+"""All but one of three in which the cube moves farther or less far."""
 BY_NAME = {scenario.name: scenario for scenario in SCENARIOS}
 RECOMMENDING = (
     "front.title",
