@@ -27,6 +27,7 @@ LINT = ROOT / "packages/newton-lint"
 LAB = (
     ROOT / "assets/lab"
 )  # the engine that runs in a page, and the scripts that start it
+STEP = ROOT / "assets/step.js"  # the choice of a time step on the front page
 
 
 class Plugins(plugins.Plugins):
@@ -134,11 +135,13 @@ class Plugins(plugins.Plugins):
         return {
             f"download/{name}": packed,
             **{f"lab/{file.name}": file for file in files},
+            **({STEP.name: STEP} if "time_step" in self.edition.chapters else {}),
         }
 
 
 def scripts() -> Sequence[str]:
     return (
         script(),
+        STEP.read_text(encoding="utf-8"),
         *(path.read_text(encoding="utf-8") for path in LAB.glob("dist/*.js")),
     )

@@ -1,104 +1,136 @@
-"""List the suspects: their changes, the slips, and the reasons why they are not the cause."""
+"""List the suspects: their ranges, the slips, and the reasons why they are not the cause."""
+
+from dataclasses import dataclass
+from typing import Any
 
 from markupsafe import Markup
 
-from measured_report.findings.chapters import Chapters
+from measured_report.findings.chapters import Chapter, Chapters
 from report.sections.gap import CASES
 from report.sections.priority import CUBE
 from report.sections.stiffness import FIX, HARDEST
 from report.shared import HOLDS, Quantity, Row, Section, table_of
 
-SUSPECTS = {  # the change, its section and cases, and the claim that excludes it with a reason
-    "friction": (
-        "of pads and cube, lower and higher",
+
+@dataclass(frozen=True)
+class Suspect:
+    """A parameter that may cause the slip, and the runs in which it was changed."""
+
+    name: str
+    section: str
+    changed: str  # the change in words
+    parameter: str = ""  # the column whose range is printed
+    cases: tuple[str, ...] = ()
+    """The runs. Without cases these are all that the section compares with a baseline."""
+    claim: str = "not_the_cause"  # excludes it; empty for the cause itself
+    why: str = ""  # the reason, if the claim holds
+
+    def rows(self, chapter: Chapter) -> list[Row]:
+        results = chapter.results
+        compared = [value.removesuffix("_difference") for value in results.derived]
+        return [row for row in results.rows if row.case in (self.cases or compared)]
+
+    def reason(self, chapter: Chapter) -> str:
+        """Return why it is not the cause, or nothing if this is not shown."""
+        claims = chapter.section.claims
+        holds = {test.name: test.outcome == HOLDS for test in claims}
+        if not self.claim:
+            return "it is the cause" if holds.get("together_they_hold") else ""
+        is_excluded = holds.get(self.claim) and holds.get("not_the_cause", True)
+        return self.why if is_excluded else ""
+
+
+SUSPECTS = (
+    Suspect(
+        "pads' friction",
         "friction",
-        (),
-        "not_the_cause",
-        "the grip needs little friction",
+        "lower and higher",
+        "pad_mu",
+        why="the grip needs little friction",
     ),
-    "contact points": (
-        "their rate, the pads' shape, the engine",
+    Suspect(
+        "contact points",
         "contact_source",
-        (),
-        "not_the_cause",
-        "the slip hardly changes",
+        "their rate, the pads' shape, the engine",
+        why="the slip hardly changes",
     ),
-    "solver": (
-        "iterations, tolerance, cone, step",
+    Suspect(
         "solver",
-        (),
-        "solver_has_converged",
-        "it has converged",
+        "solver",
+        "iterations, tolerance, cone, step",
+        claim="solver_has_converged",
+        why="it has converged",
     ),
-    "contact gap": (
-        "from none to wide",
+    Suspect(
+        "contact gap [m]",
         "gap",
+        "from none to wide",
+        "cube_gap_m",
         CASES,
         "same_contacts_carry",
         "the contacts that it adds carry no force",
     ),
-    "the cube's ke": (
-        "softer and stiffer",
+    Suspect(
+        "the cube's ke",
         "priority",
+        "softer and stiffer",
+        "cube_ke",
         CUBE,
         "cube_does_not_count",
         "the pads have priority",
     ),
-    "soft contacts": (
-        "dmax raised",
+    Suspect(
+        "soft contacts",
         "stiffness",
+        "dmax raised",
+        "",
         (HARDEST,),
         "not_creep_under_load",
         "stiffer contacts drift more",
     ),
-    "load alone": (
-        "the arm held still",
+    Suspect(
+        "load alone",
         "hold",
+        "the arm held still",
+        "",
         ("hold",),
         "drift_needs_cycle",
         "without the shake there is no comparable drift",
     ),
-    "pads' ke and kd": ("both raised", "stiffness", (FIX,), "", ""),
-}
+    Suspect("pads' ke and kd", "stiffness", "both raised", "pad_ke", (FIX,), ""),
+)
 
 
 def derive(chapters: Chapters) -> Section:
-    """Make the table of suspects.
-
-    A suspect without cases has all cases that its section compares with a baseline.
-    """
-    names = []
-    columns: dict[str, list] = {
-        "changed": [],
-        "slip": [],
-        "drift": [],
-        "why it is not the cause": [],
-    }
-    for name, (changed, section, cases, claim, why) in SUSPECTS.items():
-        if section not in chapters:
+    """Make the table of suspects."""
+    lines: list[dict[str, Any]] = []
+    for suspect in SUSPECTS:
+        if suspect.section not in chapters:
             continue
-        results = chapters[section].results
-        compared = [value.removesuffix("_difference") for value in results.derived]
-        rows = [row for row in results.rows if row.case in (cases or compared)]
+        chapter = chapters[suspect.section]
+        rows = suspect.rows(chapter)
         if all(row.slip_mm.value is None for row in rows):
             continue
-        claims = chapters[section].section.claims
-        holds = {test.name: test.outcome == HOLDS for test in claims}
-        if not claim:
-            why = "it is the cause" if holds.get("together_they_hold") else ""
-        elif not (holds.get(claim) and holds.get("not_the_cause", True)):
-            why = ""
-        names.append(name)
-        columns["changed"].append(changed)
-        columns["slip"].append(_ends(rows, "slip_mm"))
-        columns["drift"].append(_ends(rows, "drift_mm_s"))
-        columns["why it is not the cause"].append(why)
+        lines.append(
+            {
+                "suspect": suspect.name,
+                "changed": suspect.changed,
+                "range": _ends(rows, suspect.parameter),
+                "contacts": _ends(rows, "peak_contact_count"),
+                "slip": _ends(rows, "slip_mm"),
+                "why it is not the cause": suspect.reason(chapter),
+            }
+        )
+    names = [line.pop("suspect") for line in lines]
+    columns = {name: [line[name] for line in lines] for name in (lines or [{}])[0]}
     return Section(tables={"suspects": table_of("suspect", names, columns)})
 
 
 def _ends(rows: list[Row], column: str) -> Quantity | Markup | str:
     """Return one number, or the smallest and the largest if they are printed differently."""
-    cells = [row[column] for row in rows if row[column].value is not None]
+    cells = [
+        row[column] for row in rows if column in row and row[column].value is not None
+    ]
     if not cells:
         return ""
     low = min(cells, key=lambda cell: cell.number)

@@ -2,19 +2,16 @@
 
 import math
 from dataclasses import dataclass, replace
-from typing import Any, NamedTuple
+from typing import Any
 
 from markupsafe import Markup
 
 from report.shared import (
     FAILS,
-    FRAME_RATE,
     HOLDS,
-    MS_PER_S,
     SLOWER,
     TIMED_WORLDS,
     Claim,
-    Figure,
     Outcome,
     Quantity,
     Sections,
@@ -23,25 +20,10 @@ from report.shared import (
     at_most,
     decided,
     greater,
-    worlds_name,
-)
-from report.shared.drawing import (
-    CURE,
-    INK,
-    SERIES,
-    SHIPPED,
-    STIFF,
-    TERM,
-    Drawing,
-    new_figure,
-    tick_at,
-    write,
-    write_beside,
 )
 
 ALONE = TIMED_WORLDS[0]
 MANY = TIMED_WORLDS[-1]
-SHAKE = ("shake_duration_s", "shake_frequency_hz")
 NOTHING, ARGUMENT, SOLVER, PATCH = range(4)  # effort of a setup; advice prefers less
 
 
@@ -54,8 +36,6 @@ class Setup:
     run: str  # section and case of its slip
     # Section and variant of its run time, relative to MuJoCo Warp as shipped.
     timed: str
-    colour: str
-    marker: str = "o"
 
     def slip(self, sections: Sections, column: str = "slip_mm") -> Quantity:
         section, _, case = self.run.partition("/")
@@ -96,14 +76,6 @@ class Setup:
         """Return whether it is a solver other than MuJoCo's."""
         return self.effort == SOLVER
 
-    def creep_mm(self, sections: Sections) -> float | None:
-        """Return the slip per cycle, or its noise if the slip is smaller than that."""
-        slip = self.slip(sections)
-        seconds, per_second = (self.slip(sections, column).value for column in SHAKE)
-        if None in (slip.value, seconds, per_second):
-            return None
-        return max(slip.number, slip.noise or 0.0) / (seconds * per_second)
-
     def ratios(self, sections: Sections) -> dict[int, Quantity]:
         """Return the run times by number of worlds, relative to MuJoCo Warp as shipped."""
         section, _, name = self.timed.partition("/")
@@ -117,9 +89,9 @@ class Setup:
         return {count: times[count] for count in (ALONE, MANY) if count in times}
 
 
-def _solver(name: str, marker: str, variant: str = "") -> Setup:
+def _solver(name: str, variant: str = "") -> Setup:
     run = f"newton_solvers/{variant or name.lower()}"
-    return Setup(name, SOLVER, f"{run}-weight", run, SERIES[4], marker)
+    return Setup(name, SOLVER, f"{run}-weight", run)
 
 
 SETUPS = (
@@ -128,233 +100,63 @@ SETUPS = (
         NOTHING,
         "reproduction/as-shipped",
         "cure_cost/as-shipped",
-        SHIPPED,
     ),
-    Setup("stiff pads", ARGUMENT, "reproduction/stiff-pads", "speed/stiff-pads", STIFF),
+    Setup("stiff pads", ARGUMENT, "reproduction/stiff-pads", "speed/stiff-pads"),
+    *(
+        Setup(
+            f"stiff pads for {substeps} substeps",
+            ARGUMENT,
+            f"time_step/newton-elliptic/kd-1/substeps-{substeps}",
+            f"step_cost/stiff/substeps-{substeps}",
+        )
+        for substeps in (32, 64)
+    ),
     Setup(
         "RK4",
         ARGUMENT,
         "cure/newton-rk4-50-shipped-3cm-plain-rounded",
         "error_runtime/as-shipped/newton-rk4/substeps-16",
-        SHIPPED,
-        "s",
     ),
     Setup(
         "RK4, stiff pads",
         ARGUMENT,
         "cure/newton-rk4-50-stiff-3cm-plain-rounded",
         "error_runtime/stiff/newton-rk4/substeps-16",
-        STIFF,
-        "s",
     ),
-    _solver("Steel", "P"),
-    _solver("Steel, no anchors", "X", "steel-points"),
-    _solver("Kamino", "*"),
-    _solver("XPBD", "^"),
-    _solver("VBD", "<"),
+    _solver("Steel"),
+    _solver("Steel, no anchors", "steel-points"),
+    _solver("Kamino"),
+    _solver("XPBD"),
+    _solver("VBD"),
     Setup(
         "the term",
         PATCH,
         "cure/newton-implicitfast-50-shipped-3cm-term-rounded",
         "cure_cost/term",
-        TERM,
     ),
     Setup(
         "the term, RK4",
         PATCH,
         "cure/newton-rk4-50-shipped-3cm-term-rounded",
         "cure_cost/term-rk4",
-        TERM,
-        "s",
     ),
     Setup(
         "the root cure",
         PATCH,
         "cure/newton-euler-400-shipped-3cm-full-kept",
         "cure_cost/best",
-        CURE,
     ),
     Setup(
         "the root cure, stiff pads",
         PATCH,
         "cure/newton-implicitfast-400-stiff-3cm-centred-kept",
         "cure_cost/firm",
-        CURE,
-        "D",
-    ),
-)
-C_SETUPS = (  # run on the CPU with one world per core; drawn, but not recommended
-    Setup(
-        "MuJoCo C",
-        NOTHING,
-        "solver/as-shipped-mujoco-c",
-        "error_runtime/as-shipped/c/substeps-16",
-        SHIPPED,
-        "v",
-    ),
-    Setup(
-        "C, stiff pads",
-        ARGUMENT,
-        "solver/stiff-pads-mujoco-c",
-        "error_runtime/stiff/c/substeps-16",
-        STIFF,
-        "v",
     ),
 )
 BOUNDS = {
     "advice": ("reproduction", "slip_bound"),
     "ends_creep": ("newton_solvers", "ended_bound"),
 }
-MARKED = (
-    "as shipped",
-    "stiff pads",
-    "RK4, stiff pads",
-    "the root cure",
-    "MuJoCo C",
-    "C, stiff pads",
-)
-OTHERS = ("Steel", "Kamino")  # the first of these that was timed is also drawn
-GAP = 0.17  # decades between two names, so that they do not overlap
-
-
-class Mark(NamedTuple):
-    """A setup as the figure shows it. Creep that is not measurable is drawn at its noise."""
-
-    setup: Setup
-    creep: float  # slip per cycle [mm]
-    times: list[float]  # time per world and frame [ms], alone and among many
-    is_measurable: bool
-
-
-def figure(sections: Sections) -> Figure:
-    """Draw the creep of the setups against the time of a frame, in one and many worlds."""
-    worlds = {
-        count: sections.cell("error_runtime", f"worlds-{count}", "ms_per_s")
-        for count in (ALONE, MANY)
-    }
-    frames_ms = {
-        count: cell.number / FRAME_RATE / count
-        for count, cell in worlds.items()
-        if cell.value is not None
-    }
-    # The error page compares C in the same way: by the median of its times, which were
-    # measured in turn with each number of worlds.
-    core = sections.value("error_runtime", "one_core_rate")
-    alone_in_c = C_SETUPS[0].ratios(sections).get(ALONE)
-    core_ms = frames_ms
-    if core.value and alone_in_c:
-        core_s = 1 / FRAME_RATE / core.value
-        core_ms = {ALONE: MS_PER_S.number * core_s / alone_in_c.number}
-    cells = []
-    marks = []
-    setups = []
-    other = next(
-        (setup for setup in SETUPS if setup.name in OTHERS and setup.ratios(sections)),
-        None,
-    )
-    for setup in (*SETUPS, *C_SETUPS):
-        creep = setup.creep_mm(sections)
-        if creep is None or not (setup.name in MARKED or setup is other):
-            continue
-        setups.append(setup)
-        slip = setup.slip(sections)
-        ratios = setup.ratios(sections)
-        cells += [slip, *ratios.values()]
-        paces = core_ms if setup in C_SETUPS else frames_ms
-        times = [
-            ratio.number * paces[count]
-            for count, ratio in ratios.items()
-            if count in paces
-        ]
-        if times:
-            marks.append(Mark(setup, creep, times, slip.is_distinct))
-    bounds = [sections.value(*place) for place in BOUNDS.values()]
-    shake = [SETUPS[0].slip(sections, column).value for column in SHAKE]
-    bound_creeps = [
-        (bound, bound.number / math.prod(shake))
-        for bound in bounds
-        if None not in (bound.value, *shake)
-    ]
-    gain = sections.value("reproduction", "stiff_gain")
-    stiff = SETUPS[1].slip(sections)
-    is_cut = all_of(
-        at_least(gain, 10.0, "an order of magnitude"), at_most(stiff, bounds[0])
-    )
-    patches = [setup for setup in setups if setup.effort == PATCH]
-    numbers = {
-        "gain": gain,
-        "is_cut": is_cut == HOLDS,
-        "is_ended": any(setup.keeps(sections, bounds[1]) == HOLDS for setup in patches),
-    }
-    cells += [*worlds.values(), core, *bounds]
-    return Figure(lambda: _draw(marks, bound_creeps), cells, numbers)
-
-
-def _draw(marks: list[Mark], bounds: list[tuple[Quantity, float]]) -> Drawing:
-    drawing, axes = new_figure(7.2, 4.6)
-    for bound, creep in bounds:
-        axes.axhline(creep, color=INK, linewidth=0.8, linestyle=(0, (4, 4)), alpha=0.5)
-        axes.annotate(
-            f"{write(bound)} mm in the whole shake",
-            (0.01, creep),
-            xycoords=("axes fraction", "data"),
-            va="bottom",
-            fontsize=8.5,
-        )
-    marks = sorted(marks, key=lambda mark: -mark.creep)
-    last = math.inf
-    for setup, creep, times, is_measurable in marks:
-        axes.plot(
-            times,
-            [creep] * len(times),
-            color=setup.colour,
-            linestyle=":",
-            linewidth=0.9,
-            marker=setup.marker,
-            markerfacecolor=setup.colour if is_measurable else "none",
-            markersize=8,
-            markevery=1,
-        )
-        look: dict[str, Any] = {"color": setup.colour, "fontsize": 9.5}
-        slowest = max(times)
-        if setup in C_SETUPS:  # its name stands below its mark
-            look |= {"ha": "center", "va": "top"}
-            write_beside(axes, setup.name, (slowest, creep), (0, -8), **look)
-        else:  # far enough down not to touch the name above
-            last = min(math.log10(creep), last - GAP)
-            look["va"] = "center"
-            write_beside(axes, setup.name, (slowest, 10**last), (8, 0), **look)
-    axes.set(
-        xscale="log",
-        yscale="log",
-        xlabel="time of a world's frame [ms]",
-        ylabel="slip [mm/cycle]",
-    )
-    axes.set_xlim(right=60 * max((max(mark.times) for mark in marks), default=1.0))
-    axes.set_ylim(top=3 * max((mark.creep for mark in marks), default=1.0))
-    tick_at(axes.xaxis, [10.0**power for power in range(-3, 4)])
-    tick_at(axes.yaxis, [10.0**power for power in range(-4, 2)])
-    lines = [mark for mark in marks if len(mark.times) > 1]
-    if lines:  # the line with the most creep has names above its ends
-        creep = lines[0].creep
-        alone, many = lines[0].times
-        look = {"fontsize": 8.5}
-        write_beside(
-            axes, worlds_name(ALONE), (alone, creep), (4, 8), ha="right", **look
-        )
-        write_beside(axes, worlds_name(MANY), (many, creep), (-4, 8), ha="left", **look)
-    axes.text(
-        0.98,
-        0.97,
-        "↙ better",
-        transform=axes.transAxes,
-        fontsize=8.5,
-        ha="right",
-        va="top",
-    )
-    return drawing
-
-
 NUMBERS = (
     *("way", "slip", "ratio", "many", "off", "elsewhere", "faster"),
     *("is_argument", "is_other"),

@@ -22,7 +22,7 @@ from report.shared import (
     settings_of,
     table_of,
 )
-from report.story import frontier
+from report.story import frontier, frontier_figure, steps
 from report.story.figures import draw_mechanism
 
 NEWTON = "Newton's contacts"
@@ -121,15 +121,19 @@ def derive(releases: Releases, release: str) -> Section:
         )
         claims.append(Claim(name, outcome, {"before": before, "after": after}))
     slide = sections.cell("contacts", "as-shipped-missing-term", "slide_mm")
+    tables = {
+        "needed": table_of("release", map(settings.short_name, by_release), needed)
+    }
+    if by_step := steps.table(sections):
+        tables["steps"] = by_step
     return Section(
-        tables={
-            "needed": table_of("release", map(settings.short_name, by_release), needed)
-        },
+        tables=tables,
         figures={
             "mechanism": Figure(draw_mechanism, [slide]),
-            "frontier": frontier.figure(sections),
+            "frontier": frontier_figure.figure(sections),
         },
         claims=[*claims, _coarser_moves(sections)],
+        unmeasured=() if by_step else ("steps",),
     )
 
 

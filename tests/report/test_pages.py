@@ -179,7 +179,7 @@ def test_a_suspect_is_out_only_where_its_claims_hold(editions):
         == newest["solver"]
         == newest["pads' ke and kd"]
         == ""
-        != newest["friction"]
+        != newest["pads' friction"]
     )
 
 

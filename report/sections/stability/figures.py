@@ -25,7 +25,6 @@ from report.shared.drawing import (
     draw_line,
     is_narrow,
     mark_points,
-    name_lines,
     new_figure,
     tick_at,
     write,
@@ -99,57 +98,56 @@ def draw_maps(panels: list[Panel]) -> Drawing:
 
 
 def draw_limits(limits: list[Limit]) -> Drawing:
-    """Draw each extreme as a bar over multiples of the scene as shipped.
-
-    A cross marks a setting that breaks. An arrow means that no tested setting fails.
-    """
-    height = 0.46 if is_narrow() else 0.34
-    drawing, axes = new_figure(7.6, 0.9 + height * len(limits))
-    for place, limit in enumerate(limits):
-        low, high = (cell.number / limit.shipped for cell in (limit.low, limit.high))
-        bar = [low, high]
-        places = [place, place]
-        draw_line(axes, bar, places, color=STIFF, linewidth=8, solid_capstyle="butt")
-        ends = zip(bar, places, strict=True)
-        mark_points(axes, ends, color=STIFF, marker="|", markersize=8)
-        text = f"{write(limit.low)} to {write(limit.high)} hold"
-        if low == high:
-            text = f"{write(limit.low)} holds"
-        if limit.broken.value is None:
-            mark_points(axes, [(1.6 * high, place)], color=STIFF, marker=">")
-        else:
-            end = limit.broken.number / limit.shipped
-            mark_points(axes, [(end, place)], color=SHIPPED, marker="X", markersize=8)
-            text += f"; {write(limit.broken)} breaks"
-            if limit.over:
-                kept, lost = map(write, limit.over)
-                text = f"{kept} % over holds; {lost} % over breaks"
-        position = {"xy": (1.02, place), "va": "center"}
-        if is_narrow():
-            position = {"xy": (0.0, place - 0.22), "va": "bottom"}
-        axes.annotate(
-            text,
-            xycoords=("axes fraction", "data"),
-            fontsize=8.5,
-            annotation_clip=False,
-            **position,
-        )
-    axes.axvline(1.0, color=INK, linewidth=1.0, linestyle=":")
-    axes.annotate(
-        "as shipped",
-        (1.0, -0.65),
-        fontsize=8.5,
-        ha="center",
-        va="bottom",
-        annotation_clip=False,
+    """Draw the range of each setting on its own axis, with its own unit."""
+    height = 0.66 if is_narrow() else 0.56
+    drawing, panels = new_figure(
+        7.2, 0.4 + height * len(limits), nrows=len(limits), squeeze=False
     )
-    name_lines(axes, [limit.name for limit in limits])
-    axes.set(xscale="log", xlabel="times the scene as shipped")
-    axes.set_xlim(0.5 * axes.get_xlim()[0], 3 * axes.get_xlim()[1])
-    tick_at(axes.xaxis, [10.0**power for power in range(-4, 5, 2)])
-    axes.set_ylim(len(limits) - 0.4, -0.6)
-    axes.grid(axis="y", visible=False)
+    for axes, limit in zip(panels[:, 0], limits, strict=True):
+        _draw_limit(axes, limit)
+    handles = [
+        Line2D([], [], color=STIFF, linewidth=8),
+        Line2D([], [], color=INK, marker="D", linestyle=""),
+        Line2D([], [], color=SHIPPED, marker="X", linestyle="", markersize=8),
+    ]
+    names = ("holds", "as shipped", "breaks")
+    drawing.legend(handles, names, loc="outside upper center", ncols=3, fontsize=9)
     return drawing
+
+
+def _draw_limit(axes: Axes, limit: Limit) -> None:
+    low = limit.low.number
+    high = limit.high.number
+    places = [low, high]
+    draw_line(axes, [low, high], [0, 0], color=STIFF, linewidth=8)
+    if limit.shipped is not None:
+        places.append(limit.shipped)
+        shipped = [(limit.shipped, 0)]
+        mark_points(axes, shipped, color=INK, marker="D", markersize=6, clip_on=False)
+    if limit.broken.value is not None:
+        broken = limit.broken.number
+        places.append(broken)
+        look = {"marker": "X", "markersize": 9, "clip_on": False}
+        mark_points(axes, [(broken, 0)], color=SHIPPED, **look)
+        side = {"ha": "left"} if broken > high else {"ha": "right"}
+        offset = (7 if broken > high else -7, 0)
+        text = write(limit.broken)
+        look = {"color": SHIPPED, "va": "center", "fontsize": 8.5, **side}
+        write_beside(axes, text, (broken, 0), offset, **look)
+    left, right = min(places), max(places)
+    if low > 0.0:
+        axes.set_xscale("log")
+        room = max(right / left, 10.0) ** 0.15
+        axes.set_xlim(left / room, right * room)
+    else:
+        axes.margins(x=0.15)
+    tick_at(axes.xaxis, [low, high])
+    axes.set_xticklabels([write(limit.low), write(limit.high)])
+    axes.set_title(limit.name, fontsize=9, pad=4)
+    axes.set_yticks([])
+    axes.set_ylim(-0.5, 0.5)
+    axes.spines["left"].set_visible(False)
+    axes.grid(False)
 
 
 def _draw_map(axes: Axes, rows: list[Row], marked: dict[str, float]) -> None:

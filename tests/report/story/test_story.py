@@ -19,7 +19,8 @@ from measured_report.values.evidence import Evidence
 from measured_report.values.quantities import Quantity, absent
 from measured_report.values.results import Results
 from report.shared.arithmetic import Sections
-from report.story.frontier import SETUPS, advice, figure
+from report.story.frontier import SETUPS, advice
+from report.story.frontier_figure import figure
 from report.story.story import _advice
 from report.story.story import derive as story_of
 
@@ -45,6 +46,19 @@ def texts(editions, templates, release: str) -> dict[str, str]:
         "front": str(front.body),
         "story": str(story.body),
     }
+
+
+SHORT_STEPS = {f"newton-elliptic/kd-1/substeps-{count}": 5.0 for count in (32, 64)}
+
+
+def results_of(editions, release):
+    """Return the results of a release in which short steps do not help."""
+    found = {
+        section: chapter.results
+        for section, chapter in editions[release].chapters.items()
+    }
+    steps = with_cells(found["time_step"], "slip_mm", SHORT_STEPS)
+    return found | {"time_step": steps}
 
 
 def test_every_release_answers_in_order_and_tells_the_story_of_its_data(
@@ -182,10 +196,7 @@ def with_cells(results: Results, column: str, cells: dict[str, float]) -> Result
 def test_a_faster_way_is_said_to_be_so_many_times_as_fast(
     editions, templates, ratio, said
 ):
-    found = {
-        section: chapter.results
-        for section, chapter in editions["1.4.0"].chapters.items()
-    }
+    found = results_of(editions, "1.4.0")
     other = with_cells(
         found["newton_solvers"], "frame_ratio", {"kamino-worlds-1": ratio}
     )
@@ -225,10 +236,7 @@ NOT_KAMINO = {"kamino-3cm": 5.0}
 def test_an_argument_is_advised_before_a_patch_and_the_fastest_of_those_that_hold(
     editions, slips, first, ends
 ):
-    found = {
-        section: chapter.results
-        for section, chapter in editions["1.4.0"].chapters.items()
-    }
+    found = results_of(editions, "1.4.0")
     for name in ("reproduction", "cure", "newton_solvers"):
         found[name] = with_cells(found[name], "slip_mm", slips)
     assert [(claim.outcome.name, claim.numbers["way"]) for claim in advised(found)] == [
@@ -238,39 +246,24 @@ def test_an_argument_is_advised_before_a_patch_and_the_fastest_of_those_that_hol
 
 
 def test_an_argument_of_the_solver_at_hand_is_advised_before_a_faster_solver(editions):
-    found = {
-        section: chapter.results
-        for section, chapter in editions["1.8.0"].chapters.items()
-    }
+    found = results_of(editions, "1.8.0")
     assert advised(found)[1].numbers["way"] == "Steel"
     found["cure"] = with_cells(found["cure"], "slip_mm", {RK4: 0.05})
     assert advised(found)[1].numbers["way"] == "RK4, stiff pads"
 
 
-def test_other_solvers_are_drawn_with_weight_and_what_is_not_seen_at_what_would_be(
-    editions,
-):
-    measured = {
-        section: chapter.results
-        for section, chapter in editions["1.8.0"].chapters.items()
-    }
-    other = measured["newton_solvers"]
-    once = replace(other, evidence=Evidence(repeats=other.evidence.repeats))
-    found, ways = (
-        Sections(measured | {"newton_solvers": once}),
-        {way.name: way for way in SETUPS},
+def test_a_short_step_is_advised_before_another_solver_and_a_patch(editions):
+    found = results_of(editions, "1.4.0")
+    found["time_step"] = with_cells(
+        found["time_step"],
+        "slip_mm",
+        dict.fromkeys(SHORT_STEPS, 0.05),
     )
-    assert ways["XPBD"].creep_mm(found) > 1.0, "with weight the cube slides out"
-    steel = ways["Steel"].slip(found)
-    shakes_s = steel.noise / ways["Steel"].creep_mm(found)
-    assert steel.value < steel.noise and 10.0 < shakes_s < 13.0
+    assert advised(found)[1].numbers["way"] == "stiff pads for 32 substeps"
 
 
 def test_a_solver_whose_hand_goes_farther_is_not_advised(editions):
-    found = {
-        section: chapter.results
-        for section, chapter in editions["1.4.0"].chapters.items()
-    }
+    found = results_of(editions, "1.4.0")
     found["newton_solvers"] = with_cells(
         found["newton_solvers"], "slip_mm", {"xpbd-3cm": 0.01, "xpbd-weight": 0.01}
     )
@@ -280,10 +273,7 @@ def test_a_solver_whose_hand_goes_farther_is_not_advised(editions):
 def test_what_is_not_timed_nothing_that_holds_and_a_slip_near_the_bound_are_told_apart(
     editions,
 ):
-    found = {
-        section: chapter.results
-        for section, chapter in editions["1.4.0"].chapters.items()
-    }
+    found = results_of(editions, "1.4.0")
     found["newton_solvers"] = with_cells(found["newton_solvers"], "slip_mm", NOT_KAMINO)
     untimed = found | {
         "speed": with_cells(found["speed"], "frame_ratio", {"stiff-pads-only": None})
@@ -306,33 +296,26 @@ def test_what_is_not_timed_nothing_that_holds_and_a_slip_near_the_bound_are_told
     assert advised(near)[1].outcome.is_inconclusive
 
 
-def test_ways_are_drawn_where_shipped_pads_were_timed_with_one_world_alone(editions):
+def test_lines_are_drawn_for_the_settings_that_were_timed(editions):
     results = {
         name: chapter.results for name, chapter in editions["1.8.0"].chapters.items()
     }
-    record = results["error_runtime"].record
-    alone = replace(
-        record, rows=[row for row in record.rows if row["case"] != "worlds-16384"]
-    )
-    drawn = figure(
-        Sections(
-            {
-                **results,
-                "error_runtime": replace(results["error_runtime"], record=alone),
-            }
-        )
-    ).draw()
+    record = results["step_cost"].record
+    alone = replace(record, rows=[row for row in record.rows if row["worlds"] == 1])
+    cost = replace(results["step_cost"], record=alone)
+    drawn = figure(Sections({**results, "step_cost": cost})).draw()
     names = [text.get_text() for text in drawn.axes[0].texts]
-    assert {"as shipped", "stiff pads", "the root cure", "Steel", "MuJoCo C"} <= {
+    assert {"shipped pads", "stiff pads by the rule", "the root cure", "Steel"} <= {
         *names
-    } and len(names) <= 11
+    }
+    assert "16\u202f384 worlds" not in names
+    untimed = {name: found for name, found in results.items() if name != "step_cost"}
+    names = [text.get_text() for text in figure(Sections(untimed)).draw().axes[0].texts]
+    assert "shipped pads" not in names and "MuJoCo C, one core" in names
 
 
 def test_with_nothing_to_change_nothing_is_to_be_taken(editions, templates):
-    found = {
-        section: chapter.results
-        for section, chapter in editions["1.4.0"].chapters.items()
-    }
+    found = results_of(editions, "1.4.0")
     found["reproduction"] = with_cells(
         found["reproduction"], "slip_mm", {"as-shipped": 0.05}
     )
@@ -516,6 +499,8 @@ def test_every_way_was_run_and_timed():
         "solver",
         "reproduction",
         "speed",
+        "step_cost",
+        "time_step",
     )
     found = Sections({name: read(name, "1.8.0") for name in names})
     assert [way.name for way in SETUPS if not way.slip(found).source] == []

@@ -1,0 +1,266 @@
+"""Draw slip against run time, with one line over the time steps for each remedy."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import NamedTuple
+
+from matplotlib.axes import Axes
+
+from report.sections import step_cost, time_step
+from report.shared import (
+    FRAME_RATE,
+    HOLDS,
+    Figure,
+    Quantity,
+    Row,
+    Sections,
+    all_of,
+    at_least,
+    at_most,
+    is_held,
+    worlds_name,
+)
+from report.shared.drawing import (
+    CURE,
+    FAINT,
+    SERIES,
+    SHIPPED,
+    STIFF,
+    Drawing,
+    is_narrow,
+    new_figure,
+    tick_at,
+    write,
+    write_beside,
+)
+from report.story.frontier import ALONE, BOUNDS, MANY, SETUPS
+
+GREY = SERIES[5]
+"""The colour of lines that another line beats at the same run time."""
+NEAR = 30.0  # ends of lines within this factor of the time are near each other
+GAP = 1.45  # factor between the slips of two names, so that they do not overlap
+OTHERS = ("Steel", "Kamino")  # the first of these solvers that was timed is drawn
+
+
+@dataclass(frozen=True)
+class Line:
+    """Runs of one remedy at several time steps."""
+
+    name: str
+    setting: str  # of section time_step
+    pads: str  # of section time_step
+    cost: str  # setting of section step_cost
+    colour: str
+    marker: str
+    worlds: int = ALONE
+
+    @property
+    def label(self) -> str:
+        if self.worlds == ALONE:
+            return self.name
+        return f"{self.name}, {worlds_name(self.worlds)}"
+
+
+LINES = (
+    Line("shipped pads", time_step.NEWTON, "shipped", step_cost.PADS, SHIPPED, "o"),
+    Line("the same stiff pads", time_step.NEWTON, "stiff", step_cost.PADS, GREY, "s"),
+    Line(
+        "stiff pads by the rule",
+        time_step.NEWTON,
+        time_step.RULE,
+        step_cost.PADS,
+        STIFF,
+        "D",
+    ),
+    Line("RK4", "rk4", time_step.RULE, "rk4", GREY, "^"),
+    Line("the root cure", "cure", "shipped", "cure", CURE, "o"),
+    Line(
+        "stiff pads by the rule",
+        time_step.NEWTON,
+        time_step.RULE,
+        step_cost.PADS,
+        STIFF,
+        "D",
+        MANY,
+    ),
+    Line("the root cure", "cure", "shipped", "cure", CURE, "o", MANY),
+)
+IN_C = Line("MuJoCo C, one core", "c", time_step.RULE, "", SERIES[3], "v")
+
+
+class Point(NamedTuple):
+    """One run: its run time, its slip [mm] and its step [ms]."""
+
+    time: Quantity
+    slip: Quantity
+    step: Quantity
+
+
+def figure(sections: Sections) -> Figure:
+    """Draw the slip in the whole shake against the time of a frame."""
+    lines = {line: _points(sections, line) for line in LINES}
+    in_c = _points_in_c(sections)
+    shipped = sections.cell("step_cost", "as-shipped", "frame_ms")
+    solver = _other_solver(sections)
+    bounds = [sections.value(*place) for place in BOUNDS.values()]
+    points = [point for line in (*lines.values(), in_c) for point in line]
+    cells = [cell for point in points for cell in point]
+    if solver:
+        cells += [shipped, *solver[1:]]
+    gain = sections.value("reproduction", "stiff_gain")
+    stiff = SETUPS[1].slip(sections)
+    is_cut = all_of(
+        at_least(gain, 10.0, "an order of magnitude"), at_most(stiff, bounds[0])
+    )
+    known = [bound for bound in bounds if bound.value is not None]
+
+    def draw() -> Drawing:
+        drawing, axes = _draw(lines, in_c, known)
+        if solver and shipped.value is not None:
+            name, slip, ratio = solver
+            place = (shipped.number * ratio.number, slip.number)
+            axes.plot(*place, color=SERIES[4], marker="*", markersize=9)
+            write_beside(
+                axes, name, place, (8, 0), color=SERIES[4], va="center", fontsize=9
+            )
+        return drawing
+
+    numbers = {"gain": gain, "is_cut": is_cut == HOLDS}
+    return Figure(draw, [*cells, *bounds], numbers)
+
+
+def _other_solver(sections: Sections) -> tuple[str, Quantity, Quantity] | None:
+    """Return the name, the slip and the relative run time of another solver of Newton."""
+    for setup in SETUPS:
+        ratio = setup.ratios(sections).get(ALONE)
+        slip = setup.slip(sections)
+        if setup.name in OTHERS and ratio and slip.value is not None:
+            return setup.name, slip, ratio
+    return None
+
+
+def _points(sections: Sections, line: Line) -> list[Point]:
+    """Return the runs of a remedy that keep the cube and were timed, the longest step first."""
+    times = {
+        row.plain["substeps"]: row.frame_ms
+        for row in sections.rows("step_cost")
+        if (row.plain["setting"], row.plain["worlds"]) == (line.cost, line.worlds)
+    }
+    runs = _runs(sections, line.setting, line.pads)
+    return [
+        Point(times[count], row.slip_mm, row.substep_ms)
+        for count, row in runs.items()
+        if count in times and times[count].value is not None
+    ]
+
+
+def _points_in_c(sections: Sections) -> list[Point]:
+    """Return the runs of MuJoCo's C engine, whose run time is that of a simulated second."""
+    runs = _runs(sections, "c", time_step.RULE)
+    times = {
+        count: sections.cell("error_runtime", f"stiff/c/substeps-{count}", "ms_per_s")
+        for count in runs
+    }
+    return [
+        Point(times[count], row.slip_mm, row.substep_ms)
+        for count, row in runs.items()
+        if times[count].value is not None
+    ]
+
+
+def _runs(sections: Sections, setting: str, pads: str) -> dict[int, Row]:
+    """Return the runs that keep the cube by their number of substeps."""
+    rows = [
+        row
+        for row in sections.rows("time_step")
+        if (row.plain["setting"], row.plain["pads"]) == (setting, pads) and is_held(row)
+    ]
+    return {row.plain["substeps"]: row for row in rows}
+
+
+def _draw(
+    lines: Mapping[Line, list[Point]], in_c: list[Point], bounds: list[Quantity]
+) -> tuple[Drawing, Axes]:
+    drawing, axes = new_figure(7.2, 5.2)
+    for bound in bounds:
+        axes.axhline(
+            bound.number, color=FAINT, linewidth=1.2, linestyle="--", marker=""
+        )
+        write_beside(
+            axes,
+            f"{write(bound)} mm",
+            (0.01, bound.number),
+            (0, 1),
+            xycoords=("axes fraction", "data"),
+            fontsize=8.5,
+        )
+    ends = []
+    for line, points in (*lines.items(), (IN_C, in_c)):
+        per_frame = FRAME_RATE if line is IN_C else line.worlds
+        times = [point.time.number / per_frame for point in points]
+        if points:
+            _draw_line(axes, times, points, line)
+            ends.append((times[-1], points[-1].slip.number, line))
+    axes.set(
+        xscale="log",
+        yscale="log",
+        xlabel="time of a world's frame [ms]",
+        ylabel="slip in the whole shake [mm]",
+    )
+    axes.set_xlim(2e-4, 1.2e3)
+    axes.set_ylim(2e-3, 20.0)
+    tick_at(axes.xaxis, [10.0**power for power in range(-3, 4)])
+    tick_at(axes.yaxis, [10.0**power for power in range(-2, 2)])
+    if is_narrow():
+        drawing.legend(loc="outside upper left", ncols=1)
+    else:
+        _name_ends(axes, ends)
+    write_beside(
+        axes, "↙ better", (0.01, 0.01), (0, 0), xycoords="axes fraction", fontsize=8.5
+    )
+    return drawing, axes
+
+
+def _draw_line(axes: Axes, times: list[float], points: list[Point], line: Line) -> None:
+    axes.plot(
+        times,
+        [point.slip.number for point in points],
+        color=line.colour,
+        marker=line.marker,
+        linestyle="-" if line.worlds == ALONE else "--",
+        linewidth=1.1,
+        markevery=1,
+        label=line.label,
+    )
+    look = {"color": line.colour, "fontsize": 8.5}
+    if (line.pads, line.cost) == (time_step.RULE, step_cost.PADS) and not is_narrow():
+        place = (times[0], points[0].slip.number)
+        write_beside(axes, worlds_name(line.worlds), place, (0, 8), ha="center", **look)
+        for time, point in zip(times, points, strict=True):
+            write_beside(
+                axes,
+                f"{write(point.step, is_short=True)} ms",
+                (time, point.slip.number),
+                (-5, -3),
+                ha="right",
+                va="top",
+                **{**look, "fontsize": 7},
+            )
+
+
+def _name_ends(axes: Axes, ends: list[tuple[float, float, Line]]) -> None:
+    """Write the name of each line beside its end, below the names that are near it."""
+    written: list[tuple[float, float]] = []
+    for time, slip, line in sorted(ends, key=lambda end: -end[1]):
+        near = [low for x, low in written if time / NEAR < x < time * NEAR]
+        low = min([slip, *(low / GAP for low in near)])
+        written.append((time, low))
+        write_beside(
+            axes,
+            line.name,
+            (time, low),
+            (6, 0),
+            color=line.colour,
+            va="center",
+            fontsize=9,
+        )

@@ -1,0 +1,36 @@
+"""The pads to paste at each time step, and how far the cube then slips, for the front page."""
+
+from report.sections import step_cost, time_step
+from report.shared import Quantity, Row, Sections, Table, table_of
+
+
+def table(sections: Sections) -> Table | None:
+    """Make a table with a line for each step, or return None if it was not measured."""
+    runs = {
+        (row.plain["setting"], row.plain["substeps"]): row
+        for row in sections.rows("time_step")
+        if row.plain["pads"] == time_step.RULES.get(row.plain["setting"])
+    }
+    pads = [row for (setting, _), row in runs.items() if setting == time_step.NEWTON]
+    if not pads:
+        return None
+    ratios = step_cost.ratios(sections)
+    counts = [row.plain["substeps"] for row in pads]
+    gentle = [runs.get((time_step.PYRAMIDAL, count)) for count in counts]
+    columns: dict[str, list] = {
+        "kd": [row.pad_kd for row in pads],
+        "ke, elliptic cone": [row.pad_ke for row in pads],
+        "ke, pyramidal cone": [row.pad_ke if row else "" for row in gentle],
+    }
+    for setting, name in time_step.SETTINGS.items():
+        columns[name] = [_slip(runs.get((setting, count))) for count in counts]
+    columns["run time"] = [ratios.get(count, "") for count in counts]
+    return table_of("step", [row.substep_ms for row in pads], columns)
+
+
+def _slip(row: Row | None) -> Quantity | str:
+    """Return the slip of a run, "lost" if it loses the cube, or nothing if there is no run."""
+    if row is None:
+        return ""
+    is_lost = row.plain.get("dropped") or row.slip_mm.value is None
+    return "lost" if is_lost else row.slip_mm
