@@ -47,13 +47,16 @@ function begin(place, columns) {
   const input = document.querySelector("#step-ms");
   const contacts = document.querySelector("#step-contacts");
   const output = document.querySelector("#step-slip");
-  for (const { name } of others) contacts.append(new Option(name));
+  for (const { name } of others) contacts.append(new Option(name.replace(" [mm]", "")));
   const code = [...document.querySelectorAll("main pre code")].find((block) => block.textContent.includes("shape_material_kd"));
   const original = code?.textContent;
 
   const show = () => {
-    const step = Number(input.value);
-    if (!(step > 0)) return;
+    const step = Number(input.value.replace(",", "."));
+    if (!(step > 0)) {
+      output.textContent = "type the length of a step in ms.";
+      return;
+    }
     const kd = Number((1000 / step).toPrecision(3));
     const { name, cells } = others[contacts.selectedIndex];
     const ke = Number((kd ** 2 / (name.includes("pyramidal") ? 64 : 4)).toPrecision(3));
@@ -64,14 +67,15 @@ function begin(place, columns) {
     }
     const slip = at(steps.cells, cells, step);
     const ratio = at(steps.cells, time.cells, step);
-    const cost = ratio === null ? "" : `, and a frame takes ${written(ratio)} times as long as with the shipped step`;
+    const cost = ratio === null ? "" : `; a frame takes ${written(ratio)} times as long as with the scene's step`;
     output.textContent =
       slip === null
-        ? `kd = ${kd}, ke = ${ke}: no run with these contacts keeps the cube at this step, or it was not measured.`
-        : `kd = ${kd}, ke = ${ke}: the cube slips about ${written(slip)} mm${cost}.`;
+        ? `kd ${kd}, ke ${ke}; the cube is lost, or this was not measured.`
+        : `kd ${kd}, ke ${ke}; the cube slips about ${written(slip)} mm${cost}.`;
   };
   input.addEventListener("input", show);
   contacts.addEventListener("change", show);
+  document.querySelector("#step-note").hidden = true;
   place.hidden = false;
   show();
 }

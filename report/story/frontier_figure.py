@@ -14,6 +14,7 @@ from report.shared import (
     Quantity,
     Row,
     Sections,
+    absent,
     all_of,
     at_least,
     at_most,
@@ -28,6 +29,7 @@ from report.shared.drawing import (
     STIFF,
     Drawing,
     is_narrow,
+    mark_points,
     new_figure,
     tick_at,
     write,
@@ -85,7 +87,7 @@ LINES = (
     ),
     Line("the root cure", "cure", "shipped", "cure", CURE, "o", MANY),
 )
-IN_C = Line("MuJoCo C, one core", "c", time_step.RULE, "", SERIES[3], "v")
+IN_C = Line("MuJoCo C", "c", time_step.RULE, "", SERIES[3], "v")
 
 
 class Point(NamedTuple):
@@ -100,7 +102,14 @@ def figure(sections: Sections) -> Figure:
     """Draw the slip in the whole shake against the time of a frame."""
     lines = {line: _points(sections, line) for line in LINES}
     in_c = _points_in_c(sections)
-    shipped = sections.cell("step_cost", "as-shipped", "frame_ms")
+    shipped = next(
+        (
+            row.frame_ms
+            for row in sections.rows("step_cost")
+            if (row.case, row.plain["worlds"]) == ("as-shipped", ALONE)
+        ),
+        absent("ms", "section step_cost was not measured"),
+    )
     solver = _other_solver(sections)
     bounds = [sections.value(*place) for place in BOUNDS.values()]
     points = [point for line in (*lines.values(), in_c) for point in line]
@@ -119,7 +128,7 @@ def figure(sections: Sections) -> Figure:
         if solver and shipped.value is not None:
             name, slip, ratio = solver
             place = (shipped.number * ratio.number, slip.number)
-            axes.plot(*place, color=SERIES[4], marker="*", markersize=9)
+            mark_points(axes, [place], color=SERIES[4], marker="*", markersize=9)
             write_beside(
                 axes, name, place, (8, 0), color=SERIES[4], va="center", fontsize=9
             )
@@ -211,9 +220,9 @@ def _draw(
     axes.set_ylim(2e-3, 20.0)
     tick_at(axes.xaxis, [10.0**power for power in range(-3, 4)])
     tick_at(axes.yaxis, [10.0**power for power in range(-2, 2)])
-    if is_narrow():
+    if is_narrow() and ends:
         drawing.legend(loc="outside upper left", ncols=1)
-    else:
+    if not is_narrow():
         _name_ends(axes, ends)
     write_beside(
         axes, "↙ better", (0.01, 0.01), (0, 0), xycoords="axes fraction", fontsize=8.5

@@ -22,7 +22,7 @@ from report.shared import (
     settings_of,
     table_of,
 )
-from report.story import frontier, frontier_figure, steps
+from report.story import frontier, frontier_figure, questions, steps
 from report.story.figures import draw_mechanism
 
 NEWTON = "Newton's contacts"
@@ -131,6 +131,7 @@ def derive(releases: Releases, release: str) -> Section:
         figures={
             "mechanism": Figure(draw_mechanism, [slide]),
             "frontier": frontier_figure.figure(sections),
+            "questions": questions.figure(sections),
         },
         claims=[*claims, _coarser_moves(sections)],
         unmeasured=() if by_step else ("steps",),

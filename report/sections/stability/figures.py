@@ -55,7 +55,7 @@ def draw_maps(panels: list[Panel]) -> Drawing:
     )
     marked = {"shipped": AS_SHIPPED.pad_ke, "stiff": STIFF_PADS.pad_ke}
     for panel, (title, rows, bound, label) in zip(axes[:, 0], panels, strict=True):
-        _draw_map(panel, rows, marked)
+        draw_map(panel, rows, marked, has_numbers=not is_narrow())
         marked.pop("stiff", None)  # only the first map has the kd of stiff pads
         panel.set(title=f"{title}; above the line {label}", ylabel="step [ms]")
         ke = np.geomspace(*panel.get_xlim(), 200)
@@ -150,7 +150,10 @@ def _draw_limit(axes: Axes, limit: Limit) -> None:
     axes.grid(False)
 
 
-def _draw_map(axes: Axes, rows: list[Row], marked: dict[str, float]) -> None:
+def draw_map(
+    axes: Axes, rows: list[Row], marked: dict[str, float], *, has_numbers: bool
+) -> None:
+    """Draw how runs end over ke and the step, and mark values of ke at the shipped step."""
     cells = {(row.pad_ke.value, row.step_ms.value): row for row in rows}
     ke = sorted({x for x, _ in cells})
     steps = sorted({y for _, y in cells})
@@ -182,7 +185,7 @@ def _draw_map(axes: Axes, rows: list[Row], marked: dict[str, float]) -> None:
             x, y = zip(*places, strict=True)
             axes.scatter(x, y, marker=mark, s=16, color=MAP_INK, linewidths=0.9)
     for (x, y), row in cells.items():
-        if row["class"] == "creeping" and not is_narrow():  # numbers need room
+        if row["class"] == "creeping" and has_numbers:
             # The box behind the text interrupts the line of the bound.
             behind = {"facecolor": _colour(row), "linewidth": 0, "pad": 0.6}
             axes.text(

@@ -1,0 +1,69 @@
+"""Test the field for the reader's own time step on the front page, in a real browser."""
+
+import pytest
+
+sync_api = pytest.importorskip(
+    "playwright.sync_api", reason="there is no Playwright to look at the site with"
+)
+
+pytestmark = pytest.mark.words
+
+
+@pytest.fixture
+def tab(browser, site):
+    context = browser.new_context()
+    tab = context.new_page()
+    tab.goto((site / "index.html").as_uri())
+    yield tab
+    context.close()
+
+
+def slips(tab, column: int) -> list[tuple[float, float]]:
+    """Return the steps [ms] and slips [mm] of a column of the table of steps."""
+    rows = tab.locator("main table", has_text="run time").first.locator("tbody tr")
+    values = rows.evaluate_all(
+        """(rows, column) => rows.map((row) => [0, column].map(
+            (place) => row.children[place].querySelector("data")?.value))""",
+        column,
+    )
+    return [(float(step), float(slip)) for step, slip in values if slip]
+
+
+@pytest.mark.parametrize(("contacts", "share"), [(0, 4), (1, 64)])
+def test_a_measured_step_gives_its_pads_and_its_slip(tab, contacts, share):
+    tab.select_option("#step-contacts", index=contacts)
+    for step, slip in slips(tab, 4 + contacts):
+        tab.fill("#step-ms", str(step))
+        said = tab.inner_text("#step-slip")
+        kd = float(f"{1000 / step:.3g}")
+        assert f"kd {kd:g}," in said and f"about {float(f'{slip:.2g}'):g} mm" in said
+        code = tab.inner_text("main pre >> nth=0")
+        assert f"shape_material_kd[shape] = {kd:g}" in code
+        ke = float(code.split("shape_material_ke[shape] = ")[1].split()[0])
+        assert ke == pytest.approx(kd**2 / share, rel=0.006)
+
+
+def test_between_two_steps_the_slip_is_between_theirs(tab):
+    pairs = slips(tab, 4)
+    (long, most), (short, least) = pairs[2], pairs[3]
+    tab.fill("#step-ms", str((long + short) / 2).replace(".", ","))
+    slip = float(tab.inner_text("#step-slip").split("about ")[1].split()[0])
+    assert least < slip < most
+
+
+@pytest.mark.parametrize(
+    ("text", "said"), [("100", "was not measured"), ("", "type the length"), ("x", "type")]
+)
+def test_an_unusable_step_is_named(tab, text, said):
+    tab.fill("#step-ms", text)
+    assert said in tab.inner_text("#step-slip")
+
+
+def test_without_script_the_note_and_the_table_remain(browser, site):
+    context = browser.new_context(java_script_enabled=False)
+    tab = context.new_page()
+    tab.goto((site / "index.html").as_uri())
+    assert tab.locator("#step-note").is_visible()
+    assert not tab.locator("#step-choice").is_visible()
+    assert len(slips(tab, 4)) >= 7
+    context.close()
