@@ -38,20 +38,28 @@ def run(project: Project, arguments: Arguments) -> int:
 
 class _Handler(SimpleHTTPRequestHandler):
     def send_head(self) -> Any:
-        """Return the requested file, if the request names this machine by a local name.
-
-        Links that lead out of the site are not followed.
-        """
+        """Return the requested file, if the request names this machine by a local name."""
         host = self.headers.get("Host", "").partition(":")[0]
         if host not in ("127.0.0.1", "localhost"):
             # A foreign page whose host name resolves to this machine sent the request.
             return self.send_error(HTTPStatus.MISDIRECTED_REQUEST)
-        name = self.translate_path(self.path)
+        return super().send_head()
+
+    def translate_path(self, path: str) -> str:
+        """Return the file that is sent for a path, with the index of a folder.
+
+        Return an empty string, which is not a file, unless it is a regular file or a
+        folder of the site without any link on the way.
+        """
+        name = super().translate_path(path)
+        name += "index.html" if name.endswith("/") else ""
         below = os.path.relpath(name, self.directory)
         expected = os.path.normpath(f"{os.path.realpath(self.directory)}/{below}")
-        if "\0" in name or os.path.realpath(name) != expected:
-            return self.send_error(HTTPStatus.NOT_FOUND)
-        return super().send_head()
+        file = Path(name)
+        # Opening a pipe would wait for somebody to write to it.
+        is_sent = "\0" not in name and os.path.realpath(file) == expected
+        is_sent = is_sent and (file.is_file() or file.is_dir())
+        return name if is_sent else ""
 
     def end_headers(self) -> None:
         self.send_header("Cache-Control", "no-store")

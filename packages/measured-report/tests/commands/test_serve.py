@@ -7,6 +7,7 @@ import time
 from http.client import HTTPConnection
 from http.server import ThreadingHTTPServer
 
+import pytest
 from toys import TEMPLATE
 
 from measured_report.commands.serve import follow, server_of, stamp
@@ -84,6 +85,53 @@ def test_serving_answers_with_files_of_the_site_alone(toy, capfd, tmp_path):
             assert answered(server, path) == status, path
         server.shutdown()
     assert capfd.readouterr().err == ""
+
+
+LINKED = {
+    "a file": "index.html",
+    "the index of a folder": "figures/index.html",
+    "a folder": "all",
+    "a file of a folder": "figures/more.svg",
+    "a file within the site": "again.html",
+}
+
+
+@pytest.mark.parametrize("name", LINKED.values(), ids=LINKED)
+@pytest.mark.parametrize("end", ["a link", "a pipe", "a link to a pipe"])
+def test_nothing_is_sent_that_is_a_link_or_a_pipe(built, tmp_path, name, end):
+    """Neither by its own name nor as the index of its folder; a pipe is not waited for."""
+    site = built.project.site
+    (tmp_path / "secret").mkdir()
+    (tmp_path / "secret/index.html").write_text("secret")
+    path = site / name
+    path.unlink(missing_ok=True)
+    target = site / "cause.html" if "again" in name else tmp_path / "secret/index.html"
+    if "link" in end:
+        target = tmp_path / "secret" if name == "all" else target
+        path.symlink_to(tmp_path / "pipe" if "pipe" in end else target)
+    if "pipe" in end:
+        os.mkfifo(path if end == "a pipe" else tmp_path / "pipe")
+    with server_of(site, 0) as server:
+        threading.Thread(target=server.serve_forever, daemon=True).start()
+        folder = name.rpartition("/")[0]
+        for asked in (name, name.removesuffix("index.html"), f"{folder}/.//{name}"):
+            if asked.rpartition("/")[2] or name.endswith("index.html"):
+                assert answered(server, f"/{asked}") == 404, asked
+        assert answered(server, "/style.css") == 200
+        server.shutdown()
+
+
+def test_a_folder_is_answered_with_its_index_alone(built):
+    """The names of files in a folder without an index are not listed."""
+    inner = built.project.site / "newton-1.8.0"
+    inner.mkdir()
+    (inner / "index.html").write_text("inner")
+    with server_of(built.project.site, 0) as server:
+        threading.Thread(target=server.serve_forever, daemon=True).start()
+        statuses = {"/newton-1.8.0/": 200, "/newton-1.8.0": 301, "/figures/": 404}
+        for path, status in statuses.items():
+            assert answered(server, path) == status, path
+        server.shutdown()
 
 
 def answered(server: ThreadingHTTPServer, path: str, **headers: str) -> int:
