@@ -39,6 +39,7 @@ SUBJECT = "Publish the report with make publish"
 MARK = ".published"
 ASIDE = ".site-copy"  # a folder beside the site for the temporary copy
 DOMAIN = "CNAME"  # a file of GitHub that stays on the branch
+NOT_UTF8 = "\ufffd"  # replaces bytes in the output of git that are not UTF-8
 # Settings of the clone that must not apply to the copy.
 OVERRIDES = (
     "core.autocrlf=false",
@@ -157,6 +158,11 @@ def _to_folder(copy: Path, location: str, site: Path) -> str:
         raise UsageError(
             f"TARGET=dir:{location}: the parent folder does not exist: create it first"
         )
+    if path.resolve().is_relative_to(site.resolve()):
+        raise UsageError(
+            f"TARGET=dir:{location} is inside {site.name}/, which every build "
+            "replaces: use a folder outside of it"
+        )
     is_free = not path.exists() or (path.is_dir() and not any(path.iterdir()))
     if path.is_symlink() or not (is_free or (path / MARK).is_file()):
         raise UsageError(
@@ -174,11 +180,6 @@ def _to_branch(copy: Path, location: str, site: Path) -> str:
 
     The commit is made in the copy and pushed to the address of the remote.
     """
-    if not shutil.which("git"):
-        raise UsageError(
-            "git is not installed, and publishing to a branch needs it: use "
-            "TARGET=dir:PATH"
-        )
     try:
         return _pushed(copy, location, site.parent)
     except UsageError as error:
@@ -200,7 +201,17 @@ def _pushed(copy: Path, location: str, root: Path) -> str:
             f"{branch} is not a valid branch name: use TARGET=git:REMOTE#BRANCH"
         )
     is_named = remote in here("remote").splitlines()
-    address = here("remote", "get-url", "--push", remote) if is_named else remote
+    addresses = [remote]
+    if is_named:
+        addresses = here("remote", "get-url", "--push", "--all", remote).splitlines()
+    if len(addresses) > 1:
+        raise UsageError(
+            f"{remote} has {len(addresses)} addresses to push to: publish to each of "
+            f"them with TARGET=git:ADDRESS#{branch}"
+        )
+    [address] = addresses
+    if (root / address).exists():  # a relative path, which the copy would not find
+        address = str((root / address).resolve())
     # Use the clone's settings to authenticate, and override settings that affect the
     # copy.
     config = root / here("rev-parse", "--git-path", "config")
@@ -213,14 +224,23 @@ def _pushed(copy: Path, location: str, root: Path) -> str:
     before = _tip(run_in_copy, address, ref)
     if before:
         run_in_copy("fetch", "--quiet", "--depth", "1", "--no-tags", address, ref)
-        names = run_in_copy("ls-tree", "--name-only", before).splitlines()
-        if MARK not in names:
+        lines = run_in_copy("ls-tree", before).splitlines()
+        kinds = {
+            name: kind for kind, _, name in (line.partition("\t") for line in lines)
+        }
+        if MARK not in kinds:
             raise UsageError(
                 f"the branch {branch} of {remote} has files that make publish did "
                 "not write: use another branch"
             )
-        if DOMAIN in names and not (copy / DOMAIN).exists():
-            write_file(copy / DOMAIN, run_in_copy("show", f"{before}:{DOMAIN}") + "\n")
+        if DOMAIN in kinds and not (copy / DOMAIN).exists():
+            domain = run_in_copy("show", f"{before}:{DOMAIN}")
+            if not kinds[DOMAIN].startswith("100") or NOT_UTF8 in domain:
+                raise UsageError(
+                    f"{DOMAIN} on the branch {branch} of {remote} is not a text file "
+                    "in UTF-8: correct or remove it there"
+                )
+            write_file(copy / DOMAIN, f"{domain}\n")
     write_file(copy / ".nojekyll", "")
     run_in_copy("add", "--all", "--force")
     run_in_copy("commit", "--quiet", "--no-gpg-sign", "--message", SUBJECT)

@@ -202,6 +202,58 @@ def test_publishing_to_a_branch_is_one_commit_and_touches_nothing_else(
     assert (there / "cause.html").read_text() == toy.page and check_site(there) == []
 
 
+@pytest.mark.parametrize("is_named", [True, False])
+def test_a_relative_remote_is_found_from_any_folder(
+    toy, remote, tmp_path, monkeypatch, is_named
+):
+    """Git takes it as relative to the folder in which it runs."""
+    root = toy.project.root
+    address = os.path.relpath(remote, root)
+    git(root, "remote", "set-url", "origin", address if is_named else "/nowhere")
+    monkeypatch.chdir(tmp_path)
+    publish(toy.project.site, "" if is_named else f"git:{address}")
+    assert git(remote, "rev-list", "--count", "gh-pages") == "1"
+
+
+def test_two_addresses_to_push_to_are_one_line(toy, remote, tmp_path):
+    root = toy.project.root
+    for address in (remote, tmp_path / "other.git"):
+        git(root, "remote", "set-url", "--add", "--push", "origin", str(address))
+    with pytest.raises(UsageError, match="origin has 2 addresses to push to: publish"):
+        publish(toy.project.site, "")
+    assert git(remote, "for-each-ref") == ""
+
+
+DOMAINS = {
+    "a folder": lambda path: (path.mkdir(), (path / "more").touch()),
+    "a link": lambda path: path.symlink_to("/etc/passwd"),
+    "not UTF-8": lambda path: path.write_bytes(b"report.ex\xffmple\n"),
+}
+
+
+@pytest.mark.parametrize("kind", DOMAINS)
+def test_a_domain_that_is_not_a_text_file_is_one_line(toy, remote, tmp_path, kind):
+    publish(toy.project.site, "")
+    git(tmp_path, "clone", "--quiet", "--branch", "gh-pages", str(remote), "work")
+    DOMAINS[kind](tmp_path / "work/CNAME")
+    for words in ("add CNAME", "commit --quiet -m CNAME", "push --quiet"):
+        git(tmp_path / "work", *words.split())
+    before = git(remote, "for-each-ref")
+    with pytest.raises(
+        UsageError, match=r"^not published: CNAME on .* not a text file"
+    ):
+        publish(toy.project.site, "")
+    assert git(remote, "for-each-ref") == before
+
+
+@pytest.mark.parametrize("name", ["www", "figures/www", ""])
+def test_the_site_is_not_published_into_itself(toy, tmp_path, name):
+    (tmp_path / "alias").symlink_to(toy.project.site)
+    for site in (toy.project.site, tmp_path / "alias"):
+        with pytest.raises(UsageError, match="is inside site/, which every build"):
+            publish(toy.project.site, f"dir:{site / name}")
+
+
 @pytest.fixture(params=["worktree", "shallow"])
 def clone(request, toy, remote, tmp_path) -> Path:
     """A copy of the project, with its site, as git makes copies."""
@@ -315,7 +367,7 @@ def test_without_a_repository_publishing_says_what_needs_none(toy, monkeypatch):
     monkeypatch.setenv("PATH", "/nowhere")
     with pytest.raises(
         UsageError,
-        match="git is not installed, and publishing to a branch needs it: use TARGET=dir:PATH",
+        match="not published: git is not installed: install it",
     ):
         publish(toy.project.site, "")
 
