@@ -142,12 +142,16 @@ def folder_at(text: str, root: Path) -> Path:
 
 
 def _short_path(path: Path, root: Path) -> str:
-    """Return a path relative to the report or to ~, without the user's name."""
+    """Return a path relative to the report or to ~, without the name of a user.
+
+    A path elsewhere, which may lead through another home folder, is shortened to its
+    last part.
+    """
     root = root.resolve()
+    if path.is_relative_to(root.parent):
+        return os.path.relpath(path, root)
     home = folder_at("~", root)
-    if path.is_relative_to(home) and not path.is_relative_to(root.parent):
-        return f"~/{path.relative_to(home)}"
-    return os.path.relpath(path, root)
+    return f"~/{path.relative_to(home)}" if path.is_relative_to(home) else path.name
 
 
 def _commit(spec: str, option: str, report: Report) -> Release:

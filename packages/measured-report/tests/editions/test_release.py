@@ -101,6 +101,16 @@ def test_what_is_kept_of_a_path_names_nobody(
             release.spec == asked
             and release_of(asked).package_version == release.package_version
         )
+    # The home folder of somebody else, by each way in which a folder can be named.
+    other = shutil.copytree(checkout, tmp_path_factory.mktemp("other") / "ALICE/newton")
+    (toy.project.root / "linked").symlink_to(other)
+    for spec in (
+        f"{other}@main",
+        f"git+file://{other}@main",
+        f"{os.path.relpath(other, toy.project.root)}@main",
+        "linked@main",
+    ):
+        assert release_of(spec).spec == "newton@main"
     assert str(UsageError(f"{home}/x and file://{home}/x")) == "~/x and file://~/x"
 
 
