@@ -149,8 +149,9 @@ def _date_options(release: Release, name: str, installs: Sequence[str]) -> list[
         f"{name} was released on {day}, so packages of that day are installed; "
         f"{FILTER}={date.today()} allows later ones"
     )
+    # uv would take a date as one of the local time zone, and include that day.
     next_day = date.fromisoformat(day) + timedelta(days=1)
-    options = ["--exclude-newer", next_day.isoformat()]
+    options = ["--exclude-newer", f"{next_day}T00:00:00Z"]
     for requirement in installs:
         package, has_version, _ = requirement.partition("==")
         if has_version:
