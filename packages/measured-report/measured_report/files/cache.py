@@ -37,7 +37,7 @@ class Cache:
     def folder(self) -> Path:
         """Return the cache's folder; raise RuntimeError if there is no home folder."""
         root = self.root.resolve()
-        digest = sha256(str(root).encode()).hexdigest()[:12]
+        digest = sha256(os.fsencode(root)).hexdigest()[:12]
         base = Path(os.environ.get("XDG_CACHE_HOME", ""))
         # A relative path is ignored, because it would lead into a checkout.
         if not base.is_absolute():
@@ -47,12 +47,14 @@ class Cache:
     def get(self, name: str, key: Any) -> Any:
         """Return the entry ``name``, or None if it was not made from ``key``."""
         # Any error can occur, because the pickle may name code that no longer exists.
-        with suppress(Exception), (self.folder / name).open("rb") as file:
-            if not _is_ours(self.folder):
-                return None
-            # The key comes first, because the value may be large.
-            is_current = pickle.load(file) == key
-            return pickle.load(file) if is_current else None
+        with suppress(Exception):
+            path = self.folder / name
+            # Opening a pipe would wait for somebody to write to it.
+            if path.is_file() and _is_ours(self.folder):
+                with path.open("rb") as file:
+                    # The key comes first, because the value may be large.
+                    is_current = pickle.load(file) == key
+                    return pickle.load(file) if is_current else None
         return None
 
     def put(self, name: str, key: Any, value: Any) -> None:

@@ -10,11 +10,13 @@ from typing import Any
 
 import jinja2
 from jinja2 import nodes
+from jinja2.bccache import Bucket
 from jinja2.ext import Extension
 from jinja2.parser import Parser
 from jinja2.runtime import Context
 from markupsafe import Markup, escape
 
+from measured_report.files.cache import Cache
 from measured_report.files.config import Report
 from measured_report.files.config import report as current_report
 from measured_report.files.errors import ReportError
@@ -67,25 +69,38 @@ class Tags(Extension):
         return PARSERS[parser.stream.current.value](parser, self.environment)
 
 
+class Compiled(jinja2.BytecodeCache):
+    """Cache compiled templates until the code in pages/ or parts/ changes.
+
+    Compiling all of them takes a second.
+    """
+
+    def __init__(self, kind: str):
+        self.kind = kind
+        self.cache = Cache(GENERATOR)
+        self.made_by = files_digest([*GENERATOR.glob("pa*/*.py")], GENERATOR)
+
+    def load_bytecode(self, bucket: Bucket) -> None:
+        if content := self.cache.get(f"{self.kind}-{bucket.key}", self.made_by):
+            bucket.bytecode_from_string(content)
+
+    def dump_bytecode(self, bucket: Bucket) -> None:
+        content = bucket.bytecode_to_string()
+        self.cache.put(f"{self.kind}-{bucket.key}", self.made_by, content)
+
+
 class Templates:
     """Load and render a project's templates; raise ReportError for invalid ones."""
 
     def __init__(self, folder: Path, report: Report | None = None):
         own, base = map(jinja2.FileSystemLoader, (folder, LAYOUT))
         layouts = jinja2.PrefixLoader({"layout": base})
-        # Compiling all templates takes a second, so the result is cached until the code
-        # in pages/ or parts/ changes.
-        digest = files_digest([*GENERATOR.glob("pa*/*.py")], GENERATOR)[:16]
-        layout_cache, prose_cache = (
-            jinja2.FileSystemBytecodeCache(pattern=f"{kind}-{digest}-%s")
-            for kind in ("layout", "prose")
-        )
         self._layout = environment(
             loader=jinja2.ChoiceLoader([own, base, layouts]),
-            bytecode_cache=layout_cache,
+            bytecode_cache=Compiled("layout"),
         )
         self._prose = self._layout.overlay(
-            finalize=_as_token, extensions=[Tags], bytecode_cache=prose_cache
+            finalize=_as_token, extensions=[Tags], bytecode_cache=Compiled("prose")
         )
         self.references = references(folder)
         self._layout.globals |= {

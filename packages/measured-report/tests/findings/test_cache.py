@@ -12,6 +12,7 @@ from toys import MODULE, REPORT, ROWS, TEMPLATE, Toy, program
 from measured_report.files.cache import Cache, _is_ours
 from measured_report.findings import cache as derived
 from measured_report.findings.editions import derive_edition, editions_of
+from measured_report.pages.prose import GENERATOR
 from measured_report.records import code
 from measured_report.records.record import write_record
 from measured_report.records.replicas import FOLDER
@@ -264,6 +265,38 @@ def test_an_entry_that_is_damaged_is_made_again(built, damage):
     assert files(built.project.site) == before
 
 
+@pytest.mark.parametrize("base", ["", ".cache", "../cache"])
+def test_a_cache_in_a_checkout_is_not_used(toy, monkeypatch, tmp_path, base):
+    """A relative path would lead there, and so would no path at all."""
+    monkeypatch.setenv("XDG_CACHE_HOME", base)
+    monkeypatch.setenv("HOME", str(tmp_path / "home"))
+    monkeypatch.chdir(toy.project.root)
+    expected = tmp_path / "home/.cache/measured-report"
+    assert Cache(toy.project.root).folder.parent == expected
+
+
+def test_compiled_templates_are_kept_in_the_cache_and_not_where_others_may_write(
+    toy, monkeypatch, tmp_path
+):
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
+    monkeypatch.setattr("tempfile.tempdir", str(tmp_path / "nowhere"))
+    toy.build()
+    folder = Cache(GENERATOR).folder
+    kept = {path.name: path.read_bytes() for path in folder.iterdir()}
+    assert {name.partition("-")[0] for name in kept} == {"layout", "prose"}
+    folder.chmod(0o777)
+    _is_ours.cache_clear()
+    for name in kept:
+        (folder / name).write_bytes(pickle.dumps("from somebody else"))
+    toy.write("templates/front.md.j2", "# Another title\n")
+    toy.build()
+    assert "Another title" in toy.front
+    assert {*map(Path.read_bytes, folder.iterdir())} == {
+        pickle.dumps("from somebody else")
+    }
+    _is_ours.cache_clear()
+
+
 @pytest.mark.slow
 def test_the_same_commit_gives_the_same_bytes_anywhere(toy, tmp_path):
     """In two folders, languages, time zones, and orders of what has none; and in a process that had other reports."""
@@ -296,12 +329,14 @@ def test_the_same_commit_gives_the_same_bytes_anywhere(toy, tmp_path):
     assert len(sites[0]) > 10 and sites[0] == sites[1] == sites[2]
 
 
-def test_what_others_may_write_is_no_cache(tmp_path, monkeypatch, capsys):
+@pytest.mark.parametrize("mode", [0o720, 0o702])
+def test_what_others_may_write_is_no_cache(tmp_path, monkeypatch, capsys, mode):
+    """Neither the group nor all others may, nor may it belong to somebody else."""
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
     mine = Cache(tmp_path / "one")
     mine.put("a", 1, "value")
     assert mine.get("a", 1) == "value"
-    mine.folder.chmod(0o777)
+    mine.folder.chmod(mode)
     _is_ours.cache_clear()
     assert (
         mine.get("a", 1) is None
