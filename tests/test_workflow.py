@@ -242,3 +242,13 @@ def test_a_new_report_takes_the_uv_of_the_lock_by_its_bytes():
     )
     assert len(hashes) == 4 and all(digest in lock for _, digest in hashes)
     assert "--require-hashes" in (SKELETON / "Makefile").read_text()
+
+
+def test_every_room_of_the_generator_is_mutated_each_week():
+    text = (ROOT / ".github/workflows/mutation.yml").read_text(encoding="utf-8")
+    rooms = re.search(r"room: \[(.*)\]", text)[1].split(", ")
+    generator = ROOT / "packages/measured-report/measured_report"
+    folders = {path.parent.name for path in generator.glob("*/[a-z]*.py")}
+    tests = ROOT / "packages/measured-report/tests"
+    assert rooms == sorted(folders - {"skeleton"})
+    assert all(any((tests / room).glob("test_*.py")) for room in rooms)
