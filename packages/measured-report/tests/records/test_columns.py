@@ -18,6 +18,7 @@ from current_columns import (
 from measured_report.files.atomic import RecordError
 from measured_report.files.config import Config
 from measured_report.files.errors import ReportError
+from measured_report.files.settings import Columns
 from measured_report.records.record import read_record, record_text
 from measured_report.records.replicas import mismatch
 
@@ -163,3 +164,21 @@ def test_a_replica_has_nine_in_ten_of_the_numbers(toy):
             for n in range(20)
         ]
         assert mismatch(tracked, replace(tracked, rows=rows)) == said
+
+
+@pytest.mark.parametrize(
+    ("column", "possible", "impossible"),
+    [("hit_share", (0.0, 0.5, 1.0), (-0.1, 1.1)), ("hit_count", (0, 4), (-1, 5))],
+)
+def test_a_share_is_at_most_one_and_a_count_at_most_that_of_its_trials(
+    column, possible, impossible
+):
+    trials = Columns(trials="try_count", names=[column])
+    schema = Schema(Config(columns=[trials]), {})
+    for value in (*possible, *impossible):
+        row = {"case": "one", "try_count": 4, column: value}
+        is_possible = value in possible
+        assert (schema.trials_problem(column, row) == "") == is_possible, value
+        assert schema.number_of(column, row) == (value if is_possible else None)
+    unknown = {"case": "one", "try_count": 0, column: 9}
+    assert schema.trials_problem(column, unknown) == ""

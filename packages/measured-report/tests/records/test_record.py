@@ -11,6 +11,7 @@ from damage import unsealed
 from measured_report.files.atomic import RecordError
 from measured_report.files.config import report
 from measured_report.measuring.run import plausible_row
+from measured_report.records import traces
 from measured_report.records.record import load_record, trace_path, write_record
 from measured_report.records.traces import load_trace, packed
 
@@ -150,3 +151,19 @@ def test_traces_are_the_same_bytes_for_the_same_numbers_and_go_with_their_cases(
     ]
     with pytest.raises(RecordError):
         trace_path(toy.record_path, "../soft")
+
+
+def test_a_trace_has_at_most_so_many_columns_and_cells(toy, monkeypatch):
+    """Each limit is the largest number that is accepted; the header is a line as well."""
+
+    def trace(width: int, length: int) -> dict[str, list[float]]:
+        return {f"x{number}_mm": [0.0] * length for number in range(width)}
+
+    seal, _ = packed(toy.record_path, "stiff", trace(traces.COLUMN_LIMIT, 1))
+    assert seal.row_count == 1
+    with pytest.raises(RecordError, match="more than 1000 columns"):
+        packed(toy.record_path, "stiff", trace(1001, 1))
+    monkeypatch.setattr(traces, "CELL_LIMIT", 12)
+    packed(toy.record_path, "stiff", trace(3, 3))
+    with pytest.raises(RecordError, match="more than 12 cells"):
+        packed(toy.record_path, "stiff", trace(3, 4))

@@ -236,6 +236,16 @@ def test_the_interval_of_an_extreme_holds_for_each_that_may_be_it():
     assert wide == pytest.approx(1.5), "the second may be as large as 2.5"
 
 
+def test_a_combined_extreme_has_the_noise_of_an_extreme_and_none_without_its_parts():
+    numbers = [
+        Quantity(value, "mm", f"toy.json#/rows/{index}/a_mm", noise=noise)
+        for index, (value, noise) in enumerate([(1.0, 0.1), (0.5, 2.0)])
+    ]
+    assert combined(max, *numbers).noise == pytest.approx(1.5)
+    unknown = Quantity(0.9, "mm", "toy.json#/rows/2/a_mm")
+    assert combined(max, *numbers, unknown).noise is None
+
+
 @pytest.mark.parametrize("choose", [max, min])
 def test_the_truth_of_an_extreme_of_24_equal_rows_is_within_its_noise(choose):
     chance = np.random.default_rng(24)

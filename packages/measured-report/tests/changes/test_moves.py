@@ -1,0 +1,74 @@
+"""Which numbers of two editions are compared, and which direction is better."""
+
+import pytest
+from toys import compared
+
+from measured_report.changes.moves import direction
+from measured_report.files.columns import Column
+
+
+def column(better: str) -> Column:
+    return Column(
+        name="x_mm",
+        unit="mm",
+        words="x",
+        least=-1.0,
+        largest=1.0,
+        kinds=frozenset(),
+        better=better,
+    )
+
+
+@pytest.mark.parametrize(
+    ("before", "after", "is_larger"),
+    [
+        (1.0, 2.0, True),
+        (-1.0, -2.0, True),
+        (-2.0, 1.0, False),
+        (1.0, -2.0, True),
+        (2.0, -1.0, False),
+        (0.0, -1.0, True),
+    ],
+)
+def test_the_size_of_a_signed_number_is_better_or_worse(before, after, is_larger):
+    """An error of -2 mm is worse than one of 1 mm, whatever its sign is."""
+    outcomes = {"more": is_larger, "less": not is_larger}
+    for better, is_better in outcomes.items():
+        said = direction(column(better), before, after)
+        assert said == ("better" if is_better else "worse"), better
+    assert direction(column(""), before, after) == ""
+    assert direction(column("less"), None, after) == ""
+    assert direction(column("less"), before, None) == ""
+
+
+ROW = {
+    "case": "soft",
+    "slip_mm": 6.3,
+    "drift_mm_s": 0.5,
+    "dropped": False,
+    "pad_ke": 1e4,
+    "frame_count": 100,
+}
+ALL = {*ROW} - {"case"}
+
+
+@pytest.mark.parametrize(
+    ("changed", "columns"),
+    [
+        ({}, ALL),
+        # A rate does not depend on the length of a run, and all else may.
+        ({"frame_count": 200}, ALL - {"slip_mm"}),
+        ({"pad_ke": 2e4}, ALL - {"slip_mm", "drift_mm_s"}),
+        ({"pad_ke": 2e4, "frame_count": 200}, ALL - {"slip_mm", "drift_mm_s"}),
+        ({"slip_mm": 7.0}, ALL),
+        ({"case": "another"}, set()),
+    ],
+)
+def test_numbers_of_runs_with_other_parameters_are_not_compared(toy, changed, columns):
+    newer = toy.of("1.8.0")
+    other = {**ROW, "case": "stiff"}
+    toy.measure([ROW, other])
+    newer.measure([{**ROW, **changed}, other])
+    cells = compared(toy.project, newer.project).cells
+    rows = [cell for cell in cells if cell.place.get("case") == "soft"]
+    assert {cell.column.name for cell in rows} == columns
