@@ -7,7 +7,7 @@ import sys
 from functools import cache
 from pathlib import Path
 
-from measured_report.commands.status import damage, print_damage, states_by_release
+from measured_report.commands.status import print_damage_of
 from measured_report.editions.project import Project, own_release
 from measured_report.editions.status import records_of
 from measured_report.files.config import report
@@ -40,8 +40,7 @@ def main() -> int:
     )
     own = own_release()
     project = Project(own, root=report().root, own_release=own)
-    is_damaged = print_damage(damage(project, states_by_release(project)))
-    return status or int(is_damaged)
+    return status or int(print_damage_of(project))
 
 
 def noise_of_record(path: Path, row: int, column: str) -> float | None:

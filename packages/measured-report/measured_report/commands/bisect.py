@@ -5,6 +5,7 @@ import math
 from measured_report.changes.bisect import Bisection, bisect, points_between
 from measured_report.commands.history import query_of
 from measured_report.commands.options import SHARED, Arguments, shared
+from measured_report.commands.status import print_damage_of
 from measured_report.editions.project import Project
 from measured_report.files.errors import UsageError, suggestion
 from measured_report.measuring.machine import measuring_device
@@ -31,4 +32,4 @@ def run(project: Project, arguments: Arguments) -> int:
     step = f"{project.profile} run of {query.section}"
     print(f"about {count} steps; a step without a record needs a {step}", flush=True)
     print(bisect(Bisection(project, query, device), arguments.a, arguments.b))
-    return 0
+    return int(print_damage_of(project))

@@ -3,7 +3,7 @@
 from measured_report.changes.alarm import check_text
 from measured_report.changes.compare import faults_of
 from measured_report.commands.options import Arguments, refuse_unmeasured, shared
-from measured_report.commands.status import print_damage
+from measured_report.commands.status import print_left_out
 from measured_report.editions.project import Project
 from measured_report.findings.editions import editions_of
 from measured_report.pages.wording import sentences_of
@@ -21,9 +21,5 @@ def run(project: Project, arguments: Arguments) -> int:
     editions = editions_of(project)
     edition = editions[project.release]
     print(check_text(edition, arguments.format, sentences_of(project)))
-    is_damaged = print_damage(
-        state
-        for measured_edition in editions.values()
-        for state in (*measured_edition.left_out, *measured_edition.plugins.left_out)
-    )
+    is_damaged = print_left_out(editions)
     return int(is_damaged or (arguments.strict and bool(faults_of(edition))))

@@ -10,7 +10,9 @@ import os
 import re
 import signal
 import sys
-from collections.abc import Iterator, Mapping
+import time
+from collections.abc import Callable, Iterator, Mapping
+from functools import partial
 from importlib import import_module
 from pathlib import Path
 from types import ModuleType
@@ -21,14 +23,15 @@ from measured_report.editions.release import release_of
 from measured_report.files.config import Config, Report
 from measured_report.files.config import report as current
 from measured_report.files.errors import (
-    UNPRINTABLE,
+    NO_MEMORY,
     ReportError,
     UsageError,
+    print_line,
     suggestion,
-    without_secrets,
 )
 from measured_report.records.code import cached_sources
 
+OLDEST = 946_684_800  # seconds from 1970 to 2000
 OWN = "report.commands"  # the package of the commands that a report defines itself
 
 
@@ -43,34 +46,48 @@ class Parser(argparse.ArgumentParser):
 
 
 def main() -> int:
-    """Run the command given on the command line and return its exit status.
+    """Run the command given on the command line and return its exit status."""
+    is_help = sys.argv[1:] in ([], ["-h"], ["--help"])
+    return status_of(partial(_run, *(["help"] if is_help else sys.argv[1:])))
+
+
+def status_of(run: Callable[[], int]) -> int:
+    """Run a command and return its exit status.
 
     Print an error that the user can fix as one line.
     """
     try:
-        is_help = sys.argv[1:] in ([], ["-h"], ["--help"])
-        status = _run(*(["help"] if is_help else sys.argv[1:]))
+        if time.time() < OLDEST:
+            raise UsageError(
+                "the clock of this machine shows a time before 2000: set it, because "
+                "every record would be from the future"
+            )
+        status = run()
         sys.stdout.flush()
         return status
     except KeyboardInterrupt:
         print("stopped: measurements that were completed are kept", file=sys.stderr)
         return 130
+    except MemoryError:
+        print_line(NO_MEMORY)
+        return 1
+    except UnicodeEncodeError as error:
+        print_line(
+            f"{error.object[:200]} cannot be written as {error.encoding}: rename the "
+            "file or folder, or use a locale with UTF-8"
+        )
+        return 1
     except OSError as error:
         # A program that reads the output, such as head, may close it early.
         if not isinstance(error, BrokenPipeError):
             subject = error.filename or "the output cannot be written"
-            _print_error(f"{subject}: {error.strerror or error}")
+            print_line(f"{subject}: {error.strerror or error}")
         os.dup2(os.open(os.devnull, os.O_WRONLY), 1)
         return 1
     except ReportError as error:
         if str(error):  # the text is empty if the message was printed already
-            _print_error(str(error))
+            print_line(str(error))
         return 2 if isinstance(error, UsageError) else 1
-
-
-def _print_error(text: str) -> None:
-    line = UNPRINTABLE.sub("?", " ".join(without_secrets(text).split()))
-    print(line, file=sys.stderr)
 
 
 def _run(name: str, *typed: str) -> int:

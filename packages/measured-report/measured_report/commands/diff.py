@@ -8,6 +8,7 @@ from measured_report.commands.options import (
     refuse_unmeasured,
     shared,
 )
+from measured_report.commands.status import print_damage_of
 from measured_report.editions.project import Project
 from measured_report.findings.editions import derive_edition
 from measured_report.pages.wording import sentences_of
@@ -18,7 +19,9 @@ OPTIONS = shared("a", "b", "profile", "format")
 def run(project: Project, arguments: Arguments) -> int:
     """Print the differences and return 1 for an alarm.
 
-    An alarm is a claim that flipped, a number that moved, or an edition with faults.
+    An alarm is a claim that flipped, a number that moved, or an edition with faults. The
+    status is also 1 if a record of any edition cannot be read, because all of them show
+    how numbers scatter.
     """
     refuse_itself(project, str(arguments.a), str(arguments.b))
     for release in (arguments.a, arguments.b):
@@ -31,4 +34,4 @@ def run(project: Project, arguments: Arguments) -> int:
     print(
         diff_text(comparison, rate_text(rate), arguments.format, sentences_of(project))
     )
-    return int(comparison.is_alarm)
+    return int(print_damage_of(project) or comparison.is_alarm)

@@ -2,6 +2,7 @@
 
 from measured_report.changes.query import Query, history
 from measured_report.commands.options import Arguments, shared
+from measured_report.commands.status import print_left_out
 from measured_report.editions.project import Project
 from measured_report.files.errors import UsageError, suggestion
 from measured_report.findings.editions import editions_of
@@ -10,22 +11,23 @@ OPTIONS = shared("claim", "value", "profile")
 
 
 def run(project: Project, arguments: Arguments) -> int:
-    releases = {
-        release: edition.chapters for release, edition in editions_of(project).items()
-    }
+    """Print the history, and return 1 if a record cannot be read or shown."""
+    editions = editions_of(project)
+    is_damaged = print_left_out(editions)
+    releases = {release: edition.chapters for release, edition in editions.items()}
     if not (arguments.claim or arguments.value):
         headlines = project.report.settings.changes.headlines.values()
         print("\n\n".join(history(releases, Query(value)) for value in headlines))
-        return 0
+        return int(is_damaged)
     query = query_of(arguments)
-    if not any(
+    if not is_damaged and not any(
         query.answer(chapters) is not None or query.text in query.names(chapters)
         for chapters in releases.values()
     ):
         similar = suggestion(query.text, query.names(releases[project.release]))
         raise UsageError(f"no edition has {query.text}{similar}: use SECTION.NAME")
     print(history(releases, query))
-    return 0
+    return int(is_damaged)
 
 
 def query_of(arguments: Arguments) -> Query:

@@ -11,15 +11,17 @@ import shlex
 import shutil
 import sys
 from collections.abc import Iterator
+from functools import partial
 from importlib import metadata
 from pathlib import Path
 from urllib.parse import unquote, urlparse
 
 from measured_report.commands import audit
+from measured_report.commands.command_line import status_of
 from measured_report.commands.reference import FILE, reference
 from measured_report.files.atomic import write_file
 from measured_report.files.config import report_in
-from measured_report.files.errors import ReportError, UsageError
+from measured_report.files.errors import UsageError
 from measured_report.files.git import git
 
 SKELETON = Path(__file__).resolve().parents[1] / "skeleton"
@@ -29,7 +31,7 @@ GENERATOR = "measured-report"
 def main() -> int:
     parser = argparse.ArgumentParser(prog=GENERATOR, description=__doc__)
     if sys.argv[1:2] == ["audit"]:
-        return audit.main()
+        return status_of(audit.main)
     parser.add_argument(
         "command",
         choices=("new", "audit"),
@@ -45,15 +47,10 @@ def main() -> int:
         "--version", action="version", version=metadata.version(GENERATOR)
     )
     arguments = parser.parse_args()
-    try:
-        new(arguments.folder.resolve())
-    except (ReportError, OSError) as error:
-        print(error, file=sys.stderr)
-        return 2
-    return 0
+    return status_of(partial(new, arguments.folder.resolve()))
 
 
-def new(folder: Path) -> None:
+def new(folder: Path) -> int:
     """Write a report about a pendulum into a folder that is empty or does not exist."""
     if folder.is_file() or (folder.is_dir() and any(folder.iterdir())):
         raise UsageError(f"{folder} is not empty: use a folder that does not exist")
@@ -82,6 +79,7 @@ def new(folder: Path) -> None:
         f"wrote {folder}: run cd {short_path} && make report to measure and to build "
         "site/index.html"
     )
+    return 0
 
 
 def _source(folder: Path) -> Iterator[str]:

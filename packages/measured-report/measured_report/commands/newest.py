@@ -8,6 +8,7 @@ from dataclasses import replace
 from operator import attrgetter
 
 from measured_report.commands.options import Arguments
+from measured_report.commands.status import print_damage_of
 from measured_report.editions.project import PROFILES, Project
 from measured_report.editions.release import release_of, releases_of
 from measured_report.editions.status import records_of
@@ -59,7 +60,7 @@ def run(project: Project, arguments: Arguments) -> int:
             "again": "true" if is_repeat else "",
         }
         print("\n".join(f"{name}={value}" for name, value in outputs.items()))
-    return 0
+    return int(print_damage_of(project))
 
 
 def _lacks_measurements(project: Project) -> bool:

@@ -1,5 +1,6 @@
 """Define the options that several commands share, and check their values."""
 
+import os
 import re
 from argparse import Namespace
 from functools import partial
@@ -7,6 +8,7 @@ from typing import Any
 
 from measured_report.editions.project import PROFILES, Project
 from measured_report.editions.release import release_of
+from measured_report.editions.status import other_damage
 from measured_report.files.errors import UsageError, suggestion
 from measured_report.measuring.machine import read_device
 from measured_report.records.identity import sections
@@ -111,7 +113,8 @@ def shared(*names: str) -> dict[str, dict[str, Any]]:
 def refuse_unmeasured(project: Project, name: str) -> None:
     """Raise UsageError if an edition, other than the project's own, has no results."""
     paths = map(project.record_path, sections(project.root))
-    if not project.is_own and not any(path.exists() for path in paths):
+    is_measured = any(other_damage(project)) or any(map(os.path.lexists, paths))
+    if not project.is_own and not is_measured:
         other_releases = [
             release for release in project.releases if release != project.release
         ]

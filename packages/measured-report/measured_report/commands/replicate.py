@@ -7,6 +7,7 @@ from hashlib import sha256
 from pathlib import Path
 
 from measured_report.commands.options import Arguments, refuse_unmeasured, shared
+from measured_report.commands.status import print_damage_of
 from measured_report.editions.project import Project
 from measured_report.editions.status import Kind, records_of, states_of
 from measured_report.files.atomic import write_file
@@ -34,7 +35,7 @@ def run(project: Project, arguments: Arguments) -> int:
     refuse_unmeasured(project, arguments.release.spec)
     if arguments.file:
         _keep(project, read_replica(Path(arguments.file)), arguments.file)
-        return 0
+        return int(print_damage_of(project))
     device = measuring_device(arguments.device, project.profile, arguments.cluster)
     names = [
         state.section
@@ -55,7 +56,7 @@ def run(project: Project, arguments: Arguments) -> int:
     records = {record.section: record for record in records_of(repeated)}
     _keep(project, records, "this measurement")
     shutil.rmtree(repeated.results)
-    return 0
+    return int(print_damage_of(project))
 
 
 def _keep(project: Project, records: Records, source: str) -> None:

@@ -1,7 +1,7 @@
 """List the state of each section, and the changes that made sections stale."""
 
 import sys
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from importlib import import_module
 
 from measured_report.commands.command_line import OWN, commands
@@ -9,6 +9,7 @@ from measured_report.commands.options import Arguments, refuse_unmeasured, share
 from measured_report.editions.project import Project
 from measured_report.editions.status import Kind, State, aligned, states_of
 from measured_report.files.groups import grouped
+from measured_report.findings.editions import Edition
 from measured_report.findings.replicas import damage_of, replicas_text
 from measured_report.records.code import Code
 from measured_report.records.identity import sections
@@ -52,6 +53,11 @@ def _states_of_commands(project: Project) -> Iterator[State]:
             yield module.state(project)
 
 
+def print_damage_of(project: Project) -> bool:
+    """Print which results of any edition cannot be read."""
+    return print_damage(damage(project, states_by_release(project)))
+
+
 def damage(project: Project, states: States) -> Iterator[State]:
     """Yield the states of all results that cannot be read, in all editions."""
     for release, section_states in states.items():
@@ -62,9 +68,19 @@ def damage(project: Project, states: States) -> Iterator[State]:
 def print_damage(states: Iterable[State]) -> bool:
     """Print which results cannot be read or shown, and return whether there are any."""
     faulty = [state for state in states if state.kind in (Kind.DAMAGED, Kind.NOT_SHOWN)]
-    for state in faulty:
-        print(f"{state.kind}: {state.words}", file=sys.stderr)
+    # Several editions can have the same fault: they share a folder.
+    for line in dict.fromkeys(f"{state.kind}: {state.words}" for state in faulty):
+        print(line, file=sys.stderr)
     return bool(faulty)
+
+
+def print_left_out(editions: Mapping[str, Edition]) -> bool:
+    """Print which results of some editions cannot be read or shown."""
+    return print_damage(
+        state
+        for edition in editions.values()
+        for state in (*edition.left_out, *edition.plugins.left_out)
+    )
 
 
 def _matrix(project: Project, states: States) -> str:

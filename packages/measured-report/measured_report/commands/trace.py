@@ -12,7 +12,9 @@ from measured_report.commands.options import (
     refuse_unmeasured,
     shared,
 )
+from measured_report.commands.status import print_left_out
 from measured_report.editions.project import Project
+from measured_report.files.atomic import files_in, read_text
 from measured_report.files.errors import UsageError, suggestion
 from measured_report.findings.chapters import Chapter
 from measured_report.findings.editions import Edition, editions_of
@@ -34,9 +36,12 @@ PLACES = re.compile(' id="([^"]+)"| data-src="([^"]+)"')
 
 
 def run(project: Project, arguments: Arguments) -> int:
+    """Print the origin, and return 1 if a record cannot be read or shown."""
     refuse_unmeasured(project, arguments.release.spec)
-    print(provenance(project, editions_of(project), arguments.value))
-    return 0
+    editions = editions_of(project)
+    is_damaged = print_left_out(editions)
+    print(provenance(project, editions, arguments.value))
+    return int(is_damaged)
 
 
 def provenance(project: Project, editions: Mapping[str, Edition], name: str) -> str:
@@ -105,9 +110,9 @@ def _pages(project: Project, source: str) -> list[str]:
     own = project.of(project.own_release or project.release).results.name
     site = project.site if project.is_own else project.site / project.results.name
     places: dict[str, None] = {}
-    for path in sorted(site.glob("*.html")):
+    for path in files_in(site, "*.html"):
         anchor = ""
-        for match in PLACES.finditer(path.read_text(encoding="utf-8")):
+        for match in PLACES.finditer(read_text(path)):
             anchor = match[1] or anchor
             if match[2] == local(source, own):
                 places[f"{path.name}#{anchor}"] = None

@@ -14,8 +14,10 @@ from msgspec import Struct, convert
 from measured_report.editions.release import Release, read_label
 from measured_report.files.atomic import (
     RecordError,
+    files_in,
     folder_fault,
     read_file,
+    read_text,
     short_path,
     write_file,
 )
@@ -158,8 +160,10 @@ class Project:
         """
         folders = [
             folder
-            for folder in self.results.parent.glob(self.settings.edition_folder("*"))
-            if folder_fault(folder) or any(folder.glob("*.json"))
+            for folder in files_in(
+                self.results.parent, self.settings.edition_folder("*")
+            )
+            if folder_fault(folder) or files_in(folder, "*.json")
         ]
         labels = {self.settings.edition_in(folder.name) for folder in folders}
         releases = {label for label in labels if read_label(label, self.settings)}
@@ -215,7 +219,7 @@ def own_release(root: Path | None = None, report: Report | None = None) -> str:
     """Return the project's default release, which pyproject.toml requires."""
     report = report or current()
     requirement = report.settings.requirement_of(report.settings.edition)
-    text = ((root or report.root) / "pyproject.toml").read_text(encoding="utf-8")
+    text = read_text((root or report.root) / "pyproject.toml")
     match = re.search(rf'"{re.escape(requirement)}==([0-9.]+)"', text)
     if not match:
         if not requirement:

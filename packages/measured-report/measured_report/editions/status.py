@@ -90,7 +90,8 @@ def states_of(project: Project, code: Code | None = None) -> list[State]:
 
 def other_damage(project: Project) -> Iterator[State]:
     """Yield the folders and the manifest of an edition if they cannot be read."""
-    for folder in (project.results, project.results / FOLDER):
+    folders = (project.results.parent, project.results, project.results / FOLDER)
+    for folder in folders:
         if fault := folder_fault(folder):
             yield State(folder.name, Kind.DAMAGED, notes=(fault,))
     try:

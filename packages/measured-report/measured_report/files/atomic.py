@@ -44,12 +44,45 @@ def read_file(path: Path, byte_limit: int) -> bytes:
 def folder_fault(folder: Path) -> str:
     """Return why a folder cannot be read; empty if it can, or if it does not exist."""
     try:
-        if os.path.lexists(folder):
-            for path in folder.iterdir():
-                path.lstat()
+        for path in folder.iterdir():
+            path.lstat()
     except OSError as error:
-        return f"{short_path(folder)} cannot be read: {error.strerror}"
+        if os.path.lexists(folder) or not isinstance(error, FileNotFoundError):
+            return f"{short_path(folder)} cannot be read: {error.strerror}"
     return ""
+
+
+def files_in(folder: Path, pattern: str) -> list[Path]:
+    """Return the matching files of a folder; none if it cannot be read.
+
+    ``folder_fault`` returns the reason.
+    """
+    try:
+        return sorted(folder.glob(pattern))
+    except OSError:
+        return []
+
+
+def read_text(path: Path) -> str:
+    """Return the text of a file of a report; raise ReportError if it cannot be read."""
+    name = UNPRINTABLE.sub("?", path.name)
+    try:
+        # Opening a pipe would wait for somebody to write to it.
+        if not stat.S_ISREG(path.stat().st_mode):
+            raise ReportError(f"{name} is not a regular file")
+        return path.read_text(encoding="utf-8-sig")
+    except OSError as error:
+        raise ReportError(f"{name} cannot be read: {error.strerror}") from None
+    except UnicodeDecodeError as error:
+        raise ReportError(f"{name} is not a text in UTF-8: {error}") from None
+
+
+def remove(path: Path) -> None:
+    """Remove a file, a link, a pipe or a folder with its contents, if it exists."""
+    if path.is_dir() and not path.is_symlink():
+        shutil.rmtree(path, ignore_errors=True)
+    else:
+        path.unlink(missing_ok=True)
 
 
 @contextmanager
@@ -101,7 +134,7 @@ def atomic_file(path: Path) -> Iterator[Path]:
     path.parent.mkdir(parents=True, exist_ok=True)
     temporary = path.with_name(f".{path.name}.part")
     # A killed process may have left this file. It may also be a link to another place.
-    temporary.unlink(missing_ok=True)
+    remove(temporary)
     try:
         yield temporary
         os.replace(temporary, path)
@@ -117,11 +150,11 @@ def staging_folder(folder: Path) -> Iterator[Path]:
     """
     with locked(folder.parent):
         fresh = folder.with_name(f".{folder.name}-new")
-        shutil.rmtree(fresh, ignore_errors=True)
+        remove(fresh)
         try:
             yield fresh
         finally:
-            shutil.rmtree(fresh, ignore_errors=True)
+            remove(fresh)
 
 
 def sums(digests: Mapping[str, str]) -> str:
@@ -150,8 +183,8 @@ def put_in_place(folder: Path, fresh: Path) -> None:
     """Replace ``folder``, or the folder that it links to, by ``fresh``."""
     folder = folder.resolve()
     before = fresh.with_name(f"{fresh.name}-before")
-    shutil.rmtree(before, ignore_errors=True)
+    remove(before)
     if folder.exists():
         os.rename(folder, before)
     os.rename(fresh, folder)
-    shutil.rmtree(before, ignore_errors=True)
+    remove(before)

@@ -30,6 +30,9 @@ UNPRINTABLE = re.compile(
 """Characters that could hide or change the text around them, and that no text needs."""
 
 
+NO_MEMORY = "there is not enough memory: close other programs or raise ulimit -v"
+
+
 class ReportError(Exception):
     """Signal an error that the user can fix; the message is one line that says how."""
 
@@ -84,10 +87,16 @@ def bug_of(error: BaseException) -> str:
 def _print_error(
     kind: type[BaseException], error: BaseException, trace: TracebackType | None
 ) -> None:
-    if issubclass(kind, ReportError):
-        print(" ".join(str(error).split()), file=sys.stderr)
+    if issubclass(kind, ReportError | MemoryError):
+        print_line(str(error) or NO_MEMORY)
     else:
         sys.__excepthook__(kind, error, trace)
+
+
+def print_line(text: str) -> None:
+    """Print an error as one line, without secrets and hidden characters."""
+    line = UNPRINTABLE.sub("?", " ".join(without_secrets(text).split()))
+    print(line, file=sys.stderr)
 
 
 # An import reads report.toml before any command runs that could print an error.

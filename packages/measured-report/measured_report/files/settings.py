@@ -11,6 +11,7 @@ from typing import Annotated, Any, Literal
 
 from msgspec import Meta, ValidationError, convert
 
+from measured_report.files.atomic import read_text
 from measured_report.files.errors import ReportError, suggestion
 
 if sys.version_info >= (3, 11):
@@ -237,8 +238,11 @@ class Config:
 
 
 def read_toml(path: Path) -> dict[str, Any]:
-    """Read a TOML file; raise ValueError or OSError if it cannot be read."""
-    return tomllib.loads(path.read_text(encoding="utf-8-sig"))
+    """Read a TOML file; raise ReportError if it cannot be read."""
+    try:
+        return tomllib.loads(read_text(path))
+    except (ValueError, RecursionError) as error:
+        raise ReportError(f"{path.name}: {error}") from None
 
 
 def read_settings(root: Path) -> Config:
@@ -287,7 +291,7 @@ def read_settings(root: Path) -> Config:
         raise ReportError(
             f"{FILE}: {error.pattern!r} is not a regular expression: {error}"
         ) from None
-    except (OSError, ValueError, TypeError) as error:  # msgspec raises these
+    except (ValueError, TypeError) as error:  # msgspec raises these
         hint = "; see REFERENCE.md" if isinstance(error, ValidationError) else ""
         raise ReportError(f"{FILE}: {' '.join(str(error).split())}{hint}") from None
     if not (package := config.edition):

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from measured_report.editions.project import Project
 from measured_report.editions.status import Kind, State, other_damage, records_of
-from measured_report.files.atomic import RecordError
+from measured_report.files.atomic import RecordError, files_in
 from measured_report.files.config import Report
 from measured_report.files.errors import ReportError
 from measured_report.files.groups import grouped
@@ -49,7 +49,7 @@ def measured_digest(project: Project) -> str:
     files: list[Path] = []
     for edition in _compared(project):
         files += replica_files(edition)
-        files += edition.results.glob("*.json")
+        files += files_in(edition.results, "*.json")
     digest = files_digest(files, project.root)
     # A replica that is a folder has no digest, but it is listed as damaged by its name.
     return f"{digest} {' '.join(sorted(path.name for path in files))}"
@@ -114,7 +114,7 @@ def _kinds(records: Sequence[Record], report: Report) -> str:
 
 def replica_files(project: Project) -> list[Path]:
     """Return the files of an edition's replicas."""
-    return sorted((project.results / FOLDER).glob("*.tgz"))
+    return files_in(project.results / FOLDER, "*.tgz")
 
 
 def read_replicas(project: Project) -> tuple[dict[str, Records], list[str]]:

@@ -17,6 +17,7 @@ from typing import Annotated
 
 from msgspec import Meta
 
+from measured_report.files.atomic import folder_fault
 from measured_report.files.config import Config
 from measured_report.files.config import report as current
 from measured_report.files.errors import ReportError, UsageError
@@ -125,6 +126,9 @@ def sections(root: Path | None = None) -> list[str]:
     A module whose name begins with _ is a draft and is left out.
     """
     folder = (root or current().root) / "report" / "sections"
+    for place in (folder.parent, folder):
+        if fault := folder_fault(place):
+            raise ReportError(fault)
     names = {path.stem for path in folder.glob("*.py")} | {
         path.parent.name for path in folder.glob("*/__init__.py")
     }

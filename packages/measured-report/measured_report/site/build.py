@@ -13,7 +13,7 @@ from measured_report.changes.checks import (
 from measured_report.editions.project import INPUTS, Project
 from measured_report.editions.status import Kind, State
 from measured_report.files import atomic
-from measured_report.files.atomic import short_path
+from measured_report.files.atomic import files_in, short_path
 from measured_report.files.cache import Cache
 from measured_report.files.config import FILE
 from measured_report.files.errors import ReportError
@@ -28,7 +28,7 @@ from measured_report.records.identity import (
     sections,
     sources,
 )
-from measured_report.records.record import BYTE_LIMIT, trace_path
+from measured_report.records.record import trace_path
 from measured_report.records.replicas import SUMS
 from measured_report.site.pages import site_files
 from measured_report.values.quantities import lost_reason
@@ -107,14 +107,15 @@ def _stray_results(edition: Edition) -> list[str]:
     """
     results = edition.project.results
     settings = edition.report.settings
-    folders = {path.parent.name for path in results.parent.glob("*/*.json")}
+    folders = {path.parent for path in files_in(results.parent, "*/*.json")}
     edition_folders = set(map(settings.edition_folder, edition.project.releases))
     lines = [
-        f"results/{name} is not an edition: rename or remove it"
-        for name in sorted(folders - edition_folders)
+        f"{short_path(folder)} is not an edition: rename or remove it"
+        for folder in sorted(folders)
+        if folder.name not in edition_folders
     ]
     names = sections(edition.project.root)
-    for path in sorted(results.glob("*.json")):
+    for path in files_in(results, "*.json"):
         if path.stem not in names and path not in edition.plugins.data:
             lines.append(f"{short_path(path)} is not a section's: rename or remove it")
     for name, chapter in edition.chapters.items():
@@ -122,7 +123,8 @@ def _stray_results(edition: Edition) -> list[str]:
         traces = {trace_path(chapter.results.path, case) for case in cases}
         lines += [
             f"{short_path(path)} is not a trace of {name}: remove it"
-            for path in sorted({*results.glob(f"{name}.*.csv.gz")} - traces)
+            for path in files_in(results, f"{name}.*.csv.gz")
+            if path not in traces
         ]
     return lines
 
@@ -140,11 +142,8 @@ def inputs_digest(project: Project, address: str = "") -> str:
 
 
 def _inputs(root: Path, folders: Sequence[str]) -> Iterator[Path]:
-    """Yield the files of a report up to the size limit of their readers."""
+    """Yield the files and folders of a report."""
     paths = [root / name for name in OTHER_INPUTS]
     for folder in folders:
         paths += (root / folder).rglob("*")
-    for path in paths:
-        is_source = path.is_file() and "__pycache__" not in path.parts
-        if is_source and path.stat().st_size <= BYTE_LIMIT:
-            yield path
+    yield from (path for path in paths if "__pycache__" not in path.parts)

@@ -13,6 +13,7 @@ from typing import Any
 from markupsafe import Markup
 
 from measured_report.changes.alarm import calibration_values, rate_values
+from measured_report.files.atomic import read_text
 from measured_report.files.config import Page, Report
 from measured_report.files.groups import grouped
 from measured_report.findings.chapters import Chapter
@@ -52,7 +53,7 @@ AUTHOR = re.compile(
 
 def citation(report: Report) -> dict[str, Any]:
     """Return the title, license and authors in ``CITATION.cff``, first names first."""
-    text = (report.root / "CITATION.cff").read_text(encoding="utf-8")
+    text = read_text(report.root / "CITATION.cff")
     fields = dict(re.findall(r"(?m)^(title|license): *(.+)$", text))
     authors = [
         name or f"{first_name} {last_name}"

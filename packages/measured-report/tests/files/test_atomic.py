@@ -17,7 +17,13 @@ from markupsafe import Markup
 from toys import MODULE, ROWS, TEMPLATE, killed_at
 
 from measured_report.editions.environment import requirements
-from measured_report.files.atomic import RecordError, locked
+from measured_report.files.atomic import (
+    RecordError,
+    locked,
+    put_in_place,
+    staging_folder,
+    write_file,
+)
 from measured_report.files.cache import Cache
 from measured_report.files.errors import ReportError
 from measured_report.files.root import ROOT
@@ -134,6 +140,37 @@ def test_no_process_outlives_the_one_that_started_it(sent):
         map(is_running, started)
     ):  # the test has no limit of its own: it must not be a question of time
         time.sleep(0.05)
+
+
+IN_THE_WAY = {
+    "a link to a file": lambda path, other: path.symlink_to(other / "letter"),
+    "a link to a folder": lambda path, other: path.symlink_to(other),
+    "a pipe": lambda path, other: os.mkfifo(path),
+    "a folder": lambda path, other: shutil.copytree(other, path),
+}
+
+
+@pytest.mark.parametrize("way", IN_THE_WAY)
+def test_what_a_killed_process_left_is_removed_and_no_link_is_followed(tmp_path, way):
+    """A temporary file or folder has a known name, which somebody else may have used."""
+    other = tmp_path / "other"
+    other.mkdir()
+    (other / "letter").write_text("dear")
+    place = tmp_path / "place"
+    place.mkdir()
+    for name in (".a.txt.part", ".site-new", ".site-new-before"):
+        IN_THE_WAY[way](place / name, other)
+    write_file(place / "a.txt", "text")
+    (place / "site").mkdir()
+    (place / "site/old").touch()
+    with staging_folder(place / "site") as fresh:
+        write_file(fresh / "new", "text")
+        put_in_place(place / "site", fresh)
+    assert [path.name for path in (place / "site").iterdir()] == ["new"]
+    assert (place / "a.txt").read_text() == "text"
+    assert (other / "letter").read_text() == "dear"
+    left = {path.name for path in place.iterdir()}
+    assert left == {"a.txt", "site"}
 
 
 FORGED = "\ue0000\ue001 [click](javascript:alert(1)) ![](https://example.org/x.png)"
