@@ -14,7 +14,7 @@ import time
 from measured_report.measuring.measurement import Measurement
 
 def measure(conditions):
-    slips = {"soft": 6.0 + time.time() % 1, "stiff": 0.3}
+    slips = {"soft": 6.0 + time.time() % 1 / 100, "stiff": 0.3}
     rows = [{"case": case, "slip_mm": slip_mm, "dropped": False} for case, slip_mm in slips.items()]
     return Measurement(rows, {"stiff": {"time_s": [0.0, 1.0], "x_mm": [0.0, 0.3]}})
 """
