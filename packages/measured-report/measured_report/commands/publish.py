@@ -106,6 +106,8 @@ def publish(site: Path, target: str) -> str:
             return without_secrets(
                 TARGETS[scheme](_checked_copy(site, folder / "site"), location, site)
             )
+    except UsageError as error:
+        raise UsageError(f"not published: {error}") from None
     except OSError as error:
         raise UsageError(
             f"{option}: {error.strerror or ' '.join(str(error).split())}"
@@ -180,13 +182,7 @@ def _to_branch(copy: Path, location: str, site: Path) -> str:
 
     The commit is made in the copy and pushed to the address of the remote.
     """
-    try:
-        return _pushed(copy, location, site.parent)
-    except UsageError as error:
-        raise UsageError(f"not published: {error}") from None
-
-
-def _pushed(copy: Path, location: str, root: Path) -> str:
+    root = site.parent
     remote, _, branch = location.partition("#")
     branch = branch or BRANCH
     ref = f"refs/heads/{branch}"
