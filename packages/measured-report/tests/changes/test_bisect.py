@@ -13,6 +13,7 @@ from measured_report.changes.compare import flips
 from measured_report.changes.query import Query, history
 from measured_report.commands import bisect as command
 from measured_report.editions.release import release_of
+from measured_report.files.config import report
 from measured_report.files.errors import ReportError, UsageError
 from measured_report.findings.editions import editions_of
 from measured_report.records.record import write_record
@@ -197,3 +198,24 @@ def test_a_search_writes_nothing_beside_the_tracked_results_and_names_full_runs(
     asked = Namespace(claim="toy.helps", value="", device="cpu", **ends)
     with pytest.raises(UsageError, match="PROFILE=full measures more precisely"):
         command.run(replace(toy.project, profile="quick"), asked)
+
+
+@pytest.mark.parametrize(
+    ("noise", "first", "asked"),
+    [("toy", "holds", 1), ("toy", None, 2), ("", "holds", 1), ("", None, 1)],
+)
+def test_the_section_on_noise_is_measured_only_if_nothing_can_be_told_without_it(
+    search, monkeypatch, noise, first, asked
+):
+    calls = []
+
+    def measured(self, release, names):
+        calls.append(names)
+        return first if len(calls) == 1 else "fails"
+
+    monkeypatch.setattr(Bisection, "_measured", measured)
+    settings = replace(report().settings, noise_section=noise)
+    monkeypatch.setitem(vars(report()), "settings", settings)
+    answer = search.answer(release_of("1.5.9"))
+    assert calls == [["toy"], ["toy", "toy"]][:asked]
+    assert answer == ("fails" if asked == 2 else first)

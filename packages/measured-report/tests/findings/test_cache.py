@@ -336,6 +336,7 @@ def test_what_others_may_write_is_no_cache(tmp_path, monkeypatch, capsys, mode):
     mine = Cache(tmp_path / "one")
     mine.put("a", 1, "value")
     assert mine.get("a", 1) == "value"
+    assert capsys.readouterr().err == ""
     mine.folder.chmod(mode)
     _is_ours.cache_clear()
     assert (
