@@ -1,10 +1,13 @@
 """Which numbers of two editions are compared, and which direction is better."""
 
+from dataclasses import replace
+
 import pytest
 from toys import compared
 
 from measured_report.changes.moves import direction
 from measured_report.files.columns import Column
+from measured_report.files.config import report
 
 
 def column(better: str) -> Column:
@@ -72,3 +75,14 @@ def test_numbers_of_runs_with_other_parameters_are_not_compared(toy, changed, co
     cells = compared(toy.project, newer.project).cells
     rows = [cell for cell in cells if cell.place.get("case") == "soft"]
     assert {cell.column.name for cell in rows} == columns
+
+
+def test_a_number_with_a_threshold_that_one_edition_lacks_is_missing(toy, monkeypatch):
+    thresholds = {"toy.soft.slip_mm": 0.05, "toy.gone.slip_mm": 0.05}
+    changes = replace(report().settings.changes, thresholds=thresholds)
+    settings = replace(report().settings, changes=changes)
+    monkeypatch.setitem(vars(report()), "settings", settings)
+    newer = toy.of("1.8.0")
+    toy.measure([ROW, {**ROW, "case": "gone"}])
+    newer.measure([ROW, {**ROW, "case": "new"}])
+    assert compared(toy.project, newer.project).missing == ["toy.gone.slip_mm"]
