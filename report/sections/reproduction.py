@@ -1,6 +1,7 @@
 """Compare the shake test with shipped and with stiff pads on each engine and device."""
 
 from collections.abc import Callable
+from functools import partial
 
 import numpy as np
 import pandas as pd
@@ -9,6 +10,7 @@ from markupsafe import Markup, escape
 from experiments.facts.case import AS_SHIPPED
 from experiments.facts.classes import cycle_increments
 from report.shared import (
+    CASES,
     DEVICES,
     FRAME_RATE,
     MM_PER_M,
@@ -16,6 +18,7 @@ from report.shared import (
     Claim,
     Results,
     Section,
+    Table,
     Value,
     all_of,
     at_least,
@@ -26,6 +29,7 @@ from report.shared import (
     decided,
     departure,
     spread,
+    table_of,
 )
 
 order = 10
@@ -151,6 +155,7 @@ def derive(results: Results) -> Section:
     *first, last = map(escape, places.values())
     listed = Markup(" and ").join([Markup(", ").join(first), last] if first else [last])
     return Section(
+        tables={"axes": _axes(results)},
         claims=[
             Claim(
                 "slips",
@@ -179,8 +184,33 @@ def derive(results: Results) -> Section:
                 stiff_hold,
                 {"slip": stiff.slip_mm, "before": shipped.slip_mm, "gain": gain},
             ),
-        ]
+        ],
     )
+
+
+def _axes(results: Results) -> Table:
+    """Make a table of the drift along each axis of the hand, and of the motion in a cycle."""
+    columns: dict[str, list] = {
+        f"drift along {axis}": [
+            results.value(
+                f"drift_{axis}_{case.replace('-', '_')}",
+                f"slope of the displacement along {axis} of the hand over the shake",
+                partial(_slope, axis),
+                results.trace(case),
+                unit="mm/s",
+            )
+            for case in CASES
+        ]
+        for axis in "xyz"
+    }
+    columns["motion within a cycle"] = [
+        results.row[case].oscillation_mm for case in CASES
+    ]
+    return table_of("pads", CASES.values(), columns)
+
+
+def _slope(axis: str, frame: pd.DataFrame) -> float:
+    return float(np.polyfit(frame["time_s"], frame[f"{axis}_mm"], 1)[0])
 
 
 def _increment(results: Results, name: str, part: Callable) -> Value:

@@ -109,3 +109,21 @@ def test_a_steady_drift_moves_as_far_early_as_late(late, change, outcome):
             "drift_is_steady": outcome,
         },
     )
+
+
+def test_the_drift_along_each_axis_is_the_slope_of_the_displacement():
+    """In ten seconds the cube moves 5 mm along x and −2 mm along z."""
+    time_s = np.linspace(0.0, 10.0, 601)
+    names = ("x_mm", "y_mm", "z_mm", "along_mm")
+    speeds = (0.5, 0.0, -0.2, 0.5)
+    moved = dict(zip(names, np.outer(speeds, time_s), strict=True))
+    assert_found(
+        "reproduction",
+        GIVEN,
+        expected={
+            "drift_x_as_shipped": 0.5,
+            "drift_y_as_shipped": 0.0,
+            "drift_z_stiff_pads": -0.2,
+        },
+        frame=pd.DataFrame({"time_s": time_s, **moved}),
+    )
