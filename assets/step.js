@@ -6,20 +6,20 @@ const steps = stepTable();
 if (choice && steps) begin(choice, steps);
 
 /**
- * The numbers of the table of steps: a list of columns, each with its name and a number or null for each row. The first column
+ * The table of steps: a list of columns, each with its name, and a number or null and the text of each cell. The first column
  * holds the steps [ms].
  */
 function stepTable() {
   const table = [...document.querySelectorAll("main table")].find((each) => each.querySelector("th").textContent.trim() === "step");
   if (!table) return null;
   const names = [...table.querySelectorAll("thead th")].map((cell) => cell.firstChild.textContent.trim());
-  const rows = [...table.querySelectorAll("tbody tr")].map((row) =>
-    [...row.children].map((cell) => {
-      const number = cell.querySelector("data");
-      return number ? Number(number.value) : null;
-    }),
-  );
-  return names.map((name, index) => ({ name, cells: rows.map((row) => row[index]) }));
+  const rows = [...table.querySelectorAll("tbody tr")].map((row) => [...row.children]);
+  const number = (cell) => (cell.querySelector("data") ? Number(cell.querySelector("data").value) : null);
+  return names.map((name, index) => ({
+    name,
+    cells: rows.map((row) => number(row[index])),
+    texts: rows.map((row) => row[index].textContent.trim()),
+  }));
 }
 
 /** The value of a column at a step, interpolated between the logarithms of its neighbours, or null outside of what was measured. */
@@ -41,38 +41,43 @@ function written(number) {
   return Number(number.toPrecision(2)).toString();
 }
 
+/** The row whose step is within one percent, or -1. */
+function nearest(steps, step) {
+  return steps.findIndex((each) => Math.abs(step / each - 1) < 0.01);
+}
+
 function begin(place, columns) {
-  const [steps, , , , ...others] = columns;
+  const [steps, kds, , , ...others] = columns;
   const time = others.pop();
   const input = document.querySelector("#step-ms");
   const contacts = document.querySelector("#step-contacts");
   const output = document.querySelector("#step-slip");
   for (const { name } of others) contacts.append(new Option(name.replace(" [mm]", "")));
+  contacts.selectedIndex = Number(contacts.dataset.default);
   const code = [...document.querySelectorAll("main pre code")].find((block) => block.textContent.includes("shape_material_kd"));
   const original = code?.textContent;
 
-  const show = () => {
+  const describe = () => {
+    if (code) code.textContent = original;
     const step = Number(input.value.replace(",", "."));
-    if (!(step > 0)) {
-      output.textContent = "type the length of a step in ms.";
-      return;
-    }
-    const kd = Number((1000 / step).toPrecision(3));
-    const { name, cells } = others[contacts.selectedIndex];
-    const ke = Number((kd ** 2 / (name.includes("pyramidal") ? 64 : 4)).toPrecision(3));
+    if (!(step > 0)) return "type the length of a step in ms.";
+    const { name, cells, texts } = others[contacts.selectedIndex];
+    const row = nearest(steps.cells, step);
+    const measured = row < 0 ? step : steps.cells[row];
+    const slip = at(steps.cells, cells, measured);
+    if (slip === null) return row >= 0 && texts[row] === "lost" ? "the cube is lost." : "this was not measured.";
+    const kd = row < 0 ? Number((1000 / step).toPrecision(3)) : kds.cells[row];
+    const ke = Number((kd ** 2 / (name.includes("pyramidal") ? 64 : 4)).toPrecision(4));
     if (code) {
       code.textContent = original
         .replace(/(shape_material_ke\[shape\] = )\S+/, `$1${ke}`)
         .replace(/(shape_material_kd\[shape\] = )\S+/, `$1${kd}`);
     }
-    const slip = at(steps.cells, cells, step);
-    const ratio = at(steps.cells, time.cells, step);
-    const cost = ratio === null ? "" : `; a frame takes ${written(ratio)} times as long as with the scene's step`;
-    output.textContent =
-      slip === null
-        ? `kd ${kd}, ke ${ke}; the cube is lost, or this was not measured.`
-        : `kd ${kd}, ke ${ke}; the cube slips about ${written(slip)} mm${cost}.`;
+    const ratio = at(steps.cells, time.cells, measured);
+    const cost = ratio === null ? "" : `; a frame takes about ${written(ratio)} times as long as with the scene's step`;
+    return `kd ${kd}, ke ${ke}; the cube slips about ${written(slip)} mm${cost}.`;
   };
+  const show = () => (output.textContent = describe());
   input.addEventListener("input", show);
   contacts.addEventListener("change", show);
   document.querySelector("#step-note").hidden = true;

@@ -30,14 +30,17 @@ class Suspect:
         compared = [value.removesuffix("_difference") for value in results.derived]
         return [row for row in results.rows if row.case in (self.cases or compared)]
 
-    def reason(self, chapter: Chapter) -> str:
-        """Return why it is not the cause, or nothing if this is not shown."""
+    def verdict(self, chapter: Chapter) -> str:
+        """Return why it is not the cause, or that it is."""
         claims = chapter.section.claims
         holds = {test.name: test.outcome == HOLDS for test in claims}
+        opposite = {test.name: test.outcome.is_opposite for test in claims}
         if not self.claim:
             return "it is the cause" if holds.get("together_they_hold") else ""
         is_excluded = holds.get(self.claim) and holds.get("not_the_cause", True)
-        return self.why if is_excluded else ""
+        if is_excluded:
+            return f"no: {self.why}"
+        return "it changes the slip" if opposite.get("not_the_cause") else ""
 
 
 SUSPECTS = (
@@ -118,7 +121,7 @@ def derive(chapters: Chapters) -> Section:
                 "range": _ends(rows, suspect.parameter),
                 "contacts": _ends(rows, "peak_contact_count"),
                 "slip": _ends(rows, "slip_mm"),
-                "why it is not the cause": suspect.reason(chapter),
+                "verdict": suspect.verdict(chapter),
             }
         )
     names = [line.pop("suspect") for line in lines]

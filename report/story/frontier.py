@@ -102,6 +102,12 @@ SETUPS = (
         "cure_cost/as-shipped",
     ),
     Setup("stiff pads", ARGUMENT, "reproduction/stiff-pads", "speed/stiff-pads"),
+    Setup(
+        "64 substeps",
+        ARGUMENT,
+        "time_step/newton-elliptic/shipped/substeps-64",
+        "step_cost/stiff/substeps-64",
+    ),
     *(
         Setup(
             f"stiff pads for {substeps} substeps",

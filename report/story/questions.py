@@ -32,7 +32,7 @@ def figure(sections: Sections) -> Figure:
 
 def _draw(rows: list[Row], gains: list[Quantity]) -> Drawing:
     drawing, (left, right) = new_figure(7.2, 2.7, ncols=2)
-    left.set_title("Stable? Darker means faster creep")
+    left.set_title("Stable? Darker creeps faster, ▼ is lost")
     if rows:
         draw_map(left, rows, {"shipped": AS_SHIPPED.pad_ke}, has_numbers=False)
         low, high = left.get_ylim()

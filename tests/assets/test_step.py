@@ -35,7 +35,7 @@ def test_a_measured_step_gives_its_pads_and_its_slip(tab, contacts, share):
     for step, slip in slips(tab, 4 + contacts):
         tab.fill("#step-ms", str(step))
         said = tab.inner_text("#step-slip")
-        kd = float(f"{1000 / step:.3g}")
+        kd = round(1000 / step)
         assert f"kd {kd:g}," in said and f"about {float(f'{slip:.2g}'):g} mm" in said
         code = tab.inner_text("main pre >> nth=0")
         assert f"shape_material_kd[shape] = {kd:g}" in code
@@ -49,6 +49,14 @@ def test_between_two_steps_the_slip_is_between_theirs(tab):
     tab.fill("#step-ms", str((long + short) / 2).replace(".", ","))
     slip = float(tab.inner_text("#step-slip").split("about ")[1].split()[0])
     assert least < slip < most
+
+
+def test_a_step_that_was_not_measured_leaves_the_code_as_it_is(tab):
+    original = tab.inner_text("main pre >> nth=0")
+    tab.fill("#step-ms", "2")
+    assert tab.inner_text("main pre >> nth=0") != original
+    tab.fill("#step-ms", "0.05")
+    assert "shape_material_ke[shape] = 250000" in tab.inner_text("main pre >> nth=0")
 
 
 @pytest.mark.parametrize(

@@ -48,9 +48,9 @@ def limits(results: Results, critical: list[Row], default_kd: list[Row]) -> list
     add("ke alone", at_shipped_step(default_kd), "pad_ke", ke)
     shipped = results.row[f"steps-as-shipped-{AS_SHIPPED.substeps}"]
     shakes = [*family(results, "shake"), *([shipped] if shipped else [])]
-    add("harder shake: force over Coulomb's limit", shakes, "load", shipped.load.value)
+    add("harder shake: force ÷ Coulomb's limit", shakes, "load", shipped.load.value)
     add(
-        "weaker grip: force over what is needed",
+        "weaker grip: force ÷ force that is needed",
         family(results, "grip"),
         "grip_ratio",
         None,

@@ -23,7 +23,7 @@ GIVEN = {
             {
                 "doubled": 1.95,
                 "fourth_1": 0.3,
-                "fourth_16384": 0.4,
+                "fourth_16384": 0.5,
                 "proportional": "holds",
                 "resolution": 1,
             },
