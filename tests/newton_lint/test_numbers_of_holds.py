@@ -8,26 +8,13 @@ import math
 from dataclasses import replace
 
 import mujoco
-import numpy as np
 import pytest
 
 from newton_lint.command import main
-from newton_lint.grip import _grip_findings, _is_between, gripped
 from newton_lint.law import DISCRETE
-from newton_lint.prescribe import (
-    Setting,
-    _rank,
-    along,
-    candidates,
-    measured,
-    prescribed,
-    with_setting,
-    within,
-)
 from newton_lint.report import scene_of
 from newton_lint.scene import changed
 from newton_lint.settle import Hold, Work, _reading, predicted_hold, settled_hold
-from newton_lint.stepped import Start, runs_of
 from newton_lint.target import Target
 from tests.newton_lint.cases import Case
 
@@ -231,65 +218,6 @@ def test_a_hold_that_moves_more_than_it_creeps_has_not_settled(
     )
 
 
-def grips(rule: str, target: Target) -> list:
-    scene = scene_of(target)
-    return [
-        each
-        for each in gripped(scene, runs_of(scene.model, target))
-        if each.rule == rule
-    ]
-
-
-@pytest.mark.parametrize(
-    ("changes", "creep"),
-    [
-        ({"solref": "0.044 1"}, 2.2 * CREEP),  # 1.06 mm/s
-        (
-            {"solref": "0.044 1", "mass": 0.005},
-            2.2 * CREEP,
-        ),  # friction bears a fifth of a weight of 0.05 N
-        ({"solref": "0.04 1"}, None),  # 0.96 mm/s
-        ({"solref": "0.09 1", "impratio": 2}, 2.25 * CREEP),
-        (
-            {"solref": "0.07 0.6", "solimp": SOFT, "slope": 0.0155},
-            1e3 * 9.81 * 0.0155 / 4.0 * 0.9 * 0.035,
-        ),
-        (
-            {"solref": "0.07 0.6", "solimp": SOFT, "slope": 0.0145},
-            None,
-        ),  # below 0.015 of its weight
-    ],
-)
-def test_from_a_millimetre_a_second_on_it_slips_and_ten_times_impratio_makes_it_a_tenth(
-    changes, creep
-):
-    found = grips(
-        "slip", Case("incline", tuple({"solimp": FLAT, **changes}.items())).target
-    )
-    assert [each.value for each in found] == (
-        [] if creep is None else [pytest.approx(creep, rel=0.02)]
-    )
-    assert all(each.used == pytest.approx(0.1 * each.value, rel=1e-3) for each in found)
-    assert all((each.shape, each.against) == ("held", ("floor",)) for each in found)
-
-
-@pytest.mark.parametrize(("share", "said"), [(0.25, False), (0.35, True)])
-def test_what_moves_by_less_than_three_tenths_of_its_creep_does_not_slip(share, said):
-    scene, _, hold = hold_of(solref="0.09 1")
-    hold.data.qvel[:] = 1e-3 * share * 4.5 * CREEP, 0.0, 0.0, 0.0, 0.0, 0.0
-    mujoco.mj_forward(scene.model, hold.data)
-    assert (
-        bool(
-            list(
-                _grip_findings(
-                    scene, hold.body, list(hold.touches), hold.data, Start("the start")
-                )
-            )
-        )
-        == said
-    )
-
-
 def test_discrete_weighs_what_a_row_says_of_itself():
     """The factor is 1 + b h + h² k d, with b = 2 / 18 ms and k = 1 / 18² ms²."""
     scene, _, hold = hold_of()
@@ -299,92 +227,6 @@ def test_discrete_weighs_what_a_row_says_of_itself():
         for variant in (scene, discrete)
     )
     assert other / one == pytest.approx(1.0 + 2.0 / 9.0 + 0.9 / 81.0)
-
-
-def test_fingers_oppose_each_other_from_120_degrees_on():
-    [one, other, *_] = hold_of()[2].touches
-    for degrees, between in ((119.0, False), (121.0, True)):
-        angle = math.radians(degrees)
-        turned = replace(
-            other,
-            normal=np.array([math.sin(angle), 0.0, math.cos(angle)]),
-            geoms=(0, 7),
-        )
-        assert _is_between([one, turned]) == between
-    assert not _is_between(
-        [one, replace(other, normal=-one.normal)]
-    )  # of the same pair of geoms
-
-
-def test_candidates_creep_as_the_law_says():
-    scene, _, hold = hold_of()
-    creeps = {
-        str(setting): creep for setting, creep in candidates(scene, hold, Work("held"))
-    }
-    assert (
-        len(creeps) == 3 * 4 * 2 - 1
-    )  # 2 ms takes half the step, and as it is is none
-    shares = {
-        'impratio="10"': 0.1,
-        'impratio="1000"': 1e-3,
-        'solref="0.01 1"': 0.5,
-        'solref="0.005 1"': 0.25,
-    }
-    shares |= {'noslip_iterations="10"': 0.0}
-    model = with_setting(scene, Setting(0.005, {"impratio": 10.0}), hold)
-    assert (
-        model.geom_solref.tolist() == [[0.005, 1.0]] * 2 and model.opt.impratio == 10.0
-    )
-    for setting, share in shares.items():
-        assert creeps[setting] == pytest.approx(share * CREEP, rel=2e-3, abs=1e-9)
-    more = {
-        "cone": "pyramidal",
-        "impratio": 100,
-        "solref": "0.01 1",
-        "option": 'noslip_iterations="20"',
-    }
-    pyramid, _, hold = hold_of(**more)
-    others = {str(setting) for setting, _ in candidates(pyramid, hold, Work("held"))}
-    assert len(others) == 2 * 2 - 1 and 'cone="elliptic" impratio="1000"' in others
-
-
-def test_the_cheap_that_are_good_by_a_fifth_are_tried_first_and_five_of_them():
-    scene, target, hold = hold_of()
-    kinds = {
-        "plain": (Setting(0.01), 0.079),
-        "noslip": (Setting(None, {"noslip_iterations": 10.0}), 0.01),  # counts twice
-        "over": (Setting(0.01), 0.081),
-        "far": (Setting(0.01), 3.0),
-    }
-    assert sorted(kinds, key=lambda name: _rank(kinds[name], 0.1)) == list(kinds)
-    lifted = measured(scene, target, Work("held", lift_m_s2=9.81), Setting(), hold, 0.0)
-    assert lifted.measured_mm_s == pytest.approx(2.0 * CREEP, rel=0.01)
-    trials = prescribed(scene, target, Work("held"), 1e-12)[1]
-    assert (
-        len(trials) == 6
-        and trials[0].measured_mm_s
-        == pytest.approx(CREEP, rel=0.01)
-        == trials[0].predicted_mm_s
-    )
-
-
-def test_a_motion_is_told_in_the_frame_of_what_holds_and_without_sinking_in():
-    scene, _, hold = hold_of("turn", slope=0.0)
-    model = scene.model
-    data = mujoco.MjData(scene.model)
-    data.qpos[0] = math.radians(90.0)
-    data.qpos[1] = 0.5
-    mujoco.mj_kinematics(model, data)
-    assert within(data, hold.body, hold.touches[0].support) == pytest.approx(
-        [0.0, -1.5, 0.099]
-    )
-    model.opt.disableflags |= int(mujoco.mjtDisableBit.mjDSBL_CONSTRAINT) | int(
-        mujoco.mjtDisableBit.mjDSBL_GRAVITY
-    )
-    data.qpos[:] = 0.0
-    data.qvel[:] = (0.0, 0.3, 0.4, -0.9)
-    mujoco.mj_step(model, data)
-    assert along(model, data, hold, 0.1) == pytest.approx(0.05)  # 0.5 m/s for 0.1 s
 
 
 @pytest.mark.parametrize("integrator", ["Euler", "RK4"])

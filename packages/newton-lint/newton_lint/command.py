@@ -21,8 +21,9 @@ UNFIT = 2
 BROKEN = 3
 STOPPED = 130
 PROGRAM = "newton-lint"
-SUBCOMMANDS = ("prescribe", "page", "pair")
+SUBCOMMANDS = ("page", "pair")
 """Subcommands; each of them is a module."""
+LONGEST_SETTLE_S = 60.0
 SEVERITIES = ("note", "warning", "error")
 RULE = re.compile(r"^\| `([\w-]+)` \| (\w+) \| (.+) \| .+ \|$", re.MULTILINE)
 """Matches a row of rules.md."""
@@ -91,23 +92,38 @@ def rules() -> dict[str, str]:
 
 class Tell(argparse.Action):
     def __call__(self, parser, namespace, rule, option_string=None) -> None:
-        """Print the version or the description of a rule, and exit."""
+        """Print the version or the description of a rule, and exit.
+
+        Without a rule, or with a target in its place, explain each finding.
+        """
         if option_string == "--version":
             print(PROGRAM, version())
-        else:
-            if rule not in rules():
-                parser.error(f"unknown rule {rule}: choose from {', '.join(rules())}")
+        elif rule in rules():
             print(rules()[rule])
+        elif rule is None or Path(rule).suffix or ":" in rule or Path(rule).is_dir():
+            namespace.explain = True
+            namespace.target = [*namespace.target, *filter(None, [rule])]
+            return
+        else:
+            parser.error(f"unknown rule {rule}: choose from {', '.join(rules())}")
         parser.exit(CLEAN)
+
+
+class Gather(argparse.Action):
+    def __call__(self, parser, namespace, values, option_string=None) -> None:
+        """Append targets to those that followed ``--explain``."""
+        namespace.target = [*namespace.target, *values]
 
 
 def _linted(options: argparse.Namespace) -> int:
     from newton_lint.mend import fixed, fixed_again
-    from newton_lint.output import printable, written
+    from newton_lint.output import Detail, printable, written
     from newton_lint.report import report_of
     from newton_lint.settings import table_of
     from newton_lint.target import TargetError, read_target, targets_of
 
+    if not options.target:
+        raise TargetError(f"expected a TARGET; see {PROGRAM} --help")
     table = table_of(Path.cwd())
     request = request_of(options, table)
     form = "json" if options.json else options.format or table.get("format", "text")
@@ -136,9 +152,12 @@ def _linted(options: argparse.Namespace) -> int:
             unread.append(str(error))
     if options.fix and not options.dry_run and not unread and len(targets) > 1:
         fixes += fixed_again(targets, request, paths)
+    least = options.fail_on or table.get("fail-on", "warning")
     try:
         if reports or form in ("json", "sarif"):
-            print(written(reports, form, unread), flush=True)
+            notes = options.notes or least == "note"
+            detail = Detail(notes, rules() if options.explain else {})
+            print(written(reports, form, unread, detail), flush=True)
     except BrokenPipeError:
         # The reader, for example head, has stopped. Python flushes again at its end.
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
@@ -146,7 +165,6 @@ def _linted(options: argparse.Namespace) -> int:
         print(printable(line), file=sys.stderr)
     if unread:
         return UNFIT
-    least = options.fail_on or table.get("fail-on", "warning")
     if least != "never" and any(
         report.worst() >= SEVERITIES.index(least) for report in reports
     ):
@@ -214,14 +232,16 @@ def lint_parser() -> Parser:
         prog=PROGRAM,
         description="Find contact parameters that MuJoCo does not use as they are"
         " written, predict creep, and recommend changes.",
-        epilog="Subcommands: newton-lint prescribe searches settings for a grasp, page"
-        " writes an HTML page, pair explains the contact of two geoms.",
+        epilog="Subcommands: newton-lint page writes an HTML page, pair explains the"
+        " contact of two geoms.",
     )
     add = parser.add_argument
     add(
         "target",
         metavar="TARGET",
-        nargs="+",
+        nargs="*",
+        action=Gather,
+        default=[],
         help="FILE.xml, FILE.urdf, FILE.usd, a folder, FILE.py:function or"
         " module:function",
     )
@@ -233,7 +253,15 @@ def lint_parser() -> Parser:
         help="lowest severity that gives exit status 1; default: warning",
     )
     add("--version", action=Tell, nargs=0, help="print the version")
-    add("--explain", action=Tell, metavar="RULE", help="describe a rule")
+    add(
+        "--explain",
+        action=Tell,
+        nargs="?",
+        default=False,
+        metavar="RULE",
+        help="describe a rule, or print the details of each finding",
+    )
+    add("--notes", action="store_true", help="print notes too")
     add("--ignore", metavar="RULES", help="rules to ignore, separated by commas")
     add(
         "--fix",
@@ -297,7 +325,7 @@ def add_work(parser: argparse.ArgumentParser) -> None:
     )
     add(
         "--settle",
-        type=positive,
+        type=moderate,
         metavar="S",
         help="time for the grip to settle [s]; default: 0.5",
     )
@@ -312,8 +340,17 @@ def add_work(parser: argparse.ArgumentParser) -> None:
         "--below",
         type=positive,
         metavar="MM/S",
-        help="largest acceptable creep; default of prescribe: 0.1",
+        help="largest acceptable creep of the held body; default: 1",
     )
+
+
+def moderate(text: str) -> float:
+    value = positive(text)
+    if value > LONGEST_SETTLE_S:
+        raise argparse.ArgumentTypeError(
+            f"expected at most {LONGEST_SETTLE_S:g} s, got {text}"
+        )
+    return value
 
 
 def positive(text: str) -> float:

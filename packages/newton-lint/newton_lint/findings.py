@@ -1,4 +1,4 @@
-"""Findings of the rules, with advice and changes, and their sentences."""
+"""Findings of the rules, with their cures and their sentences."""
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
@@ -6,50 +6,40 @@ from string import Template
 
 import numpy as np
 
+from newton_lint.changes import Changes
 from newton_lint.source import Element
 
 SEVERITIES = ("note", "warning", "error")
+LEAST = 1e-3
+"""Smaller values are printed as being below this one."""
 SHOWN = 3
 """Names that a list has before it counts the rest."""
 
 
 @dataclass(frozen=True)
-class Change:
-    """A change of a file: new attributes of one element."""
+class Cure:
+    """A list of changes that was stepped for 2 s from all starts, and its effect."""
 
-    subject: str
-    """The owner of the attributes: the name of a geom, ``option`` or ``exclude``."""
-    attributes: tuple[tuple[str, str], ...]
-    element: Element | None = None
-    """The element to change, or None if no file defines it."""
-
-    def __str__(self) -> str:
-        attributes = " ".join(f'{name}="{value}"' for name, value in self.attributes)
-        if self.subject == "exclude":
-            return f"<exclude {attributes}/> in <contact>"
-        place = (
-            f" ({self.element.file.name}:{self.element.line})" if self.element else ""
-        )
-        return f"{attributes} on {self.subject}{place}"
-
-
-@dataclass(frozen=True)
-class Advice:
-    """Changes with their effect, and alternatives to them, the mildest one first."""
-
-    gain: str
-    """Effect of the changes, as a predicate, or a whole sentence if there are none."""
-    changes: tuple[Change, ...] = ()
-    alternatives: tuple["Advice", ...] = ()
-    """An alternative without a gain is tried, but not printed."""
+    changes: Changes
+    before: float | None = None
+    """The reading without the changes, in the unit of the finding."""
+    after: float | None = None
+    unit: str = "1"
+    effect: str = ""
+    """The effect in words, for changes whose effect is no reading."""
 
     def __str__(self) -> str:
-        sentences: list[str] = []
-        for way in (self, *(way for way in self.alternatives if way.gain)):
-            changes = ", ".join(map(str, way.changes))
-            text = f"Set {changes}: this {way.gain}" if changes else way.gain
-            sentences.append(f"Or {text[0].lower()}{text[1:]}" if sentences else text)
-        return ". ".join(sentences)
+        effect = self.effect
+        if "{}" in effect and self.after is not None:
+            effect = effect.format(rounded(self.after, self.unit))
+        if not effect and self.unit != "1" and self.after is not None:
+            effect = f"reduces it to {rounded(self.after, self.unit)}"
+        measured = "" if self.after is None else " (measured, 2 s)"
+        subjects: dict[str, list[str]] = {}
+        for change in self.changes:
+            subjects.setdefault(change.text, []).append(change.subject)
+        changes = joined([f"{text} on {named(on)}" for text, on in subjects.items()])
+        return f"Setting {changes} {effect or 'prevents it'}{measured}"
 
 
 @dataclass(frozen=True)
@@ -74,40 +64,52 @@ class Finding:
     unit: str = "1"
     severity: str = "warning"
     element: Element | None = field(default=None, compare=False)
-    advice: Advice | None = field(default=None, compare=False)
+    cures: tuple[Cure, ...] = field(default=(), compare=False)
+    """Changes that mend it, each by itself, the best one first."""
+    hint: str = field(default="", compare=False)
+    """A sentence on a remedy that the lint cannot try."""
+
+    @property
+    def advice(self) -> str:
+        """Return the cures and the hint in words."""
+        return " ".join(f"{cure}." for cure in self.cures) or self.hint
 
 
-def distinct(changes: Iterable[Change]) -> tuple[Change, ...]:
-    """Return changes without duplicates, which arise from defaults of several geoms."""
-    return tuple(
-        {
-            (change.element or change.subject, change.attributes): change
-            for change in changes
-        }.values()
+def rounded(value: float, unit: str) -> str:
+    """Return a value with its unit and three digits; small ones as being below one."""
+    unit = unit if unit in ("", "%", "°", "°/s") else f" {unit}"
+    return (
+        f"{value:.3g}{unit}"
+        if value >= LEAST or not value
+        else f"below {LEAST:g}{unit}"
     )
 
 
 def grouped(findings: Iterable[Finding]) -> list[list[Finding]]:
     """Return the findings in groups that only differ in their shapes."""
-    groups: dict[Finding, list[Finding]] = {}
+    groups: dict[tuple, list[Finding]] = {}
     for finding in findings:
-        groups.setdefault(replace(finding, shape="", against=()), []).append(finding)
+        key = replace(finding, shape="", against=()), finding.advice
+        groups.setdefault(key, []).append(finding)
     return list(groups.values())
 
 
 def sentence(group: Sequence[Finding]) -> str:
     """Return one sentence for findings that only differ in their shapes."""
     finding = group[0]
-    unit = f" {finding.unit}" if finding.unit != "1" else ""
+    unit = "" if finding.unit == "1" else finding.unit
+    digits = "{:.4g}" if not unit else "{:.3g}"
+    space = "" if unit in ("", "%", "°", "°/s") else " "
     shapes = named(member.shape for member in group)
     partners = [partner for member in group for partner in member.against]
-    count = f" ({len(partners)} pairs)" if len(partners) > 1 else ""
+    is_short = len(partners) == len({*partners}) and len(group) == 1
+    count = "" if is_short else f" ({len(partners)} pairs)"
     return Template(finding.message).safe_substitute(
         shape=shapes if shapes == finding.shape else f"each of {shapes}",
         shapes=shapes,
         against=f"{named(partners)}{count}",
-        value=f"{finding.value:.4g}{unit}",
-        used="" if finding.used is None else f"{finding.used:.3g}{unit}",
+        value=f"{digits.format(finding.value)}{space}{unit}",
+        used="" if finding.used is None else f"{finding.used:.3g}{space}{unit}",
     )
 
 
@@ -116,7 +118,14 @@ def named(names: Iterable[str]) -> str:
     different = list(dict.fromkeys(names))
     if len(different) > SHOWN + 1:
         return f"{', '.join(different[:SHOWN])} and {len(different) - SHOWN} more"
-    return ", ".join(different)
+    return joined(different)
+
+
+def joined(names: Sequence[str]) -> str:
+    """Return a list of names as it is written in a sentence."""
+    return (
+        f"{', '.join(names[:-1])} and {names[-1]}" if len(names) > 1 else "".join(names)
+    )
 
 
 @dataclass(frozen=True)
@@ -128,6 +137,10 @@ class Wording:
     message: str
     unit: str = "1"
     severity: str = "warning"
+
+
+Remedy = Sequence[tuple[Changes, str]]
+"""Changes with their effects in words; one without changes is only a hint."""
 
 
 @dataclass(frozen=True)
@@ -145,11 +158,11 @@ class Hits:
     partner: np.ndarray | None = None
     """The other geom of each pair, or None if the items are geoms."""
     element: Callable[[int], Element | None] = lambda _: None
-    advise: Callable[[int], Advice | None] = lambda _: None
+    advise: Callable[[int], Remedy] = lambda _: ()
 
 
-def findings_of(hits: Hits, names: Sequence[str]) -> Iterator[Finding]:
-    """Yield a finding for each shape and each of its values, in order of the hits."""
+def findings_of(hits: Hits, names: Sequence[str]) -> Iterator[tuple[Finding, Remedy]]:
+    """Yield a finding for each shape and each of its values, with its remedies."""
     items = hits.items
     all_used = np.broadcast_to(hits.used, hits.value.shape)[items]
     shapes = items if hits.shape is None else hits.shape[items]
@@ -161,15 +174,15 @@ def findings_of(hits: Hits, names: Sequence[str]) -> Iterator[Finding]:
         entry = int(items[first])
         used = float(all_used[first])
         partners = () if hits.partner is None else hits.partner[items[members]].tolist()
-        yield Finding(
+        finding = Finding(
             **vars(hits.wording),
             shape=names[shapes[first]],
             value=float(hits.value[entry]),
             against=tuple(names[geom] for geom in partners),
             used=None if np.isnan(used) else used,
             element=hits.element(entry),
-            advice=hits.advise(entry),
         )
+        yield finding, hits.advise(entry)
 
 
 def row_numbers(*columns: np.ndarray) -> np.ndarray:

@@ -10,14 +10,14 @@ import tempfile
 from collections.abc import Iterable
 from pathlib import Path
 
-from newton_lint.findings import Change
+from newton_lint.changes import Change
 from newton_lint.source import Element, Source, Texts
 
 TAG = re.compile(rb"""<([^\s/>]+)(?:[^>"']|"[^"]*"|'[^']*')*?(?=\s*/?>)""")
 """Matches a tag from its start to before its closing bracket."""
 ATTRIBUTE = re.compile(rb"""(\s)([^\s="'/<>]+)(\s*=\s*)("[^"]*"|'[^']*')""")
 NEW = {"option": "<option {}/>", "exclude": "<contact><exclude {}/></contact>"}
-"""Maps the subject of a change without an element to the tag to add to the root."""
+"""Maps the kind of a change without an element to the tag to add to the root."""
 
 
 class Unwritable(Exception):
@@ -38,7 +38,7 @@ def edited(
     placed = []
     for change in changes:
         element = change.element
-        if element is None and source and change.subject in NEW:
+        if element is None and source and change.kind in NEW:
             element = source.root
         if element is None or not change.attributes:
             raise Unwritable("no file defines this attribute")
@@ -65,7 +65,7 @@ def _edited(text: bytes, element: Element, change: Change) -> bytes:
     attributes = " ".join(
         f'{name}="{_escaped(value)}"' for name, value in change.attributes
     )
-    child = NEW[change.subject].format(attributes).encode()
+    child = NEW[change.kind].format(attributes).encode()
     return text[:end] + line + b"  " + child + text[end:]
 
 

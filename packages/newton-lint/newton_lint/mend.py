@@ -1,7 +1,6 @@
 """Implements ``--fix``: tries changes in MuJoCo C and writes those that do no harm."""
 
 import difflib
-from collections import Counter
 from collections.abc import Collection, Iterator, Sequence
 from pathlib import Path
 from xml.parsers import expat
@@ -9,34 +8,16 @@ from xml.parsers import expat
 import mujoco
 import numpy as np
 
-from newton_lint.advice import ways_of
-from newton_lint.findings import Change, Finding, distinct
+from newton_lint.changes import Change
+from newton_lint.findings import Finding
 from newton_lint.fix import Unwritable, edited, undo, write
 from newton_lint.law import M
+from newton_lint.ledger import MOST_DOFS, Run, run_of, starts
 from newton_lint.report import Report, Request, report_of
-from newton_lint.source import Source, Texts, parse
-from newton_lint.step_rules import THROWN_M_S
-from newton_lint.stepped import Run, runs_of
+from newton_lint.source import Texts, parse
 from newton_lint.target import Target, TargetError, compiled, read_target, tried
+from newton_lint.trials import MENDS, harm
 
-MEASURED_S = 2.0
-"""Time for which a scene is stepped before and after a change, from each start."""
-# Contacts may become this many times as deep, and this much deeper [m].
-DEEPER = 1.1
-DEEPER_M = 5e-5
-# Motions may become this many times as fast, and this much faster [m/s or rad/s].
-FASTER = 1.05
-FASTER_M_S = 2e-3
-# A simulated second may take this many times the solver's effort.
-SLOWER = 1.8
-# It may take this many times the processor time.
-SLOWEST = 3.0
-# A body whose contacts are below this depth no longer falls through [m].
-SHALLOW_M = 2e-3
-# A body falls if it reaches this speed.
-FALLS_M_S = 3.0
-FREES = ("lost", "stiff", "thrown", "unstable")
-"""Rules on bodies that fall or fly, which cost little only because nothing touches."""
 # At most this many changes are tried in one pass.
 MOST_TRIES = 40
 # Scenes that share files are mended in at most this many passes.
@@ -45,57 +26,11 @@ PASSES = 4
 
 def measured(target: Target) -> list[Run]:
     """Step a scene from each of its starts, long enough to judge a change."""
-    return runs_of(target.model, target, MEASURED_S)
-
-
-def harm(before: Sequence[Run], after: Sequence[Run], rules: Collection[str]) -> str:
-    """Return the harm that a change for these rules does, or an empty string."""
-    for old, new in zip(before, after, strict=True):
-        if new.bad:
-            start = new.start.name
-            return f"the simulation blows up after {new.time_s:.3g} s from {start}"
-        if not old.bad and (reason := _motion_harm(old, new, rules)):
-            return reason
-    if {*FREES} & {*rules}:
-        return ""
-    for name, most in (("effort", SLOWER), ("cost_s", SLOWEST)):
-        old_cost = sum(getattr(run, name) for run in before)
-        new_cost = sum(getattr(run, name) for run in after)
-        if new_cost > most * old_cost:
-            ratio = new_cost / max(old_cost, 1e-9)
-            return f"a simulated second costs {ratio:.2g} times as much"
-    return ""
-
-
-def _motion_harm(old: Run, new: Run, rules: Collection[str]) -> str:
-    """Return how contacts get deeper or resting bodies faster, or an empty string."""
-    old_thrown = old.thrown_m_s.max(initial=0.0)
-    new_thrown = new.thrown_m_s.max(initial=0.0)
-    # A body that flew or fell touched nothing, so it may rest in a contact now.
-    lies = old_thrown > THROWN_M_S > 2.0 * new_thrown and new.deepest_m <= old.deepest_m
-    lies |= "lost" in rules and new.deepest_m < SHALLOW_M
-    old_fall = old.speeds_m_s.max(initial=0.0)
-    new_fall = new.speeds_m_s.max(initial=0.0)
-    lies |= old_fall > FALLS_M_S > 2.0 * new_fall and new.late_m < SHALLOW_M
-    for name, field in (
-        ("deepest contact", "deepest_m"),
-        ("deepest contact at the end", "late_m"),
-    ):
-        old_depth = getattr(old, field)
-        new_depth = getattr(new, field)
-        if new_depth > DEEPER * old_depth + DEEPER_M and not lies:
-            return (
-                f"the {name} goes from {M * old_depth:.3g} to {M * new_depth:.3g} mm"
-                f" from {new.start.name}"
-            )
-    old_speed = np.abs(old.data.qvel).max(initial=0.0)
-    new_speed = np.abs(new.data.qvel).max(initial=0.0)
-    if new_speed > FASTER * old_speed + FASTER_M_S:
-        return (
-            f"the fastest speed after {new.time_s:.3g} s goes from {old_speed:.3g} to"
-            f" {new_speed:.3g} m/s or rad/s"
-        )
-    return ""
+    model = target.model
+    assert model is not None  # Only files of MuJoCo are mended.
+    if model.nv > MOST_DOFS:
+        return []
+    return [run_of(model, start) for start in starts(model, target.data)]
 
 
 def _measures(runs: Sequence[Run]) -> str:
@@ -150,69 +85,45 @@ class Mending:
             )
             if not (candidate := next(untried, None)):
                 break
-            line, findings, changes = candidate
+            line, finding, changes = candidate
             runs = self.runs
-            self.outcomes[line] = self._outcome(findings, changes)
+            self.outcomes[line] = self._outcome(finding, changes)
             ends = [[run.data.qpos for run in group] for group in (runs, self.runs)]
             if runs is not self.runs and all(map(np.array_equal, *ends)):
                 self.idle.add(line)
         return list(self.outcomes.values()).count("") > written
 
-    def _candidates(self) -> Iterator[tuple[str, list[Finding], Sequence[Change]]]:
-        """Yield the text of changes, the findings that they may mend, and the changes.
+    def _candidates(self) -> Iterator[tuple[str, Finding, Sequence[Change]]]:
+        """Yield the text of changes, the finding that they mend, and the changes."""
+        for finding in self.report.findings:
+            for cure in finding.cures if finding.severity != "note" else ():
+                yield ", ".join(map(str, cure.changes)), finding, cure.changes
 
-        Changes for all findings of a rule come first, then each finding by itself.
-        """
-        findings = [
-            item
-            for item in self.report.findings
-            if item.severity != "note" and ways_of(item.advice)
-        ]
-        for rule in dict.fromkeys(finding.rule for finding in findings):
-            of_rule = [finding for finding in findings if finding.rule == rule]
-            changes = distinct(
-                change
-                for finding in of_rule
-                for change in ways_of(finding.advice)[0].changes
-            )
-            candidates = [(of_rule, changes)] if len(changes) > 1 else []
-            candidates += [
-                ([finding], way.changes)
-                for finding in of_rule
-                for way in ways_of(finding.advice)
-            ]
-            yield from (
-                (", ".join(map(str, changes)), mended, changes)
-                for mended, changes in candidates
-            )
-
-    def _outcome(self, findings: Sequence[Finding], changes: Sequence[Change]) -> str:
+    def _outcome(self, finding: Finding, changes: Sequence[Change]) -> str:
         """Apply changes, or return why they do harm."""
         try:
-            return self._harm(
-                findings, self.texts | edited(changes, self.report.source, self.texts)
-            )
+            texts = edited(changes, self.report.source, self.texts)
+            return self._harm(finding, self.texts | texts)
         except Unwritable as error:
             return str(error)
         except (ValueError, OSError, expat.ExpatError, mujoco.FatalError) as error:
             return f"MuJoCo refuses it: {' '.join(str(error).split())[:200]}"
 
-    def _harm(self, findings: Sequence[Finding], texts: dict[Path, bytes]) -> str:
-        """Apply texts that mend findings of one rule, or return why they do harm."""
-        rules = [findings[0].rule]
+    def _harm(self, finding: Finding, texts: dict[Path, bytes]) -> str:
+        """Apply texts that mend a finding, or return why they do harm."""
+        rules = [finding.rule]
         target = tried(self.target, texts)
         report = report_of(target, self.request)
-        before = _counted(self.report)
-        after = _counted(report)
-        notes = {_key(finding) for finding in self.report.findings}
-        if any(after[_key(finding)] >= before[_key(finding)] for finding in findings):
-            return "it does not remove the finding"
-        if more := [
-            key
-            for key, count in after.items()
-            if key not in notes or 0 < before[key] < count
-        ]:
-            return f"it causes another finding: {' '.join(filter(None, more[0]))}"
+        before = _worst(self.report)
+        after = _worst(report)
+        key = _key(finding)
+        if after.get(key, 0.0) > MENDS * before[key]:
+            return "the finding remains"
+        known = {_key(item) for item in self.report.findings}
+        for item in report.findings:
+            severe = item.severity == "error" or finding.severity != "error"
+            if item.severity != "note" and _key(item) not in known and severe:
+                return f"it causes another finding: {item.rule} {item.shape}".rstrip()
         runs = measured(target)
         if reason := harm(self.runs, runs, rules) or self._harm_elsewhere(texts, rules):
             return reason
@@ -257,10 +168,14 @@ def _key(finding: Finding) -> tuple[str, str, str]:
     return finding.rule, finding.shape, finding.parameter
 
 
-def _counted(report: Report) -> Counter[tuple[str, str, str]]:
-    return Counter(
-        _key(finding) for finding in report.findings if finding.severity != "note"
-    )
+def _worst(report: Report) -> dict[tuple[str, str, str], float]:
+    """Return the largest value of each kind of finding."""
+    worst: dict[tuple[str, str, str], float] = {}
+    for finding in report.findings:
+        if finding.severity != "note":
+            key = _key(finding)
+            worst[key] = max(abs(finding.value), worst.get(key, 0.0))
+    return worst
 
 
 def fixed(
@@ -313,15 +228,6 @@ def fixed_again(
             break
         lines += written
     return lines
-
-
-def fix(changes: Sequence[Change], source: Source, target: Target) -> list[str]:
-    """Write changes that were measured before. Return a line for each of them."""
-    try:
-        backups = _written(target, edited(changes, source, {})) if changes else []
-    except Unwritable as error:
-        raise TargetError(f"{target.name}: not written because {error}") from error
-    return [*(f"{change}: written" for change in changes), *backups]
 
 
 def _written(target: Target, texts: Texts) -> list[str]:

@@ -1,7 +1,8 @@
 """Writes reports as text, JSON, SARIF and GitHub annotations."""
 
 import json
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
 
 from newton_lint.findings import SEVERITIES, Finding, grouped, named, sentence
 from newton_lint.law import M
@@ -24,7 +25,22 @@ def printable(text: str) -> str:
     )
 
 
-def written(reports: Sequence[Report], form: str, unread: Sequence[str] = ()) -> str:
+@dataclass(frozen=True)
+class Detail:
+    """How much of a report is printed."""
+
+    notes: bool = False
+    """Whether to print notes too."""
+    rules: Mapping[str, str] = field(default_factory=dict)
+    """Descriptions of the rules, if details are printed."""
+
+
+def written(
+    reports: Sequence[Report],
+    form: str,
+    unread: Sequence[str] = (),
+    detail: Detail = Detail(),
+) -> str:
     """Return reports in a format.
 
     Args:
@@ -37,7 +53,7 @@ def written(reports: Sequence[Report], form: str, unread: Sequence[str] = ()) ->
     if form == "sarif":
         return json.dumps(_sarif(reports, unread), indent=1)
     lines_of = _github if form == "github" else text_of
-    lines = [line for report in reports for line in lines_of(report)]
+    lines = [line for report in reports for line in lines_of(report, detail)]
     lines += summary(reports) if form == "text" and len(reports) > 1 else ()
     return "\n".join(map(printable, lines))
 
@@ -60,29 +76,28 @@ def summary(reports: Sequence[Report]) -> Iterator[str]:
         yield f"  {severity:9}{rule:16}{len(targets):>9}{len(set(targets)):>8}"
 
 
-def text_of(report: Report) -> Iterator[str]:
-    """Yield the lines of a report."""
+def text_of(report: Report, detail: Detail = Detail()) -> Iterator[str]:
+    """Yield the lines of a report, one for each group of findings."""
     groups = grouped(
         sorted(report.findings, key=lambda finding: -SEVERITIES.index(finding.severity))
     )
     shapes = _counted(report.shape_count, "shape")
     size = f"{shapes}, {_counted(report.pair_count, 'pair')}, dt {report.dt_s:g} s"
     counts = {
-        name: sum(group[0].severity == name for group in groups)
-        for name in reversed(SEVERITIES)
+        name: sum(group[0].severity == name for group in groups) for name in SEVERITIES
     }
-    total = ", ".join(_counted(count, name) for name, count in counts.items() if count)
-    yield f"{report.target}: {size}: {total or 'nothing found'}"
+    notes = counts.pop("note")
+    found = [
+        _counted(counts[name], name) for name in ("error", "warning") if counts[name]
+    ]
+    total = ", ".join(found) or "nothing found"
+    if notes:
+        hidden = "" if detail.notes else " (--notes prints them)"
+        total += f", {_counted(notes, 'note')}{hidden}"
+    yield f"{report.target}: {size}: {total}"
     for group in groups:
-        finding = group[0]
-        line = (
-            f"{finding.element.file}:{finding.element.line}: "
-            if finding.element
-            else ""
-        )
-        yield f"  {line}{finding.severity} {finding.rule}: {sentence(group)}"
-        if finding.advice:
-            yield f"      {finding.advice}"
+        if group[0].severity != "note" or detail.notes:
+            yield from _lines(group, detail)
     if hold := report.hold:
         rate = "slides" if hold.slides else f"creeps at {rated(hold.mm_s)}"
         points = f"{hold.point_count:.3g} contact points"
@@ -95,6 +110,25 @@ def text_of(report: Report) -> Iterator[str]:
         )
         if len(report.creep) > WORST:
             yield f"  and {len(report.creep) - WORST} more, which --json prints"
+
+
+def _lines(group: Sequence[Finding], detail: Detail) -> Iterator[str]:
+    """Yield the line of a group of findings, and more with ``--explain``."""
+    finding = group[0]
+    element = finding.element
+    place = f"{element.file}:{element.line}: " if element else ""
+    first = f"{finding.cures[0]}." if finding.cures else finding.hint
+    text = " ".join(filter(None, [f"{sentence(group)}.", first]))
+    yield f"  {place}{finding.severity} {finding.rule}: {text}"
+    if not detail.rules:
+        return
+    yield f"      Rule: {detail.rules[finding.rule]}"
+    for cure in finding.cures:
+        places = [f"{each} ({each.place})" for each in cure.changes if each.place]
+        yield f"      Change: {cure}"
+        yield from (f"        {line}" for line in places)
+    if finding.hint and finding.cures:
+        yield f"      Or: {finding.hint}"
 
 
 def creep_line(prediction: Prediction, load: Load) -> str:
@@ -126,9 +160,11 @@ def rated(mm_s: float) -> str:
     )
 
 
-def _github(report: Report) -> Iterator[str]:
+def _github(report: Report, detail: Detail) -> Iterator[str]:
     for group in grouped(report.findings):
         finding = group[0]
+        if finding.severity == "note" and not detail.notes:
+            continue
         location = f"file={report.target}"
         if element := finding.element:
             location = f"file={element.file},line={element.line}"
@@ -172,7 +208,7 @@ def _sarif(reports: Sequence[Report], unread: Sequence[str]) -> dict:
 
 
 def _with_advice(group: Sequence[Finding]) -> str:
-    return ". ".join(filter(None, [sentence(group), str(group[0].advice or "")]))
+    return ". ".join(filter(None, [sentence(group), group[0].advice]))
 
 
 def _location(finding: Finding, report: Report) -> dict:

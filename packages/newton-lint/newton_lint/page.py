@@ -5,7 +5,7 @@ from html import escape
 from pathlib import Path
 
 from newton_lint.command import CLEAN, Parser, add_work, request_of
-from newton_lint.output import printable, summary, text_of
+from newton_lint.output import Detail, printable, summary, text_of
 from newton_lint.report import report_of
 from newton_lint.target import TargetError, read_target, targets_of
 
@@ -48,7 +48,7 @@ def main(arguments: Sequence[str]) -> int:
     for target in targets_of(options.target):
         try:
             reports.append(report_of(read_target(target), request))
-            text = "\n".join(map(printable, text_of(reports[-1])))
+            text = "\n".join(map(printable, text_of(reports[-1], Detail(notes=True))))
             opened = " open" if reports[-1].worst() > 0 else ""
         except TargetError as error:
             text = printable(str(error))

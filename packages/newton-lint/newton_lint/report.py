@@ -7,20 +7,25 @@ from typing import Any
 import mujoco
 import numpy as np
 
+from newton_lint.changes import Changes
 from newton_lint.findings import SEVERITIES, Finding, sentence
-from newton_lint.grip import SLIP_MM_S, gripped
+from newton_lint.grips import SLIP_MM_S, creeping
+from newton_lint.ledger import MOST_DOFS, Run, run_of, starts
+from newton_lint.motion import motions
 from newton_lint.prediction import Load, Prediction, predictions
 from newton_lint.rules import lint
 from newton_lint.scene import Engine, Scene
 from newton_lint.settings import is_ignored
 from newton_lint.settle import Hold, Work, settled_hold, weigh
 from newton_lint.source import Element, Source
-from newton_lint.step_rules import stepped
-from newton_lint.stepped import Run, runs_of
 from newton_lint.target import NEWTONS, Target, TargetError, newtons
+from newton_lint.trials import Trials
 
 OF_CONTACTS = ("timeconst", "solimp", "dampratio", "one-sided", "friction")
 """Rules whose findings only matter if the shapes touch something soon."""
+SHORTEST_S = 1e-6
+LONGEST_S = 1.0
+"""Range of the time step."""
 # Numbers above this have infinite squares.
 HUGE = 1e100
 MUJOCO_C = Engine()
@@ -86,35 +91,68 @@ def _report_of(target: Target, request: Request) -> Report:
     if target.newton_model is not None:
         return newtons(target.name, NEWTONS, "report_of", target, request)
     scene = scene_of(target, request.engine)
-    findings = lint(scene)
+    report = report_on(scene, target, request)
+    if request.engine.name == "newton" and target.path:
+        more = _newton_findings(target, request, report.findings)
+        return replace(report, findings=[*report.findings, *more])
+    return report
+
+
+def report_on(
+    scene: Scene, target: Target, request: Request, more: Sequence[Finding] = ()
+) -> Report:
+    """Lint a scene.
+
+    Args:
+        more: Findings of other rules.
+    """
+    model = scene.model
+    runs: list[Run] = []
+    if request.step and model.nv <= MOST_DOFS:
+        runs = [run_of(model, start) for start in starts(model, target.data)]
+    for run in runs:
+        weigh(scene, run.data)
+    trials = Trials(scene, runs)
+    findings = [*more, *lint(scene, trials)]
     # Creep is undefined if the engine refuses the scene or throws bodies off.
     refused = any(finding.rule in ("engine", "stiff") for finding in findings)
     work = None if refused else request.work
     hold = settled_hold(scene, target, work) if work else None
     if hold:
-        findings += hold.findings(scene, request.below_mm_s or SLIP_MM_S)
-    runs = runs_of(scene.model, target) if request.step else []
-    for run in runs:
-        weigh(scene, run.data)
-    findings += stepped(scene, runs) if request.step else []
-    findings = _noted(scene, runs, findings)
-    if not refused:
-        findings += gripped(scene, runs, work.body if work else "")
-    if work and not hold:
+        bound = request.below_mm_s or SLIP_MM_S
+        findings += [
+            creeping(trials, hold, finding) for finding in hold.findings(scene, bound)
+        ]
+    elif work:
+        message = (
+            "Nothing touches $shape within $value: grip it in a keyframe, or in the"
+            " data that the function returns"
+        )
         findings.append(
             Finding(
                 "slides",
                 work.body,
                 "settle",
                 work.settle_s,
-                message="Nothing touches $shape within $value: grip it in a keyframe,"
-                " or in the data that the function returns",
+                message,
                 unit="s",
                 severity="error",
             )
         )
-    if request.engine.name == "newton" and target.path:
-        findings += list(_newton_findings(target, request, findings))
+    motion = motions(trials, request.load.acceleration_m_s2)
+    held = [hold.name] if hold else []
+    findings += [
+        item for item in motion if item.rule != "slip" or item.shape not in held
+    ]
+    if request.step and model.nv > MOST_DOFS:
+        message = (
+            f"The scene has {model.nv} degrees of freedom and is not stepped, because"
+            f" the limit is {MOST_DOFS}"
+        )
+        nv = float(model.nv)
+        findings.append(
+            Finding("unstepped", "", "nv", nv, message=message, severity="note")
+        )
     return Report(
         target=target.name,
         dt_s=scene.option.timestep_s,
@@ -123,7 +161,7 @@ def _report_of(target: Target, request: Request) -> Report:
         load=request.load,
         findings=[
             finding
-            for finding in findings
+            for finding in _noted(scene, runs, findings)
             if not is_ignored(finding, scene.source, request.ignore)
         ],
         creep=[] if refused else predictions(scene, request.load),
@@ -139,9 +177,9 @@ def _noted(
     touched = {
         scene.names[geom]
         for run in runs
-        for pair in (*run.first, *run.data.contact.geom.tolist())
+        for sample in run.samples
+        for pair in sample.touches.geoms.tolist()
         for geom in pair
-        if geom >= 0
     }
     may_touch = not runs or any(run.bad for run in runs)
 
@@ -198,11 +236,12 @@ def scene_of(target: Target, engine: Engine = MUJOCO_C) -> Scene:
     """Return the scene of a target, or raise TargetError if it cannot be simulated."""
     if target.model is None:
         raise TargetError(f"{target.name}: expected a MuJoCo model, got a Newton model")
-    # mj_step accepts any time step, but the number of steps would round to 0.
-    if target.model.opt.timestep > 10.0:
+    step = engine.timestep_s or target.model.opt.timestep
+    # Runs of 2 s need at least one step, and not more than can be waited for.
+    if not SHORTEST_S <= step <= LONGEST_S:
         raise TargetError(
-            f"{target.name}: the time step of {target.model.opt.timestep:g} s is too"
-            " long: use at most 10 s"
+            f"{target.name}: the time step is {step:g} s: use {SHORTEST_S:g} to"
+            f" {LONGEST_S:g} s"
         )
     numbers = {
         name: getattr(target.model, name)
@@ -221,6 +260,7 @@ def scene_of(target: Target, engine: Engine = MUJOCO_C) -> Scene:
         engine.configured(target.model),
         Source.of(target.path, target.model, target.texts),
         engine,
+        target.texts,
     )
 
 
@@ -253,16 +293,31 @@ def _finding_json(finding: Finding) -> dict[str, Any]:
         "message": sentence([finding]),
         "severity": finding.severity,
         **_location(finding.element),
-        "advice": str(finding.advice) if finding.advice else None,
-        "changes": [
+        "advice": finding.advice or None,
+        "changes": _changes_json(finding.cures[0].changes) if finding.cures else [],
+        "cures": [
             {
-                "subject": change.subject,
-                "attributes": dict(change.attributes),
-                **_location(change.element),
+                "changes": _changes_json(cure.changes),
+                "before": cure.before,
+                "after": cure.after,
+                "unit": cure.unit,
+                "text": str(cure),
             }
-            for change in (finding.advice.changes if finding.advice else ())
+            for cure in finding.cures
         ],
     }
+
+
+def _changes_json(changes: Changes) -> list[dict[str, Any]]:
+    return [
+        {
+            "subject": change.subject,
+            "kind": change.kind,
+            "attributes": dict(change.attributes),
+            **_location(change.element),
+        }
+        for change in changes
+    ]
 
 
 def _location(element: Element | None) -> dict[str, Any]:

@@ -3,49 +3,67 @@
 Each rule is a function over arrays of geoms and pairs.
 """
 
-from collections.abc import Callable, Iterator
+import math
+from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 
 import mujoco
 import numpy as np
 
-from newton_lint import advice
-from newton_lint.advice import FAR
-from newton_lint.findings import Advice, Finding, Hits, Wording, findings_of
+from newton_lint.changes import of_contact, of_geom, of_option
+from newton_lint.findings import Finding, Hits, Remedy, Wording, findings_of
 from newton_lint.law import DEFAULT_SOLREF, clamped
 from newton_lint.scene import Scene
-from newton_lint.scene_rules import closed, engine, fixed, lost, pyramid, unread, visual
+from newton_lint.scene_rules import (
+    closed,
+    damped,
+    engine,
+    fixed,
+    lost,
+    pyramid,
+    unread,
+    visual,
+)
 from newton_lint.source import Element
+from newton_lint.trials import Trials
 
 # Parameters that differ by less than this are equal.
 SAME = 1e-5
 # From this value of b h + k h²/2 on, MuJoCo's time step throws bodies off.
 STIFF = 1.9
-Advise = Callable[[int], Advice | None]
+FAR = 4.0
+"""A damping ratio or timeconst is far from another one at this ratio."""
+Advise = Callable[[int], Remedy]
 
 
-def lint(scene: Scene) -> list[Finding]:
-    """Return the findings of all rules, in the order of the rules."""
+def lint(scene: Scene, trials: Trials) -> list[Finding]:
+    """Return the findings of all rules, in the order of the rules.
+
+    A change is recommended if it does no harm within 2 s from all starts.
+    """
     rules = (
         solref_format,
         solimp,
         timeconst,
         too_stiff,
         dampratio,
-        one_sided,
+        partial(one_sided, touched=_touched(scene, trials)),
         friction,
     )
-    names = scene.names
     # Some rules divide by parts of a solref that may be 0.
     with np.errstate(divide="ignore", invalid="ignore"):
         findings = [
-            finding
+            trials.advised(finding, remedy)
             for rule in rules
             for hits in rule(scene)
-            for finding in findings_of(hits, names)
+            for finding, remedy in findings_of(hits, scene.names)
         ]
-    scene_rules = (lost, fixed, visual, closed, pyramid, unread, engine)
-    return findings + [finding for rule in scene_rules for finding in rule(scene)]
+    scene_rules = (lost, damped, fixed, visual, closed, pyramid, unread, engine)
+    return findings + [
+        trials.advised(finding, remedy)
+        for rule in scene_rules
+        for finding, remedy in rule(scene)
+    ]
 
 
 def solref_format(scene: Scene) -> Iterator[Hits]:
@@ -60,15 +78,15 @@ def solref_format(scene: Scene) -> Iterator[Hits]:
         "solref-format",
         "solref[1]",
         "solref of $shapes has only one positive number (the second number is $value),"
-        " so the engine uses its default; make both positive or both negative",
+        " so MuJoCo uses its default",
         severity="error",
     )
 
-    def advise(geom: int) -> Advice:
+    def advise(geom: int) -> Remedy:
         plain = (contacts.named < 0) & (
             (contacts.first == geom) | (contacts.second == geom) & ~contacts.outranked
         )
-        return advice.whole_solref(scene, int(np.flatnonzero(plain)[0]))
+        return critical(scene, int(np.flatnonzero(plain)[0]))
 
     yield _geom_hits(scene, wording, geoms, solref[:, 1], DEFAULT_SOLREF[1], advise)
 
@@ -85,12 +103,12 @@ def solimp(scene: Scene) -> Iterator[Hits]:
             "solimp",
             "solimp",
             "solimp of $shapes has a dmin of $value above its dmax of $used, so"
-            " contacts get softer with depth and creep grows with the load",
+            " contacts get softer with depth, and creep grows with the load",
         ),
         geoms,
         dmin,
         dmax,
-        partial(advice.in_order, scene),
+        partial(in_order, scene),
     )
 
 
@@ -111,22 +129,25 @@ def timeconst(scene: Scene) -> Iterator[Hits]:
     wording = Wording(
         "timeconst",
         "timeconst",
-        f"timeconst $value of $shapes against $against is below {least}, so the engine"
+        f"timeconst $value of $shapes against $against is below {least}, so MuJoCo"
         " uses $used",
         "s",
     )
     # Nobody wrote a timeconst that equals the default.
     pairs = np.flatnonzero(below & (authored != DEFAULT_SOLREF[0]))
 
-    def advise(pair: int) -> Advice:
-        factor = limit[pair] / authored[pair]
-        step = f'timestep="{option.timestep_s / factor:.3g}"'
-        text = (
-            f"Set {step}: this makes the contact as stiff as written, for"
-            f" {factor:.2g} times as many steps"
+    def advise(pair: int) -> Remedy:
+        longer = longer_solref(
+            scene, pair, limit[pair], "writes down the value that is used"
         )
-        longer = advice.longer_solref(scene, pair, limit[pair])
-        return advice.either(longer, Advice(text)) if factor <= FAR else longer
+        factor = limit[pair] / authored[pair]
+        if factor > FAR:
+            return longer
+        step = of_option(scene, timestep=f"{option.timestep_s / factor:.3g}")
+        stiffer = (
+            f"makes the contact as stiff as written, for {factor:.2g} times the steps"
+        )
+        return [*longer, (step, stiffer)]
 
     yield _pair_hits(scene, wording, pairs, authored, limit, advise)
 
@@ -151,16 +172,24 @@ def too_stiff(scene: Scene) -> Iterator[Hits]:
         "stiff",
         "solref",
         "solref $value of $shapes against $against is too stiff for the time step:"
-        f" contacts throw bodies off if b·h + k·h²/2 is above {STIFF}; refsafe {why}",
+        f" contacts throw bodies off if b·h + k·h²/2 is above {STIFF}, and refsafe {why}",
         severity="error",
     )
 
-    def softer(pair: int) -> Advice:
+    def softer(pair: int) -> Remedy:
+        effect = "is the stiffest solref that the time step permits"
         if first[pair] > 0.0:
-            return advice.longer_solref(
-                scene, pair, 2.0 * step, "is the stiffest that the time step permits"
-            )
-        return advice.softer_solref(scene, pair, clamped(contacts.solimp[pair, 1]))
+            return longer_solref(scene, pair, 2.0 * step, effect)
+        damping = clamped(contacts.solimp[pair, 1]) / step
+
+        def weaker(solref: Sequence[float]) -> str | None:
+            # The minimum of both solrefs counts, so a timeconst never does.
+            if solref[0] > 0.0 or solref[1] > 0.0:
+                return None
+            stiffness = min(-solref[0], 0.25 * damping**2)
+            return f"{-stiffness:.4g} {-min(-solref[1], damping):.4g}"
+
+        return [(of_contact(scene, pair, weaker), effect)]
 
     yield _pair_hits(
         scene, wording, stiff, np.where(first > 0.0, first, second), np.nan, softer
@@ -179,26 +208,38 @@ def dampratio(scene: Scene) -> Iterator[Hits]:
             "dampratio",
             "dampratio",
             "dampratio $value of $shapes against $against is far above the critical"
-            " one, and the contact yields with its square",
+            " one, so the contact is softer by the square of it",
         ),
         np.flatnonzero(sound & (ratio > FAR) & np.isfinite(ratio)),
         ratio,
         1.0,
-        partial(advice.whole_solref, scene),
+        partial(critical, scene),
     )
 
 
-def one_sided(scene: Scene) -> Iterator[Hits]:
+def _touched(scene: Scene, trials: Trials) -> np.ndarray:
+    """Return for each pair whether it touches in a run, or may if nothing is known."""
+    met = {
+        tuple(pair)
+        for run in trials.runs
+        for sample in run.samples
+        for pair in np.sort(sample.touches.geoms, axis=1).tolist()
+    }
+    pairs = scene.pair_indices
+    return np.array([not met or pair in met for pair in pairs], dtype=bool)
+
+
+def one_sided(scene: Scene, touched: np.ndarray) -> Iterator[Hits]:
     """Yield stiff geoms that only meet soft ones, and soft geoms among stiff ones."""
     contacts = scene.contacts
     authored = scene.model.geom_solref[:, 0]
-    differ = ~np.isclose(authored[contacts.first], authored[contacts.second], rtol=SAME)
     # Direct solrefs are not mixed: the engine uses the element-wise minimum.
-    plain = (contacts.named < 0) & (contacts.solref > 0.0).all(axis=1) & differ
-    first = contacts.first[contacts.outranked]
-    ranked = np.append(first, contacts.second[contacts.outranked])
-    stiffest = -_largest(scene, plain, -contacts.solref[:, 0])
-    softest = _largest(scene, plain, contacts.solref[:, 0])
+    mixed = (contacts.named < 0) & (contacts.solref > 0.0).all(axis=1) & touched
+    outranked = contacts.outranked & touched
+    ranked = np.append(contacts.first[outranked], contacts.second[outranked])
+    # A geom that meets an equal one somewhere is as stiff as written there.
+    stiffest = -_largest(scene, mixed, -contacts.solref[:, 0])
+    softest = _largest(scene, mixed, contacts.solref[:, 0])
     # A geom with a priority decides on purpose.
     stiffest[ranked] = 0.0
     softest[ranked] = np.inf
@@ -208,8 +249,8 @@ def one_sided(scene: Scene) -> Iterator[Hits]:
     softer = stiffest > np.maximum(2.0 * authored, 4.0 * scene.option.timestep_s)
     shape = np.flatnonzero(is_stiff & softer)
     message = (
-        "solref $value of $shapes is {} only on this side: each contact mixes it with"
-        " the {} solref of the other geom, which gives at {} $used"
+        "solref $value of $shapes is {} only on this side, because each contact mixes it"
+        " with the {} solref of the other geom, which gives at {} $used"
     )
     wording = Wording(
         "one-sided", "solref", message.format("stiff", "soft", "least"), "s"
@@ -220,7 +261,7 @@ def one_sided(scene: Scene) -> Iterator[Hits]:
         geoms=shape,
         authored=authored,
         used=stiffest,
-        advise=partial(advice.of_higher_priority, scene, mixed_s=stiffest),
+        advise=partial(of_higher_priority, scene),
     )
     shape = np.flatnonzero(
         (authored >= FAR * DEFAULT_SOLREF[0])
@@ -234,13 +275,11 @@ def one_sided(scene: Scene) -> Iterator[Hits]:
         unit="s",
         severity="note",
     )
-    advise = partial(
-        advice.for_geom,
-        scene,
-        attributes=advice.rank(scene),
-        gain="makes its solref, solimp, friction and condim count alone; or set the"
-        " same solref and solimp on the other geom",
-    )
+
+    def advise(geom: int) -> Remedy:
+        effect = "makes its solref, solimp, friction and condim count alone"
+        return [(of_geom(scene, geom, rank(scene)), effect)]
+
     yield _geom_hits(scene, wording, shape, authored, softest, advise)
 
 
@@ -250,6 +289,11 @@ def friction(scene: Scene) -> Iterator[Hits]:
     authored = scene.model.geom_friction[:, 0]
     plain = (contacts.named < 0) & (contacts.condim > 1)
     least = -_largest(scene, plain, -contacts.friction[:, 0])
+
+    def advise(geom: int) -> Remedy:
+        effect = "makes its friction count alone, with its solref, solimp and condim"
+        return [(of_geom(scene, geom, rank(scene)), effect)]
+
     # The compiled model does not distinguish a default from the same written number.
     yield _geom_hits(
         scene,
@@ -265,13 +309,62 @@ def friction(scene: Scene) -> Iterator[Hits]:
         ),
         authored,
         least,
-        partial(
-            advice.for_geom,
-            scene,
-            attributes=advice.rank(scene),
-            gain="makes its friction count alone, with its solref, solimp and condim",
-        ),
+        advise,
     )
+
+
+def rank(scene: Scene) -> dict[str, str]:
+    """Return the attribute of a priority above all priorities of the scene."""
+    return {"priority": str(int(scene.model.geom_priority.max(initial=0)) + 1)}
+
+
+def of_higher_priority(scene: Scene, geom: int) -> Remedy:
+    """Return changes that make the solref of a geom count alone."""
+    option = scene.option
+    authored, ratio = scene.model.geom_solref[geom].tolist()
+    timeconst = max(authored, 2.0 * option.timestep_s if option.refsafe else 0.0)
+    attributes = rank(scene)
+    # Otherwise the next run would report the clamped timeconst.
+    if timeconst > authored:
+        attributes["solref"] = f"{timeconst:g} {ratio:g}"
+    effect = "makes its solref, solimp, friction and condim count alone"
+    return [(of_geom(scene, geom, attributes), effect)]
+
+
+def longer_solref(scene: Scene, pair: int, timeconst_s: float, effect: str) -> Remedy:
+    """Return changes that lengthen shorter timeconsts to a given one."""
+
+    def longer(solref: Sequence[float]) -> str | None:
+        is_short = 0.0 < solref[0] < timeconst_s
+        return f"{timeconst_s:.6g} {solref[1]:g}" if is_short else None
+
+    return [(of_contact(scene, pair, longer), effect)]
+
+
+def critical(scene: Scene, pair: int) -> Remedy:
+    """Return changes to a solref of one form with critical damping."""
+
+    def sound(solref: Sequence[float]) -> str | None:
+        first, second = solref
+        if first == 0.0:
+            return "0.02 1"
+        critical = 1.0 if first > 0.0 else -2.0 * math.sqrt(-first)
+        if 0.25 <= second / critical <= FAR:
+            return None
+        return f"{first:g} {critical:.3g}"
+
+    return [
+        (of_contact(scene, pair, sound), "keeps the timeconst with critical damping")
+    ]
+
+
+def in_order(scene: Scene, geom: int) -> Remedy:
+    """Return changes that raise dmax to dmin, so that contacts become stiffer."""
+    dmin, dmax, *shape = scene.model.geom_solimp[geom].tolist()
+    high = min(max(dmin, dmax), 1.0)
+    entries = " ".join(f"{entry:g}" for entry in (min(dmin, 1.0), high, *shape))
+    effect = "makes contacts stiffer with depth"
+    return [(of_geom(scene, geom, {"solimp": entries}), effect)]
 
 
 def _largest(scene: Scene, pairs: np.ndarray, values: np.ndarray) -> np.ndarray:

@@ -1,7 +1,7 @@
 """A scene for the rules: its compiled model, its pairs and its source."""
 
 import copy
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 import mujoco
@@ -10,11 +10,12 @@ from mujoco import MjModel
 
 from newton_lint.combined import CONES, Contacts, contacts_of, option_of
 from newton_lint.law import Option
-from newton_lint.source import Element, Source
+from newton_lint.source import Element, Source, Texts
 from newton_lint.warp_engine import has_noslip
 
 FREE = int(mujoco.mjtJoint.mjJNT_FREE)
 HINGE = int(mujoco.mjtJoint.mjJNT_HINGE)
+ON_JOINT = int(mujoco.mjtTrn.mjTRN_JOINT)
 ELLIPTIC = int(mujoco.mjtCone.mjCONE_ELLIPTIC)
 WEIGHTLESS = int(mujoco.mjtDisableBit.mjDSBL_GRAVITY)
 
@@ -52,6 +53,8 @@ class Scene:
     model: MjModel
     source: Source
     engine: Engine = Engine()
+    texts: Texts = field(default_factory=dict)
+    """Contents that replace those of files while a change is tried."""
 
     @cached_property
     def option(self) -> Option:
@@ -75,6 +78,10 @@ class Scene:
         named = np.isin(np.arange(model.ngeom), [model.pair_geom1, model.pair_geom2])
         masks = model.geom_contype | model.geom_conaffinity
         return int(np.count_nonzero(masks | named))
+
+    def name(self, kind: str, index: int) -> str:
+        """Return the name of an element, or its kind with its number."""
+        return getattr(self.model, kind)(index).name or f"{kind}_{index}"
 
     @cached_property
     def bodies(self) -> list[str]:

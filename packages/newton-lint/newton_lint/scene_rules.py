@@ -6,10 +6,10 @@ from collections.abc import Iterator
 import mujoco
 import numpy as np
 
-from newton_lint.advice import elliptic, for_geom
-from newton_lint.findings import Advice, Finding
+from newton_lint.changes import of_element, of_geom, of_option
+from newton_lint.findings import Finding, Remedy
 from newton_lint.pairs import MOST_PAIRS, OFF, read
-from newton_lint.scene import WEIGHTLESS, Scene
+from newton_lint.scene import FREE, WEIGHTLESS, Scene
 from newton_lint.warp_engine import refusal
 
 # Bodies sink visibly into a pyramidal cone from this friction on: 2 mm at 3, 100 mm at
@@ -24,9 +24,14 @@ TWICE = 0.1
 # A mesh is reported if its convex hull has this many times its volume.
 HOLLOW = 2.0
 MESH = int(mujoco.mjtGeom.mjGEOM_MESH)
+FEW = (4, 10)
+"""An elliptic cone needs at least one of these numbers of solver iterations."""
+FAST_M_S = 20.0
+"""Damping of a free joint hardly matters if it permits this speed of fall."""
+Found = tuple[Finding, Remedy]
 
 
-def lost(scene: Scene) -> Iterator[Finding]:
+def lost(scene: Scene) -> Iterator[Found]:
     """Yield free bodies that collide with no other body, so that they fall forever."""
     model = scene.model
     contacts = scene.contacts
@@ -45,7 +50,7 @@ def lost(scene: Scene) -> Iterator[Finding]:
     for body in np.setdiff1d(tree[is_free & collides], met).tolist():
         bits = int(np.bitwise_or.reduce(model.geom_contype[tree != body]))
         geom = int(np.flatnonzero(tree == body)[0] if bits else attached[0])
-        yield Finding(
+        finding = Finding(
             "lost",
             scene.bodies[body],
             "contype",
@@ -53,16 +58,36 @@ def lost(scene: Scene) -> Iterator[Finding]:
             message="$shape falls through every other body because the contype and"
             " conaffinity bits of its geoms match those of no other geom",
             element=scene.source.authored(geom, "contype") or scene.source.geom(geom),
-            advice=for_geom(
-                scene,
-                geom,
-                {"contype": f"{bits or 1}", "conaffinity": f"{bits or 1}"},
-                "lets it collide",
-            ),
         )
+        masks = {"contype": f"{bits or 1}", "conaffinity": f"{bits or 1}"}
+        yield finding, [(of_geom(scene, geom, masks), "lets it collide")]
 
 
-def fixed(scene: Scene) -> Iterator[Finding]:
+def damped(scene: Scene) -> Iterator[Found]:
+    """Yield free joints with damping, which slows falling bodies like a thick fluid."""
+    model = scene.model
+    for joint in np.flatnonzero(model.jnt_type == FREE).tolist():
+        damping = float(model.dof_damping[model.jnt_dofadr[joint]])
+        if not damping:
+            continue
+        body = int(model.jnt_bodyid[joint])
+        weight = model.body_subtreemass[body] * np.linalg.norm(model.opt.gravity)
+        finding = Finding(
+            "damping",
+            scene.bodies[body],
+            "damping",
+            damping,
+            message="$shape never falls faster than"
+            f" {weight / damping:.3g} m/s because its free joint has a damping of"
+            " $value, which acts on it like a thick fluid",
+            severity="warning" if weight < FAST_M_S * damping else "note",
+            element=scene.source.find("joint", joint),
+        )
+        changes = of_element(scene, "joint", joint, damping="0")
+        yield finding, [(changes, "lets it fall freely")]
+
+
+def fixed(scene: Scene) -> Iterator[Found]:
     """Yield bodies that have a mass but no joint, and that touch nothing."""
     model = scene.model
     data = mujoco.MjData(model)
@@ -90,7 +115,7 @@ def fixed(scene: Scene) -> Iterator[Finding]:
         )
         if elements and not any(near):
             element = elements[0]
-            yield Finding(
+            finding = Finding(
                 "fixed",
                 scene.bodies[body],
                 "mass",
@@ -100,11 +125,11 @@ def fixed(scene: Scene) -> Iterator[Finding]:
                 unit="kg",
                 severity="note",
                 element=element,
-                advice=Advice("Add a <freejoint/> to the body to let it fall"),
             )
+            yield finding, [((), "Add a <freejoint/> to the body to let it fall.")]
 
 
-def visual(scene: Scene) -> Iterator[Finding]:
+def visual(scene: Scene) -> Iterator[Found]:
     """Yield bodies whose mass includes visual geoms, which collide with nothing."""
     model = scene.model
     root = scene.source.root
@@ -134,7 +159,7 @@ def visual(scene: Scene) -> Iterator[Finding]:
         for body in np.flatnonzero(heavier).tolist():
             mass = model.body_mass[body]
             used = light.body_mass[body]
-            yield Finding(
+            finding = Finding(
                 "visual",
                 scene.bodies[body],
                 "mass",
@@ -143,14 +168,15 @@ def visual(scene: Scene) -> Iterator[Finding]:
                 " mass without the visual geoms, which collide with nothing",
                 unit="kg",
                 severity="warning" if is_twice else "note",
-                advice=Advice(
-                    'Set mass="0" on the visual geoms, or add an <inertial> to the'
-                    f" body: this reduces its mass from {mass:.3g} to {used:.3g} kg"
-                ),
             )
+            hint = (
+                'Set mass="0" on the visual geoms, or add an <inertial> to the body;'
+                f" its mass is then {used:.3g} kg."
+            )
+            yield finding, [((), hint)]
 
 
-def closed(scene: Scene) -> Iterator[Finding]:
+def closed(scene: Scene) -> Iterator[Found]:
     """Yield hollow meshes, which collide as their convex hull."""
     model = scene.model
     touch = (model.geom_contype | model.geom_conaffinity) != 0
@@ -173,7 +199,7 @@ def closed(scene: Scene) -> Iterator[Finding]:
         full = abs(np.linalg.det(hull).sum())
         hollow = abs(np.linalg.det(corners).sum())
         if full > HOLLOW * hollow > 0.0:
-            yield Finding(
+            finding = Finding(
                 "closed",
                 scene.names[geom],
                 "hull",
@@ -182,14 +208,15 @@ def closed(scene: Scene) -> Iterator[Finding]:
                 " volume of the mesh, so other bodies cannot enter its hollow parts",
                 severity="note",
                 element=scene.source.geom(geom),
-                advice=Advice(
-                    "Replace the mesh by several convex geoms, for example with CoACD"
-                    " or obj2mjcf"
-                ),
             )
+            hint = (
+                "Replace the mesh by several convex geoms, for example with CoACD or"
+                " obj2mjcf."
+            )
+            yield finding, [((), hint)]
 
 
-def pyramid(scene: Scene) -> Iterator[Finding]:
+def pyramid(scene: Scene) -> Iterator[Found]:
     """Yield an impratio and a friction that soften or harden a pyramidal cone."""
     option = scene.option
     contacts = scene.contacts
@@ -197,38 +224,51 @@ def pyramid(scene: Scene) -> Iterator[Finding]:
     if option.cone != "pyramidal" or not rows.any():
         return
     steepest = contacts.friction[rows, 0].max()
-    advice = elliptic(scene, steepest)
-    if option.impratio > 1.0:
-        yield _scene_finding(
+    impratio = option.impratio
+    # mj_diagApprox: an edge of a pyramid has (1 + μ²) times the weight.
+    less = 1.0 + steepest**2
+    effect = "reduces creep under load by a factor of {:.3g} (predicted)"
+    remedy = []
+    iterations = scene.model.opt.iterations
+    for few in (
+        (count for count in FEW if count > iterations) if iterations < 10 else (0,)
+    ):
+        attributes = {"cone": "elliptic"} | ({"iterations": str(few)} if few else {})
+        remedy.append((of_option(scene, **attributes), effect.format(less)))
+        if impratio <= 1.0:
+            firm = of_option(scene, **attributes, impratio="10")
+            remedy.append((firm, effect.format(10.0 * less / impratio)))
+    if impratio > 1.0:
+        finding = _scene_finding(
             scene,
             "pyramid",
             "impratio",
-            option.impratio,
-            message="impratio $value hardens all rows of a pyramidal cone, the normal"
-            " ones too; only an elliptic cone separates friction from normal force",
-            advice=advice,
+            impratio,
+            message="impratio $value hardens the normal rows of a pyramidal cone like"
+            " its friction; only an elliptic cone separates them",
         )
+        yield finding, remedy
     if steepest > STEEP:
         # mj_makeImpedance gives this ratio of R to that of an elliptic cone (condim 3).
         softer = 0.5 * steepest**2 * (1.0 + steepest**2)
-        yield _scene_finding(
+        finding = _scene_finding(
             scene,
             "pyramid",
             "friction",
             steepest,
             message=f"friction $value makes contacts {softer:.3g} times softer with a"
             " pyramidal cone, so bodies sink and creep more",
-            advice=advice,
         )
+        yield finding, remedy
 
 
-def unread(scene: Scene) -> Iterator[Finding]:
+def unread(scene: Scene) -> Iterator[Found]:
     """Yield the number of geoms that are not read because there are too many pairs."""
     count = np.count_nonzero(
         scene.model.geom_contype | scene.model.geom_conaffinity
     ) - len(read(scene.model))
     if count:
-        yield _scene_finding(
+        finding = _scene_finding(
             scene,
             "unread",
             "geoms",
@@ -237,19 +277,14 @@ def unread(scene: Scene) -> Iterator[Finding]:
             f" {MOST_PAIRS:,} pairs; the findings cover a regular sample of the geoms",
             severity="note",
         )
+        yield finding, ()
 
 
-def engine(scene: Scene) -> Iterator[Finding]:
+def engine(scene: Scene) -> Iterator[Found]:
     """Yield the error message with which MuJoCo Warp refuses the scene."""
     if scene.engine.name == "warp" and (refused := refusal(scene.model)):
-        yield _scene_finding(
-            scene,
-            "engine",
-            "",
-            1.0,
-            message=f"MuJoCo Warp refuses this model: {refused}",
-            severity="error",
-        )
+        message = f"MuJoCo Warp refuses this model: {refused}"
+        yield _scene_finding(scene, "engine", "", 1.0, message, "error"), ()
 
 
 def _scene_finding(
@@ -258,8 +293,7 @@ def _scene_finding(
     parameter: str,
     value: float,
     message: str,
-    advice=None,
-    severity="warning",
+    severity: str = "warning",
 ) -> Finding:
     return Finding(
         rule,
@@ -269,5 +303,4 @@ def _scene_finding(
         message,
         severity=severity,
         element=scene.source.option(parameter) if parameter else None,
-        advice=advice,
     )

@@ -10,7 +10,7 @@ import mujoco
 import numpy as np
 from mujoco import MjData, MjModel
 
-from newton_lint.findings import Advice, Finding
+from newton_lint.findings import Finding
 from newton_lint.law import (
     M,
     Response,
@@ -154,10 +154,6 @@ class Hold:
                 against=touching,
                 used=below_mm_s,
                 unit="mm/s",
-                advice=Advice(
-                    f"Run newton-lint prescribe … --hold {self.name} --below"
-                    f" {below_mm_s:g} to search for settings"
-                ),
             )
 
     def as_json(self) -> dict[str, Any]:

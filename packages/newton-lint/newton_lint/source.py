@@ -87,6 +87,26 @@ def _included(name: str, path: Path, root: Path, texts: Texts) -> list[Element]:
     return []
 
 
+COUNTS = {
+    "body": "nbody",
+    "joint": "njnt",
+    "actuator": "nu",
+    "equality": "neq",
+    "tendon": "ntendon",
+    "key": "nkey",
+    "site": "nsite",
+    "hfield": "nhfield",
+}
+"""The field of the model that counts the elements of a kind."""
+SECTIONS = {
+    "actuator": "actuator",
+    "equality": "equality",
+    "tendon": "tendon",
+    "key": "keyframe",
+}
+"""The section that contains the elements of a kind."""
+
+
 class Source:
     """The elements of a scene's file, with the geoms of the model that they define.
 
@@ -111,14 +131,15 @@ class Source:
         """Return the geom elements and classes of each body, in the file's order."""
         if self.root is None or self.root.tag != "mujoco":
             return []
-        worlds = [
-            child
-            for world in self.root.sections("worldbody")
-            for child in world.children
-        ]
-        return list(
-            _bodies(Element("worldbody", {}, self.root.file, 1, 0, worlds), None)
-        )
+        return list(_bodies(self._world, None))
+
+    @property
+    def _world(self) -> Element:
+        """Return an element with the children of all worldbody elements."""
+        assert self.root is not None
+        worlds = self.root.sections("worldbody")
+        children = [child for world in worlds for child in world.children]
+        return Element("worldbody", {}, self.root.file, 1, 0, children)
 
     @cached_property
     def geoms(self) -> dict[int, tuple[Element, str | None]]:
@@ -181,9 +202,46 @@ class Source:
         # If there are several, the last one counts in MuJoCo.
         return authoring[-1] if authoring else None
 
-    def key(self, index: int) -> Element | None:
-        """Return the element of a keyframe."""
-        return dict(enumerate(self._within("keyframe", "key"))).get(index)
+    def find(self, kind: str, index: int) -> Element | None:
+        """Return the element of a body, joint, actuator, equality, tendon or keyframe.
+
+        Elements are matched by order or, if the counts differ, by name.
+        """
+        elements = self._elements.get(kind, [])
+        if len(elements) == getattr(self._model, COUNTS[kind]):
+            return elements[index]
+        name = getattr(self._model, kind)(index).name
+        named = {element.attributes.get("name"): element for element in elements}
+        return named.get(name) if name else None
+
+    @cached_property
+    def _elements(self) -> dict[str, list[Element]]:
+        """Return the elements of each kind, in the order of the model."""
+        if self.root is None or self.root.tag != "mujoco":
+            return {}
+        elements = {
+            kind: [
+                child
+                for section in self.root.sections(section_tag)
+                for child in section.children
+            ]
+            for kind, section_tag in SECTIONS.items()
+        }
+        bodies = list(_body_elements(self._world))
+        elements["body"] = bodies
+        for kind in ("joint", "site"):
+            elements[kind] = [
+                child
+                for body in bodies
+                for child, _ in _children(body, None)
+                if child.tag in (kind, f"free{kind}")
+            ]
+        elements["hfield"] = [
+            child
+            for assets in self.root.sections("asset")
+            for child in assets.sections("hfield")
+        ]
+        return elements
 
     def pair(self, *names: str) -> Element | None:
         """Return the ``<pair>`` that names two geoms."""
@@ -215,6 +273,14 @@ def _bodies(
     for child, name in children:
         if child.tag == "body":
             yield from _bodies(child, name)
+
+
+def _body_elements(element: Element) -> Iterator[Element]:
+    """Yield a body and all bodies within it."""
+    yield element
+    for child, _ in _children(element, None):
+        if child.tag == "body":
+            yield from _body_elements(child)
 
 
 def _children(

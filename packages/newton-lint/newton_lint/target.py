@@ -104,7 +104,7 @@ def read_target(target: str) -> Target:
         if path.suffix.lower() in ENDINGS:
             return _read_file(target, path)
         if ":" in target:
-            return _of(target, _returned(target))
+            return target_of(_returned(target), target)
     raise TargetError(
         f"{target}: expected FILE.xml, FILE.urdf, FILE.usd, FILE.py:function or"
         " module:function"
@@ -180,12 +180,14 @@ def _returned(target: str) -> Any:
         sys.path.pop(0)
 
 
-def _of(target: str, scene: Any) -> Target:
-    """Return the target for the return value of a function.
+def target_of(scene: Any, target: str = "scene") -> Target:
+    """Return the target for an object, such as the return value of a function.
 
-    It may be a model, an MjSpec, a tuple of a model and its data, or an object that has
-    both.
+    It may be a model, an MjSpec, a ``newton.ModelBuilder``, a tuple of a model and its
+    data, an object that has both, or the path of a file.
     """
+    if isinstance(scene, str | Path):
+        return read_target(str(scene))
     data = None
     if isinstance(scene, tuple) and len(scene) == 2:
         scene, data = scene
@@ -199,11 +201,12 @@ def _of(target: str, scene: Any) -> Target:
             raise TargetError(f"{target}: MuJoCo refuses it: {_line(error)}") from error
     if isinstance(scene, MjModel):
         return Target(target, scene, data=data if isinstance(data, MjData) else None)
-    if "newton" in sys.modules and newtons(target, NEWTONS, "is_model", scene):
-        return Target(target, None, scene)
+    if "newton" in sys.modules and (
+        model := newtons(target, NEWTONS, "finalized", scene)
+    ):
+        return Target(target, None, model)
     raise TargetError(
-        f"{target}: the function returned a {type(scene).__name__}, not a MuJoCo or"
-        " Newton model"
+        f"{target}: expected a MuJoCo or Newton model, got a {type(scene).__name__}"
     )
 
 

@@ -52,7 +52,7 @@ def read_mjcf(xml: str) -> newton.Model:
 
 
 def findings_in(model: newton.Model, engine: Engine = ENGINE):
-    return report_of(Target("", None, model), Request(engine)).findings
+    return report_of(Target("", None, model), Request(engine, step=False)).findings
 
 
 def found(model: newton.Model, **options) -> list[tuple]:

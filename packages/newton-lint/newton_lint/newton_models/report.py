@@ -1,6 +1,7 @@
 """Reads and lints the models of Newton."""
 
 import logging
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -9,8 +10,7 @@ import warp as wp
 from newton.solvers import SolverMuJoCo
 
 from newton_lint.newton_models.rules import Shapes, findings_in, kf_unread
-from newton_lint.prediction import predictions
-from newton_lint.report import Report, Request
+from newton_lint.report import Report, Request, report_on
 from newton_lint.target import Target
 from newton_lint.warp_engine import muted_standard_error
 
@@ -27,8 +27,11 @@ with muted_standard_error():
     wp.init()
 
 
-def is_model(scene: Any) -> bool:
-    return isinstance(scene, newton.Model)
+def finalized(scene: Any) -> newton.Model | None:
+    """Return the model of a builder or a model itself, or None for other objects."""
+    if isinstance(scene, newton.ModelBuilder):
+        return scene.finalize(device="cpu")
+    return scene if isinstance(scene, newton.Model) else None
 
 
 def imported(path: Path) -> newton.Model:
@@ -41,30 +44,16 @@ def imported(path: Path) -> newton.Model:
 
 
 def report_of(target: Target, request: Request) -> Report:
-    """Lint a finalized ``newton.Model``."""
+    """Lint a finalized ``newton.Model``, as ``SolverMuJoCo`` compiles it."""
     model = target.newton_model
-    scene = Shapes.of(model, request.engine) if model.shape_count else None
-    has_own = (
-        scene
-        and not kf_unread(scene)
-        and (scene.of_geoms("shape_material_kf") > 0.0).any()
+    if not model.shape_count:
+        step = request.engine.timestep_s or TIMESTEP_S
+        return Report(target.name, step, 0, 0, request.load, [], [], newton.__version__)
+    scene = Shapes.of(model, request.engine)
+    report = report_on(
+        scene, replace(target, data=scene.start), request, findings_in(scene)
     )
     # Friction has a timeconst of its own if kf is read, so the law does not apply.
-    return Report(
-        target=target.name,
-        dt_s=scene.option.timestep_s
-        if scene
-        else request.engine.timestep_s or TIMESTEP_S,
-        shape_count=scene.colliding if scene else 0,
-        pair_count=len(scene.contacts) if scene else 0,
-        load=request.load,
-        findings=[
-            finding
-            for finding in findings_in(scene)
-            if finding.rule not in request.ignore
-        ]
-        if scene
-        else [],
-        creep=predictions(scene, request.load) if scene and not has_own else [],
-        newton=newton.__version__,
-    )
+    has_own = not kf_unread(scene) and (scene.of_geoms("shape_material_kf") > 0.0).any()
+    creep = [] if has_own else report.creep
+    return replace(report, creep=creep, newton=newton.__version__, source=None)

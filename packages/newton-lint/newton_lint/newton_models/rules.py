@@ -1,21 +1,23 @@
 """Applies the rules to Newton models, and checks ke, kd and kf, which MuJoCo lacks."""
 
+import math
 from collections.abc import Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 import newton
 import numpy as np
+from mujoco import MjData
 from newton.solvers import SolverMuJoCo
 
 from newton_lint.combined import Contacts, contacts_of, share
-from newton_lint.findings import Finding, Hits, Wording, findings_of
+from newton_lint.findings import Finding, Hits, Remedy, Wording, findings_of
 from newton_lint.law import DEFAULT_SOLREF
 from newton_lint.newton_models.compat import kf_is_read
 from newton_lint.rules import SAME
-from newton_lint.rules import lint as of_mujoco
 from newton_lint.scene import Engine, Scene
 from newton_lint.source import Source
+from newton_lint.warp_engine import muted_standard_error
 
 CONVERTED = 2
 """Value of ``mujoco.solref_mode`` for a solref that is computed from ke and kd."""
@@ -26,12 +28,17 @@ class Shapes(Scene):
     """A Newton model, compiled by the solver, with geoms named after their shapes."""
 
     shapes: newton.Model = field(kw_only=True)
+    start: MjData = field(kw_only=True)
+    """The initial state of the model, as the solver converts it."""
 
     @classmethod
     def of(cls, model: newton.Model, engine: Engine) -> "Shapes":
         """Compile a model that has shapes."""
-        compiled = engine.configured(SolverMuJoCo(model, use_mujoco_cpu=True).mj_model)
-        return cls(compiled, Source(None, compiled), engine, shapes=model)
+        with muted_standard_error():
+            solver = SolverMuJoCo(model, use_mujoco_cpu=True)
+        compiled = engine.configured(solver.mj_model)
+        source = Source(None, compiled)
+        return cls(compiled, source, engine, shapes=model, start=solver.mj_data)
 
     @cached_property
     def contacts(self) -> Contacts:
@@ -65,14 +72,13 @@ class Shapes(Scene):
 
 def findings_in(scene: Shapes) -> list[Finding]:
     """Return all parameters that ``SolverMuJoCo`` does not use as they are written."""
-    rules = (ke_without_kd, friction_gain)
-    findings = [
-        finding
+    rules = (ke_without_kd, friction_gain, restitution)
+    return [
+        replace(finding, hint=" ".join(hint for _, hint in remedy))
         for rule in rules
         for hits in rule(scene)
-        for finding in findings_of(hits, scene.names)
+        for finding, remedy in findings_of(hits, scene.names)
     ]
-    return findings + of_mujoco(scene)
 
 
 def ke_without_kd(scene: Shapes) -> Iterator[Hits]:
@@ -100,6 +106,36 @@ def ke_without_kd(scene: Shapes) -> Iterator[Hits]:
             values[name],
             used,
         )
+
+
+def restitution(scene: Shapes) -> Iterator[Hits]:
+    """Yield a restitution, which ``SolverMuJoCo`` does not read."""
+    values = scene.of_geoms("shape_material_restitution")
+    hit = np.flatnonzero(scene.counts & (values > 0.0))
+
+    def advise(geom: int) -> Remedy:
+        # A linear contact rebounds with e = exp(-π ζ / √(1 - ζ²)).
+        log = math.log(min(max(values[geom], 1e-3), 0.999))
+        ratio = -log / math.hypot(math.pi, log)
+        return [
+            (
+                (),
+                "Set kd to"
+                f" {2.0 * ratio:.2g}·√ke, which gives a damping ratio of {ratio:.2g}.",
+            )
+        ]
+
+    yield Hits(
+        Wording(
+            "restitution",
+            "restitution",
+            "restitution $value of $shapes is ignored because SolverMuJoCo has no"
+            " restitution; the damping of a contact decides how it rebounds",
+        ),
+        hit,
+        values,
+        advise=advise,
+    )
 
 
 def friction_gain(scene: Shapes) -> Iterator[Hits]:

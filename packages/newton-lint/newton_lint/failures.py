@@ -1,0 +1,486 @@
+"""Rules on scenes that blow up, throw bodies, vibrate or start with overlaps."""
+
+import math
+from collections.abc import Iterator
+
+import mujoco
+import numpy as np
+from mujoco import MjData, MjModel
+
+from newton_lint.changes import (
+    Change,
+    Changes,
+    of_contact,
+    of_element,
+    of_option,
+    of_servo,
+    text_of,
+)
+from newton_lint.findings import Finding
+from newton_lint.law import EULER, M
+from newton_lint.ledger import Run, free_joints
+from newton_lint.scene import FREE, ON_JOINT, Scene
+from newton_lint.trials import THROWN_M_S, Symptom, Trials
+
+LIMITED = 0.5
+"""The solver is at its limit if this share of the samples uses all iterations."""
+DIFFERS_MM = 1.0
+"""Too few iterations are reported if more of them reduce the depth by this."""
+DIFFERS = 0.9
+"""The depth must also fall below this share."""
+OVERLAP_M = 1e-3
+"""An overlap at the start is reported from this depth on."""
+OVERLAP_SHARE = 0.05
+"""It must also exceed this share of the radius of the smaller geom."""
+FORCE = 100.0
+"""Bodies are jammed if a force exceeds this multiple of the total weight."""
+JITTERS = 0.5
+"""Velocities that alternate by more than this are jitter [m/s or rad/s]."""
+BOUNCY = 0.7
+"""Contacts below this damping ratio bounce."""
+RATTLES_MM_S = 5.0
+"""A contact rattles if the geoms still approach or part at this speed."""
+MISSES = 5.0
+"""A bounce is wrong if its rebound is wrong by this [%]."""
+SHORTER = (0.5, 0.25, 0.1)
+"""Shares of the time step that are tried."""
+ITERATED = ("solver", "thrown", "unstable")
+"""Rules that recommend more iterations if the solver is at its limit."""
+
+
+def unstable(scene: Scene, trials: Trials, run: Run) -> Iterator[Symptom]:
+    """Yield a run that diverges, throws a body or does not converge."""
+    model = scene.model
+    opt = model.opt
+    begin = run.start.data(model)
+    ways = list(_calming(scene, begin, run.at_limit > LIMITED))
+    if run.bad:
+        why = "accelerations become infinite, and MuJoCo resets the state"
+        for servo, _, ratio, _ in _stiff(model, begin)[:1]:
+            most = "4 - 2 kv·h/m" if opt.integrator == EULER else "4 + 2 kv·h/m"
+            why = (
+                f"the kp·h²/m of servo {scene.name('actuator', servo)} is {ratio:.3g},"
+                f" and the time step is stable only up to {most}"
+            )
+        finding = Finding(
+            "unstable",
+            "",
+            "",
+            run.time_s,
+            message=f"The simulation blows up within {run.time_s:.3g} s"
+            f" from {run.start.name} because {why}",
+            severity="error",
+        )
+        yield Symptom(finding, lambda run: float(run.bad), ways)
+        return
+    fast = run.thrown_m_s.max(initial=0.0)
+    if fast > THROWN_M_S:
+        joint = free_joints(model)[int(run.thrown_m_s.argmax())]
+        yield Symptom(
+            Finding(
+                "thrown",
+                scene.bodies[model.jnt_bodyid[joint]],
+                "speed",
+                fast,
+                message="$shape flies off at $value because contacts push it with more"
+                f" energy than it had (from {run.start.name})",
+                unit="m/s",
+                severity="error",
+            ),
+            lambda run: run.thrown_m_s.max(initial=0.0),
+            ways,
+            needs_cure=True,
+        )
+    elif run.at_limit > LIMITED and opt.iterations:
+        more = of_option(scene, iterations=str(max(3, 10 * opt.iterations)))
+        finding = Finding(
+            "solver",
+            "",
+            "iterations",
+            float(opt.iterations),
+            message=f"The solver uses all $value iterations in {run.at_limit:.0%} of the"
+            f" steps from {run.start.name}, so the contacts are not solved",
+            element=scene.source.option("iterations"),
+        )
+
+        def error(run: Run) -> float:
+            return M * run.deepest_m + 10.0 * run.speeds_m_s.max(initial=0.0)
+
+        if (runs := trials.runs_with(more)) is not None:
+            after = error(runs[trials.runs.index(run)])
+            if after < min(DIFFERS * error(run), error(run) - DIFFERS_MM):
+                yield Symptom(finding, error, [more], effect="makes them converge")
+
+
+def _calming(scene: Scene, data: MjData, limited: bool) -> Iterator[Changes]:
+    """Yield changes that may stabilize a scene: options, then servo parameters."""
+    model = scene.model
+    if limited:
+        yield of_option(scene, iterations=str(max(3, 10 * model.opt.iterations)))
+    # Euler integrates velocity-dependent forces explicitly, except joint damping.
+    implicit: Changes = ()
+    if model.opt.integrator == EULER:
+        implicit = of_option(scene, integrator="implicitfast")
+        yield implicit
+    if stiff := _stiff(model, data):
+        yield from _calmed(scene, stiff, implicit)
+    for share in SHORTER:
+        yield of_option(scene, timestep=f"{share * model.opt.timestep:.3g}")
+
+
+def _stiff(model: MjModel, data: MjData) -> list[tuple[int, int, float, float]]:
+    """Return servos whose kp h²/m is above 1.
+
+    Implicit integrators are stable up to 4 + 2 kv h/m, and with any kp if kv is at
+    least kp h/2. Euler is stable up to 4 - 2 kv h/m.
+
+    Returns:
+        Servo, dof, kp h²/m, and the mass or inertia m of the dof [kg or kg m²].
+    """
+    mujoco.mj_forward(model, data)
+    stiff = []
+    unit = np.zeros((1, model.nv))
+    moved = np.zeros((1, model.nv))
+    for servo in np.flatnonzero(is_servo(model)).tolist():
+        dof = int(model.jnt_dofadr[model.actuator_trnid[servo, 0]])
+        unit[:] = 0.0
+        unit[0, dof] = 1.0
+        mujoco.mj_solveM(model, data, moved, unit)
+        mass = 1.0 / max(moved[0, dof], mujoco.mjMINVAL)
+        pull = model.actuator_gainprm[servo, 0] * model.actuator_gear[servo, 0] ** 2
+        if (ratio := pull * model.opt.timestep**2 / mass) > 1.0:
+            stiff.append((servo, dof, ratio, mass))
+    return stiff
+
+
+def _calmed(
+    scene: Scene, stiff: list[tuple[int, int, float, float]], implicit: Changes
+) -> Iterator[Changes]:
+    """Yield changes of kv, of kp and of the armature that make stiff servos stable."""
+    model = scene.model
+    damped: Changes = ()
+    weaker: Changes = ()
+    heavier: Changes = ()
+    for servo, dof, ratio, mass in stiff:
+        gain = model.actuator_gainprm[servo, 0]
+        damping = -model.actuator_biasprm[servo, 2]
+        damped += of_servo(scene, servo, gain, gain * model.opt.timestep)
+        weaker += of_servo(scene, servo, gain / ratio, damping / ratio)
+        armature = model.dof_armature[dof] + (ratio - 1.0) * mass
+        joint = model.dof_jntid[dof]
+        heavier += of_element(scene, "joint", joint, armature=f"{armature:.3g}")
+    yield damped + implicit
+    yield weaker
+    yield heavier
+
+
+def is_servo(model: MjModel) -> np.ndarray:
+    """Return for each actuator whether it pulls a joint to a position."""
+    gain = model.actuator_gainprm[:, 0]
+    bias = model.actuator_biasprm[:, 1]
+    on_joint = model.actuator_trntype == ON_JOINT
+    return on_joint & (gain > 0.0) & np.isclose(gain, -bias)
+
+
+def overlapping(scene: Scene, trials: Trials, run: Run) -> Iterator[Symptom]:
+    """Yield bodies that overlap at the start.
+
+    It is a warning if they are jammed or thrown apart, otherwise a note.
+    """
+    model = scene.model
+    body_of = model.geom_bodyid
+    last = run.samples[-1].touches
+    touching = np.sort(body_of[last.geoms], axis=1)
+    thrown = np.zeros(model.nbody)
+    thrown[model.jnt_bodyid[free_joints(model)]] = run.thrown_m_s
+    weight = model.body_mass.sum() * np.linalg.norm(model.opt.gravity)
+    root = scene.source.root
+    is_piece = (root is not None and root.tag == "robot") or len(
+        {*model.body_rootid[body_of].tolist()}
+    ) == 1
+    worst: dict[tuple[int, ...], tuple[float, tuple[int, int]]] = {}
+    for pair, depth in run.first.items():
+        # A plane has the radius 0.
+        sizes = filter(None, model.geom_rbound[list(pair)].tolist())
+        if depth > max(OVERLAP_M, OVERLAP_SHARE * min(sizes, default=0.0)):
+            bodies = tuple(sorted(body_of[list(pair)].tolist()))
+            worst[bodies] = max(worst.get(bodies, (0.0, pair)), (depth, pair))
+
+    def speed(bodies: tuple[int, ...]) -> float:
+        return thrown[model.body_weldid[list(bodies)]].max()
+
+    loose = [bodies for bodies in worst if scene.free[list(bodies)].all()]
+    # A heap of loose bodies is probably scattered by code, so one pair represents it.
+    heap = sorted(loose, key=lambda bodies: (speed(bodies), worst[bodies]))
+    for bodies, (depth, pair) in worst.items():
+        if bodies in heap[:-1]:
+            continue
+        force = last.normal_n[(touching == bodies).all(axis=1)].sum()
+        jammed = not run.bad and weight > 0.0 and force > FORCE * weight
+        margin = (
+            " including their margin"
+            if model.geom_margin[list(pair)].any() or model.pair_margin.any()
+            else ""
+        )
+        message = f"$shapes and $against overlap by $value{margin} at {run.start.name}"
+        if bodies in heap[1:]:
+            message += f" (the fastest of {len(heap)} pairs)"
+        first, second = model.body_weldid[list(bodies)].tolist()
+        # filterBodyPair
+        parent = model.body_weldid[model.body_parentid[second]]
+        is_base = is_piece and first == 0 == parent
+        if jammed:
+            message += (
+                f", and {force:.3g} N press them apart, which is"
+                f" {force / weight:.3g} times the weight of all moving bodies"
+            )
+        elif speed(bodies) > THROWN_M_S:
+            message += f", which throws them apart at {speed(bodies):.2g} m/s"
+        if is_base:
+            message += "; MuJoCo ignores this contact if the base can move"
+        hard = jammed or run.bad or speed(bodies) > THROWN_M_S
+        shape, partner = (scene.names[geom] for geom in pair)
+        separation = "Lower the margin, or move" if margin else "Move"
+
+        def overlap(run: Run, pair=pair) -> float:
+            return M * run.first.get(pair, 0.0)
+
+        yield Symptom(
+            Finding(
+                "overlap",
+                shape,
+                "overlap",
+                M * depth,
+                message=message,
+                against=(partner,),
+                unit="mm",
+                severity="warning" if hard and not is_base else "note",
+                element=scene.source.geom(pair[1]) or scene.source.geom(pair[0]),
+                hint=f"{separation} one of them by {M * depth:.3g} mm.",
+            ),
+            overlap,
+            list(_separating(scene, run, bodies, pair, depth)),
+        )
+
+
+def _separating(
+    scene: Scene,
+    run: Run,
+    bodies: tuple[int, ...],
+    pair: tuple[int, int],
+    depth: float,
+) -> Iterator[Changes]:
+    """Yield changes that remove an overlap: an exclude or another initial position.
+
+    The contact with the ground is never excluded.
+    """
+    model = scene.model
+    roots = model.body_rootid[list(bodies)]
+    if roots[0] == roots[1] and 0 not in bodies:
+        names = tuple(
+            (f"body{number}", scene.bodies[body])
+            for number, body in enumerate(bodies, 1)
+        )
+        yield (Change("exclude", (), names, "<contact>"),)
+        return
+    touches = run.samples[0].touches
+    row = np.flatnonzero((np.sort(touches.geoms, axis=1) == sorted(pair)).all(axis=1))
+    for body in sorted(bodies, reverse=True):
+        free = np.flatnonzero(
+            (model.jnt_bodyid == model.body_rootid[body]) & (model.jnt_type == FREE)
+        )
+        if not len(free) or not len(row):
+            continue
+        is_second = body_of_second(model, touches.geoms[row[0]], body)
+        away = touches.normal[row[0]] * (1.0 if is_second else -1.0)
+        address = int(model.jnt_qposadr[free[0]])
+        if run.start.key is None:
+            root = int(model.body_rootid[body])
+            place = model.body_pos[root] + (depth + 1e-4) * away
+            yield of_element(scene, "body", root, pos=text_of(place))
+        else:
+            qpos = model.key_qpos[run.start.key].copy()
+            qpos[address : address + 3] += (depth + 1e-4) * away
+            yield of_element(scene, "key", run.start.key, qpos=text_of(qpos, 6))
+
+
+def body_of_second(model: MjModel, geoms: np.ndarray, body: int) -> bool:
+    """Return whether the second geom of a contact belongs to a body."""
+    return int(model.geom_bodyid[geoms[1]]) == body
+
+
+def jittering(scene: Scene, trials: Trials, run: Run) -> Iterator[Symptom]:
+    """Yield the joint that vibrates most from one time step to the next."""
+    model = scene.model
+    if not model.nv or run.jitter.max() < JITTERS:
+        return
+    dof = int(run.jitter.argmax())
+    joint = int(model.dof_jntid[dof])
+    is_free = model.jnt_type[joint] == FREE
+    name = (
+        scene.bodies[model.jnt_bodyid[joint]] if is_free else scene.name("joint", joint)
+    )
+    linear = model.jnt_type[joint] == 2 or (
+        is_free and dof - model.jnt_dofadr[joint] < 3
+    )
+    ways: list[Changes] = []
+    inertia = model.dof_M0[dof]
+    light = np.flatnonzero(
+        (run.jitter > 0.1 * run.jitter[dof]) & (model.jnt_type[model.dof_jntid] >= 2)
+    )
+    for times in (10.0, 100.0):
+        changes: Changes = ()
+        for each in light.tolist():
+            value = model.dof_armature[each] + times * max(inertia, model.dof_M0[each])
+            joint = model.dof_jntid[each]
+            changes += of_element(scene, "joint", joint, armature=f"{value:.2g}")
+        ways.append(changes)
+    ways += _calming(scene, run.start.data(model), run.at_limit > LIMITED)
+    finding = Finding(
+        "jitter",
+        name,
+        "speed",
+        run.jitter[dof],
+        message="$shape vibrates by $value from one time step to the next"
+        f" (from {run.start.name}) because the time step is too long for its small"
+        f" inertia of {inertia:.2g} {'kg' if linear else 'kg m²'}",
+        unit="m/s" if linear else "rad/s",
+    )
+    yield Symptom(finding, lambda run: float(run.jitter.max()), ways, needs_cure=True)
+
+
+def bouncing(scene: Scene, trials: Trials, run: Run) -> Iterator[Symptom]:
+    """Yield contacts with a damping ratio below 1 that rattle or bounce wrongly."""
+    contacts = scene.contacts
+    first, second = contacts.solref.T
+    with np.errstate(divide="ignore", invalid="ignore"):
+        ratios = np.where(first > 0.0, second, -second / (2.0 * np.sqrt(-first)))
+    is_bouncy = ((first > 0.0) == (second > 0.0)) | (second == 0.0)
+    for contact in np.flatnonzero(is_bouncy & (ratios < BOUNCY)).tolist():
+        geoms = (int(contacts.first[contact]), int(contacts.second[contact]))
+        pair = tuple(sorted(geoms))
+        ratio = abs(float(ratios[contact]))
+        rebound = math.exp(-math.pi * ratio / math.sqrt(1.0 - ratio**2))
+        bodies = scene.model.geom_bodyid[list(pair)]
+        free = [int(body) for body in bodies if scene.free[body]]
+        if len(free) == 1 and len(_rebounds(scene, run, pair, free[0])) > 1:
+            yield from _misjudged(scene, run, pair, free[0], rebound)
+        else:
+            yield from _rattling(scene, run, contact, pair, ratio, rebound)
+
+
+def _misjudged(
+    scene: Scene, run: Run, pair: tuple[int, ...], body: int, rebound: float
+) -> Iterator[Symptom]:
+    """Yield a body that bounces with another energy than its damping ratio implies."""
+
+    def error(run: Run) -> float:
+        rebounds = _rebounds(scene, run, pair, body)
+        if len(rebounds) < 2:
+            return 100.0
+        # Energies are proportional to the square of the speed.
+        kept = (rebounds[-1] / rebounds[0]) ** (0.5 / (len(rebounds) - 1))
+        return 100.0 * abs(kept - rebound)
+
+    rebounds = _rebounds(scene, run, pair, body)
+    kept = (rebounds[-1] / rebounds[0]) ** (0.5 / (len(rebounds) - 1))
+    if error(run) < MISSES:
+        return
+    step = scene.option.timestep_s
+    ways = [of_option(scene, timestep=f"{share * step:.3g}") for share in SHORTER]
+    yield Symptom(
+        Finding(
+            "bounce",
+            scene.bodies[body],
+            "rebound",
+            error(run),
+            message=f"$shape rebounds with {kept:.0%} of its speed instead of the"
+            f" {rebound:.0%} that the solref implies{origin(run)}, because a bounce"
+            " lasts only a few time steps",
+            unit="%",
+        ),
+        error,
+        ways,
+        effect="reduces the error to {}",
+    )
+
+
+def _rebounds(scene: Scene, run: Run, pair: tuple[int, ...], body: int) -> list[float]:
+    """Return the energy of a body above its lowest contact in each flight [m²/s²]."""
+    model = scene.model
+    joint = int(np.flatnonzero(model.jnt_bodyid == model.body_weldid[body])[0])
+    dof = int(model.jnt_dofadr[joint])
+    gravity = model.opt.gravity
+    flights: list[list[float]] = [[]]
+    lowest = math.inf
+    for sample in run.samples:
+        touches = sample.touches
+        place = -sample.arrays["xpos"][body] @ gravity
+        if (np.sort(touches.geoms, axis=1) == pair).all(axis=1).any():
+            lowest = min(lowest, place)
+            flights += [[]] if flights[-1] else []
+            continue
+        speed = sample.arrays["qvel"][dof : dof + 3]
+        flights[-1].append(0.5 * speed @ speed + place)
+    # A single sample may be a gap of a rattling contact.
+    energies = [np.mean(flight) - lowest for flight in flights if len(flight) > 2]
+    return [float(energy) for energy in energies if energy > 0.01]
+
+
+def _rattling(
+    scene: Scene,
+    run: Run,
+    contact: int,
+    pair: tuple[int, ...],
+    ratio: float,
+    rebound: float,
+) -> Iterator[Symptom]:
+    """Yield a contact whose geoms still part and meet."""
+
+    def rattle(run: Run) -> float:
+        return M * _rattle_m_s(run, pair)
+
+    if (value := rattle(run)) < RATTLES_MM_S:
+        return
+    timeconst, damping = scene.contacts.solref[contact].tolist()
+    if timeconst <= 0.0:
+        timeconst = 2.0 / max(-damping, 1e-9)
+    stiff = max(2.0 * scene.option.timestep_s, ratio * timeconst)
+    ways = [
+        of_contact(scene, contact, f"{min(new, 0.02):.3g} 1".format)
+        for new in (stiff, max(timeconst, stiff))
+    ]
+    shape, partner = (scene.names[geom] for geom in pair)
+    yield Symptom(
+        Finding(
+            "bounce",
+            shape,
+            "dampratio",
+            value,
+            message="$shape and $against part and meet at $value"
+            f"{origin(run)} because the damping ratio of their contact is"
+            f" {ratio:.2g}, so they rebound with {rebound:.0%} of their speed",
+            against=(partner,),
+            unit="mm/s",
+            element=scene.source.authored(pair[0], "solref")
+            or scene.source.authored(pair[1], "solref"),
+        ),
+        rattle,
+        ways,
+    )
+
+
+def _rattle_m_s(run: Run, pair: tuple[int, ...]) -> float:
+    """Return the mean speed at which two geoms part and meet after 0.5 s [m/s]."""
+    speeds: list[float] = []
+    for sample in run.samples[len(run.samples) // 4 :]:
+        touches = sample.touches
+        rows = (np.sort(touches.geoms, axis=1) == pair).all(axis=1)
+        along = (touches.velocity_m_s[rows] * touches.normal[rows]).sum(axis=1)
+        speeds.extend(np.abs(along).tolist())
+    return float(np.mean(speeds)) if speeds else 0.0
+
+
+def origin(run: Run) -> str:
+    """Return the start of a run in parentheses, unless it is the default."""
+    return "" if run.start.name == "the start" else f" (from {run.start.name})"

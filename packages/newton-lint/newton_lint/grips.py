@@ -1,0 +1,379 @@
+"""Rules on bodies that friction holds, and that creep, slide or turn."""
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+from mujoco import MjModel
+
+from newton_lint.changes import (
+    Changes,
+    distinct,
+    of_contact,
+    of_element,
+    of_geom,
+    of_option,
+    text_of,
+)
+from newton_lint.failures import origin
+from newton_lint.findings import Finding
+from newton_lint.law import M
+from newton_lint.ledger import Run, Sample
+from newton_lint.scene import ON_JOINT, Scene
+from newton_lint.settle import Hold
+from newton_lint.trials import Symptom, Trials
+from newton_lint.yielding import elliptic
+
+SLIP_MM_S = 1.0
+"""A body creeps if it moves at least this fast on its support."""
+LEAST = 0.015
+"""Friction must bear this share of the weight of a body that creeps."""
+STEADY = 0.7
+"""A creeping body moves in one direction for this share of its path."""
+AT_THE_EDGE = 0.99
+"""A contact slides if it uses this share of its friction cone."""
+OPPOSE = -0.5
+"""Two contacts oppose each other if the cosine of their normals is below this."""
+TURNS_DEG = 5.0
+"""A held body turns if it turns by more than this angle in 2 s."""
+EARLY = 0.25
+"""A grip counts if it exists within this share of the run."""
+FIRM = 1.5
+"""A grip that is mended bears this multiple of the load."""
+MOST_MU = 2.0
+TORSION = 0.02
+"""Torsional friction of a soft fingertip with a radius of some centimetres [m]."""
+
+
+@dataclass(frozen=True)
+class Grip:
+    """The contacts that hold a body in one sample."""
+
+    geoms: list[int]
+    """The geoms of the supports, one for each contact."""
+    support: int
+    """The body that presses most."""
+    normals: np.ndarray
+    """Directions in which the contacts push the body."""
+    normal_n: np.ndarray
+    used: float
+    """Share of the friction cones that is used."""
+    friction_n: np.ndarray
+    slip_m_s: np.ndarray
+    """Velocity along the support, in the frame of the support."""
+    rotation: np.ndarray
+    """Orientation of the body in the frame of the support."""
+    opposed: bool
+    """Whether two geoms press from opposite sides."""
+
+
+def hold_of(model: MjModel, sample: Sample, body: int) -> Grip | None:
+    """Return how a body is held in a sample, or None if nothing presses on it."""
+    touches = sample.touches
+    welds = model.body_weldid[model.geom_bodyid[touches.geoms]]
+    weld = int(model.body_weldid[body])
+    rows = np.flatnonzero((welds == weld).any(axis=1) & (touches.normal_n > 0.0))
+    if not len(rows):
+        return None
+    is_second = welds[rows, 1] == weld
+    signs = np.where(is_second, 1.0, -1.0)[:, None]
+    others = np.where(is_second, touches.geoms[rows, 0], touches.geoms[rows, 1])
+    normals = signs * touches.normal[rows]
+    normal_n = touches.normal_n[rows]
+    velocity = signs * touches.velocity_m_s[rows]
+    velocity -= (velocity * normals).sum(axis=1)[:, None] * normals
+    weights = normal_n / normal_n.sum()
+    geom = int(others[normal_n.argmax()])
+    support = int(model.geom_bodyid[geom])
+    frame = sample.arrays["xmat"][support].reshape(3, 3)
+    return Grip(
+        geoms=others.tolist(),
+        support=support,
+        normals=normals,
+        normal_n=normal_n,
+        used=float(weights @ touches.used[rows]),
+        friction_n=(signs * touches.friction_n[rows]).sum(axis=0),
+        slip_m_s=frame.T @ (weights @ velocity),
+        rotation=frame.T @ sample.arrays["xmat"][body].reshape(3, 3),
+        opposed=bool((normals @ normals.T).min() < OPPOSE and len({*others}) > 1),
+    )
+
+
+def grips(
+    scene: Scene, trials: Trials, run: Run, acceleration_m_s2: float = 0.0
+) -> Iterator[Symptom]:
+    """Yield bodies that creep on their support, slide out of a grip, or turn in it."""
+    model = scene.model
+    free = np.flatnonzero(scene.free & (model.body_weldid == np.arange(model.nbody)))
+    alone = np.isclose(model.body_subtreemass, model.body_mass)
+    for body in free[alone[free]].tolist():
+        first = round(EARLY * len(run.samples))
+        early = [hold_of(model, sample, body) for sample in run.samples[:first]]
+        gripping = [hold for hold in early if hold and hold.opposed]
+        late = [hold_of(model, sample, body) for sample in run.late]
+        held = [hold for hold in late if hold]
+        lasts = bool(gripping) and all(hold and hold.opposed for hold in late)
+        if gripping:
+            load = _weight_n(scene, body, acceleration_m_s2)
+            bears = np.mean([_bearable_n(scene, body, hold) for hold in gripping])
+            lost = not lasts and (_edge(gripping) or bears < load)
+            if lost or _edge(held) or (acceleration_m_s2 and bears < load):
+                under = acceleration_m_s2 if lasts else 0.0
+                yield _sliding(scene, run, body, gripping, load, bears, under)
+        if lasts:
+            yield from _turning(scene, run, body, held[-1])
+        if len(held) == len(late) and not _edge(held):
+            yield from _creeping(scene, run, body, held, lasts)
+
+
+def _edge(held: list[Grip]) -> bool:
+    return bool(held) and bool(np.mean([hold.used for hold in held]) > AT_THE_EDGE)
+
+
+def slip_mm_s(model: MjModel, run: Run, body: int) -> float:
+    """Return the speed at which a body moves on its support in the late samples."""
+    holds = [hold_of(model, sample, body) for sample in run.late]
+    slips = [hold.slip_m_s for hold in holds if hold]
+    return M * float(np.linalg.norm(np.mean(slips, axis=0))) if slips else math.inf
+
+
+def _creeping(
+    scene: Scene, run: Run, body: int, held: list[Grip], gripped: bool
+) -> Iterator[Symptom]:
+    slips = np.array([hold.slip_m_s for hold in held])
+    speed = M * float(np.linalg.norm(slips.mean(axis=0)))
+    path = M * float(np.linalg.norm(slips, axis=1).mean())
+    if speed < SLIP_MM_S or speed < STEADY * path:
+        return
+    model = scene.model
+    hold = held[-1]
+    supports = list(dict.fromkeys(hold.geoms))
+    load = float(np.linalg.norm(hold.friction_n))
+    if load < LEAST * _weight_n(scene, body, 0.0):
+        return
+    turning = np.linalg.norm(run.samples[-1].arrays["cvel"][hold.support, :3]) > 0.1
+    where = "between" if gripped else "on the turning" if turning else "on"
+    yield Symptom(
+        Finding(
+            "slip",
+            scene.bodies[body],
+            "creep",
+            speed,
+            message=f"$shape creeps at $value {where} $against{origin(run)} because"
+            f" friction yields to its load of {load:.3g} N like a damper, although"
+            f" only {hold.used:.0%} of the friction is used",
+            against=tuple(scene.names[geom] for geom in supports),
+            unit="mm/s",
+            element=scene.source.option("impratio"),
+        ),
+        lambda run: slip_mm_s(model, run, body),
+        _firmer(scene, body, supports),
+        needs_cure=True,
+    )
+
+
+def _firmer(scene: Scene, body: int, supports: list[int]) -> list[Changes]:
+    """Return changes that reduce the creep of a body on some geoms."""
+    impratio = max(scene.option.impratio, 1.0)
+    firm = [elliptic(scene, times * impratio) for times in (10.0, 100.0)]
+    least = f"{2.0 * scene.option.timestep_s:.3g} 1"
+    stiff = distinct(
+        change
+        for contact in sorted(
+            {each for geom in supports for each in _contacts(scene, geom, body)}
+        )
+        for change in of_contact(scene, contact, lambda _: least)
+    )
+    noslip = scene.engine.name == "mujoco"
+    return [
+        *firm,
+        stiff,
+        firm[0] + stiff,
+        *([of_option(scene, noslip_iterations="10")] if noslip else ()),
+    ]
+
+
+def creeping(trials: Trials, hold: Hold, finding: Finding) -> Finding:
+    """Return the finding of a body that the law predicts to creep, with its cures."""
+    scene = trials.scene
+    if finding.rule != "creep" or not trials.runs:
+        return finding
+    body = scene.model.body_weldid[[touch.support for touch in hold.touches]]
+    own = scene.model.geom_bodyid
+    supports = [
+        geom
+        for touch in hold.touches
+        for geom in touch.geoms
+        if scene.model.body_weldid[own[geom]] in body
+    ]
+    ways = _firmer(scene, hold.body, list(dict.fromkeys(supports)))
+    index = 1 if len(trials.runs) > 1 else 0
+    symptom = Symptom(finding, lambda run: slip_mm_s(scene.model, run, hold.body), ways)
+    found = trials.found(symptom, index)
+    return found or finding
+
+
+def _bearable_n(scene: Scene, body: int, grip: Grip) -> float:
+    """Return the load that the friction of a grip can bear [N]."""
+    total = 0.0
+    for geom, normal in zip(grip.geoms, grip.normal_n.tolist(), strict=True):
+        indices = _contacts(scene, geom, body)
+        total += scene.contacts.friction[indices, 0].max(initial=0.0) * normal
+    return total
+
+
+def _weight_n(scene: Scene, body: int, acceleration_m_s2: float) -> float:
+    gravity = float(np.linalg.norm(scene.model.opt.gravity))
+    return float(scene.model.body_mass[body]) * (gravity + acceleration_m_s2)
+
+
+def _sliding(
+    scene: Scene,
+    run: Run,
+    body: int,
+    gripping: list[Grip],
+    load: float,
+    bears: float,
+    acceleration_m_s2: float,
+) -> Symptom:
+    """Return the symptom of a body that its grip is too weak to hold.
+
+    Args:
+        load: The force that the grip has to bear [N].
+        bears: The force that its friction can bear [N].
+    """
+    model = scene.model
+    grip = gripping[-1]
+    pads = list(dict.fromkeys(geom for hold in gripping for geom in hold.geoms))
+    times = max(FIRM * load / max(bears, 1e-9), FIRM)
+    rougher: Changes = ()
+    mus = [
+        float(scene.contacts.friction[index, 0])
+        for pad in pads
+        for index in _contacts(scene, pad, body)
+    ]
+    mu = times * max(mus, default=1.0)
+    for pad in pads:
+        friction = model.geom_friction[pad].copy()
+        friction[0] = mu
+        rougher += of_geom(scene, pad, {"friction": text_of(friction)})
+    ways = [_stronger(scene, pads, share * times) for share in (1.0, 2.0, 4.0)]
+    if mu <= MOST_MU:
+        ways.append(distinct(rougher))
+
+    def fall(run: Run) -> float:
+        first = run.samples[0].arrays["xpos"]
+        last = run.samples[-1].arrays["xpos"]
+        moved = (last - first)[body] - (last - first)[grip.support]
+        return M * float(np.linalg.norm(moved))
+
+    message = "$shape slides"
+    if acceleration_m_s2:
+        message = f"$shape would slide under {acceleration_m_s2:g} m/s²"
+    why = f"its load of {load:.3g} N exceeds the {bears:.3g} N that friction can bear"
+    if bears > load:
+        why = "the grip opens, or its friction is used up"
+    return Symptom(
+        Finding(
+            "slides",
+            scene.bodies[body],
+            "load",
+            load,
+            message=f"{message} out of $against{origin(run)} because {why}",
+            against=tuple(scene.names[pad] for pad in pads),
+            used=bears,
+            unit="N",
+            severity="error",
+        ),
+        fall,
+        () if acceleration_m_s2 else ways,
+        effect="keeps it within {}",
+        unit="mm",
+    )
+
+
+def _contacts(scene: Scene, geom: int, body: int) -> list[int]:
+    """Return the indices of the pairs of a geom and a body."""
+    model = scene.model
+    own = np.flatnonzero(model.body_weldid[model.geom_bodyid] == body).tolist()
+    pairs = (tuple(sorted((geom, each))) for each in own)
+    indices = scene.pair_indices
+    return [indices[pair] for pair in pairs if pair in indices]
+
+
+def _stronger(scene: Scene, pads: list[int], times: float) -> Changes:
+    """Return changes that multiply the forces of the actuators of a grip."""
+    model = scene.model
+    bodies = {int(model.geom_bodyid[geom]) for geom in pads}
+    joints = np.flatnonzero(np.isin(model.jnt_bodyid, [*bodies]))
+    changes: Changes = ()
+    for index in np.flatnonzero(model.actuator_trntype == ON_JOINT).tolist():
+        if model.actuator_trnid[index, 0] not in joints:
+            continue
+        if model.actuator_forcelimited[index]:
+            span = times * model.actuator_forcerange[index]
+            changes += of_element(scene, "actuator", index, forcerange=text_of(span))
+        elif not model.actuator_biasprm[index].any():
+            gear = times * model.actuator_gear[index, 0]
+            changes += of_element(scene, "actuator", index, gear=f"{gear:.3g}")
+        else:
+            gain = times * model.actuator_gainprm[index, 0]
+            changes += of_element(scene, "actuator", index, kp=f"{gain:.4g}")
+    return changes
+
+
+def turned_deg(model: MjModel, run: Run, body: int) -> float:
+    """Return the largest angle by which a body turns in its grip [°]."""
+    holds = [hold_of(model, sample, body) for sample in run.samples]
+    rotations = [hold.rotation for hold in holds if hold and hold.opposed]
+    if not rotations:
+        return math.inf
+    cosines = [0.5 * (np.trace(rotations[0].T @ each) - 1.0) for each in rotations]
+    return math.degrees(math.acos(min(1.0, max(-1.0, min(cosines)))))
+
+
+def _turning(scene: Scene, run: Run, body: int, hold: Grip) -> Iterator[Symptom]:
+    """Yield a body that turns about the line between two contact points."""
+    model = scene.model
+    angle = turned_deg(model, run, body)
+    pads = list(dict.fromkeys(hold.geoms))
+    if angle < TURNS_DEG or len(pads) != len(hold.geoms):
+        return
+    indices = [each for pad in pads for each in _contacts(scene, pad, body)]
+    condim = int(scene.contacts.condim[indices].max(initial=3))
+    if condim < 4:
+        why = f"condim {condim} has no torsional friction"
+    elif scene.option.noslip:
+        why = "the noslip pass does not solve torsional friction"
+    else:
+        why = "its torsional friction is too weak"
+    ways: list[Changes] = []
+    for torsion in (0.0, TORSION, 5.0 * TORSION):
+        changes: Changes = ()
+        for pad in pads:
+            friction = model.geom_friction[pad].copy()
+            friction[1] = torsion
+            attributes = {"condim": "4"} if condim < 4 else {}
+            if torsion:
+                attributes["friction"] = text_of(friction)
+            if attributes:
+                changes += of_geom(scene, pad, attributes)
+        ways.append(distinct(changes))
+        ways.append(distinct(changes) + elliptic(scene, 100.0))
+    yield Symptom(
+        Finding(
+            "condim",
+            scene.bodies[body],
+            "condim",
+            angle,
+            message=f"$shape turns by $value between $against{origin(run)} because"
+            f" they hold it at opposite points and {why}",
+            against=tuple(scene.names[pad] for pad in pads),
+            used=4.0,
+            unit="°",
+            element=scene.source.authored(pads[0], "condim"),
+        ),
+        lambda run: turned_deg(model, run, body),
+        ways,
+    )

@@ -1,0 +1,97 @@
+"""Accounts for the motion of a stepped scene: findings with changes that mend them."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+from functools import partial
+
+from newton_lint.failures import ITERATED, bouncing, jittering, overlapping, unstable
+from newton_lint.findings import Finding
+from newton_lint.grips import grips
+from newton_lint.resting import fallen, wandering
+from newton_lint.starting import ill_posed, leaving, misled, torn
+from newton_lint.trials import Trials
+from newton_lint.yielding import (
+    crowded,
+    depths,
+    equalities,
+    limits,
+    passing,
+    sagging,
+    servos,
+)
+
+EFFECTS = ("depth", "equality", "limit", "servo", "tunnel", "slip", "jitter", "bounce")
+"""Rules whose findings follow from a jam at the start."""
+
+
+def motions(trials: Trials, acceleration_m_s2: float = 0.0) -> list[Finding]:
+    """Return the findings on the runs of a scene.
+
+    Args:
+        acceleration_m_s2: Acceleration that a grip has to bear besides gravity.
+    """
+    scene = trials.scene
+    holding = partial(grips, acceleration_m_s2=acceleration_m_s2)
+    always = (unstable, overlapping, misled, torn)
+    settled = (
+        sagging,
+        leaving,
+        passing,
+        crowded,
+        depths,
+        limits,
+        equalities,
+        servos,
+        holding,
+        bouncing,
+        jittering,
+        wandering,
+        fallen,
+    )
+    findings: dict[tuple, Finding] = {}
+    for index, run in enumerate(trials.runs):
+        rules = always if run.bad else (*always, *settled)
+        items = [
+            finding
+            for rule in rules
+            for symptom in rule(scene, trials, run)
+            if (finding := trials.found(symptom, index)) is not None
+        ]
+        is_idle = run.start.name == "the start" and (
+            scene.model.nkey > 0 or ill_posed(scene, run)
+        )
+        for item in _weighed(items, is_idle):
+            key = (item.rule, item.shape, item.against)
+            findings[key] = max(findings.get(key, item), item, key=_weight)
+    return list(findings.values())
+
+
+def _weight(finding: Finding) -> tuple[bool, float]:
+    return finding.severity != "note", finding.value
+
+
+def _weighed(items: Sequence[Finding], is_idle: bool) -> list[Finding]:
+    """Return findings of a run, with effects of others as notes.
+
+    Args:
+        is_idle: Whether the scene is probably never used from this start.
+    """
+    # Overlaps that the solver leaves are not faults of the initial positions, and
+    # effects of a jam are not faults of their own.
+    unsolved = any(
+        name == "iterations"
+        for item in items
+        if item.rule in ITERATED
+        for cure in item.cures
+        for change in cure.changes
+        for name, _ in change.attributes
+    )
+    overlaps = [item for item in items if item.rule == "overlap"]
+    jammed = any(item.severity == "warning" for item in overlaps)
+    notes = ("overlap",) * unsolved + EFFECTS * jammed
+    return [
+        replace(item, severity="note")
+        if item.rule in notes or (is_idle and item.rule not in ITERATED)
+        else item
+        for item in items
+    ]

@@ -1,0 +1,213 @@
+"""Rules on starts from which a scene moves at once: targets, mocap bodies, loops."""
+
+import math
+from collections.abc import Iterator
+
+import mujoco
+import numpy as np
+from mujoco import MjData
+
+from newton_lint.changes import Changes, of_element, text_of
+from newton_lint.failures import is_servo, origin
+from newton_lint.findings import Finding
+from newton_lint.ledger import Run
+from newton_lint.scene import HINGE, Scene
+from newton_lint.trials import Symptom, Trials
+from newton_lint.yielding import (
+    COUPLINGS,
+    equality_unit,
+    past,
+    scale,
+)
+
+LEAVES = 3.0
+"""A start is reported if a motion of this speed begins there [m/s or rad/s]."""
+EARLY = 11
+"""The motion must begin within this number of samples, which is 0.2 s."""
+APART_MM = 5.0
+"""An equality is reported if it is open by this at the start [mm or °]."""
+FULL_TURN = 2.0 * math.pi
+CONNECT = int(mujoco.mjtEq.mjEQ_CONNECT)
+WELD = int(mujoco.mjtEq.mjEQ_WELD)
+SITE = int(mujoco.mjtObj.mjOBJ_SITE)
+
+
+def ill_posed(scene: Scene, run: Run) -> bool:
+    """Return whether a joint is beyond its range at the start itself."""
+    model = scene.model
+    limited = np.flatnonzero(model.jnt_limited & (model.jnt_type >= 2))
+    values = run.samples[0].arrays["qpos"][model.jnt_qposadr[limited]]
+    low, high = model.jnt_range[limited].T
+    return bool((np.maximum(low - values, values - high) > math.radians(1.0)).any())
+
+
+def fastest(run: Run) -> float:
+    """Return the fastest speed within 0.2 s of the start [m/s or rad/s]."""
+    speeds = [
+        np.abs(each.arrays["qvel"]).max(initial=0.0) for each in run.samples[:EARLY]
+    ]
+    return math.inf if run.bad else float(max(speeds))
+
+
+def leaving(scene: Scene, trials: Trials, run: Run) -> Iterator[Symptom]:
+    """Yield a keyframe without ctrl or act, whose servos pull their joints to 0."""
+    model = scene.model
+    key = run.start.key
+    if key is None:
+        return
+    element = scene.source.find("key", key)
+    authored = element.attributes if element else {}
+    servos = np.flatnonzero(is_servo(model))
+    data = run.start.data(model)
+    mujoco.mj_forward(model, data)
+    ctrl = data.ctrl.copy()
+    act = data.act.copy()
+    missing = []
+    stateless = servos[model.actuator_dyntype[servos] == 0]
+    if "ctrl" not in authored and len(stateless) and not ctrl[stateless].any():
+        ctrl[stateless] = data.actuator_length[stateless]
+        missing.append("ctrl")
+    stateful = servos[model.actuator_dyntype[servos] > 0]
+    if "act" not in authored and len(stateful) and not act.any():
+        act[model.actuator_actadr[stateful]] = data.actuator_length[stateful]
+        missing.append("act")
+    speed = fastest(run)
+    if not missing or speed < LEAVES:
+        return
+    arrays = {"ctrl": ctrl, "act": act}
+    texts = {name: text_of(arrays[name], 6) for name in missing}
+    way = of_element(scene, "key", key, **texts)
+    finding = Finding(
+        "keyframe",
+        run.start.name,
+        "speed",
+        speed,
+        message="$shape sets the scene in motion at $value because it has no"
+        f" {' and no '.join(missing)}, so the servos pull their joints to 0",
+        unit="m/s or rad/s",
+        element=element,
+    )
+    yield Symptom(finding, fastest, [way], needs_cure=True)
+
+
+def misled(scene: Scene, trials: Trials, run: Run) -> Iterator[Symptom]:
+    """Yield servos of hinges whose targets are in degrees."""
+    model = scene.model
+    ctrl = run.start.data(model).ctrl
+    for servo in np.flatnonzero(is_servo(model)).tolist():
+        joint = int(model.actuator_trnid[servo, 0])
+        target = float(ctrl[servo] * model.actuator_gear[servo, 0])
+        span = model.jnt_range[joint] if model.jnt_limited[joint] else (-7.0, 7.0)
+        in_range = span[0] <= math.radians(target) <= span[1]
+        if model.jnt_type[joint] != HINGE or abs(target) <= FULL_TURN or not in_range:
+            continue
+        name = scene.name("actuator", servo)
+        changes: Changes = ()
+        if model.actuator_ctrllimited[servo]:
+            radians = np.radians(model.actuator_ctrlrange[servo])
+            if np.abs(model.actuator_ctrlrange[servo]).max() > FULL_TURN:
+                changes += of_element(
+                    scene, "actuator", servo, ctrlrange=text_of(radians)
+                )
+        if run.start.key is not None:
+            new = ctrl.copy()
+            new[servo] = math.radians(ctrl[servo])
+            changes += of_element(scene, "key", run.start.key, ctrl=text_of(new, 6))
+        address = int(model.jnt_qposadr[joint])
+        goal = math.radians(target)
+        read = past("qpos", address, goal, goal, "°")
+        finding = Finding(
+            "degrees",
+            name,
+            "ctrl",
+            read(run) if not run.bad else math.inf,
+            message=f"$shape drives its joint to $value beyond {target:g}°{origin(run)}"
+            f" because ctrl is in radians, and {target:g} is probably in degrees",
+            unit="°",
+            severity="error",
+        )
+        yield Symptom(finding, read, [changes])
+
+
+def torn(scene: Scene, trials: Trials, run: Run) -> Iterator[Symptom]:
+    """Yield equalities that are open at the start, and snap shut."""
+    model = scene.model
+    data = run.start.data(model)
+    mujoco.mj_forward(model, data)
+    for equality, gap in run.samples[0].gaps.items():
+        unit = equality_unit(model, equality)
+        value = scale(unit) * gap
+        speed = fastest(run)
+        if value < APART_MM:
+            continue
+
+        def apart(run: Run, equality=equality, unit=unit) -> float:
+            return scale(unit) * run.samples[0].gaps.get(equality, 0.0)
+
+        kind = COUPLINGS.get(int(model.eq_type[equality]), "")
+        bodies = [int(body) for body in _bodies(scene, equality)]
+        mocap = [body for body in bodies if model.body_mocapid[body] >= 0]
+        what = f"the {kind} equality pulls its two sides together"
+        if mocap:
+            what = f"its mocap body {scene.bodies[mocap[0]]} starts away from it"
+        finding = Finding(
+            "apart",
+            scene.name("equality", equality),
+            "gap",
+            value,
+            message=f"$shape is $value open at {run.start.name}, and the scene starts"
+            f" with {speed:.2g} m/s or rad/s because {what}",
+            unit=unit,
+            severity="warning" if speed > LEAVES else "note",
+        )
+        ways = list(_joining(scene, run, data, equality, bodies))
+        yield Symptom(finding, apart, ways)
+
+
+def _bodies(scene: Scene, equality: int) -> list[int]:
+    """Return the two bodies of a connect or weld equality, or []."""
+    model = scene.model
+    if model.eq_type[equality] not in (CONNECT, WELD):
+        return []
+    ids = [int(model.eq_obj1id[equality]), int(model.eq_obj2id[equality])]
+    is_site = model.eq_objtype[equality] == SITE
+    return [int(model.site_bodyid[index]) for index in ids] if is_site else ids
+
+
+def _joining(
+    scene: Scene, run: Run, data: MjData, equality: int, bodies: list[int]
+) -> Iterator[Changes]:
+    """Yield changes that close an equality at the start."""
+    model = scene.model
+    ids = [int(model.eq_obj1id[equality]), int(model.eq_obj2id[equality])]
+    if not bodies:
+        return
+    is_site = model.eq_objtype[equality] == SITE
+    if is_site:
+        points = data.site_xpos[ids]
+    else:
+        # Both anchors are in eq_data: the first three numbers belong to body2 of a
+        # weld, and to body1 of a connect.
+        anchors = model.eq_data[equality, :6].reshape(2, 3)
+        if model.eq_type[equality] == WELD:
+            anchors = anchors[::-1]
+        frames = data.xmat[bodies].reshape(-1, 3, 3)
+        points = data.xpos[bodies] + np.einsum("nij,nj->ni", frames, anchors)
+    shift = points[1] - points[0]
+    for side, body in enumerate(bodies):
+        moved = data.xpos[body] + (shift if side == 0 else -shift)
+        mocap = int(model.body_mocapid[body])
+        if mocap < 0:
+            continue
+        if run.start.key is None:
+            yield of_element(scene, "body", body, pos=text_of(moved))
+        else:
+            mpos = model.key_mpos[run.start.key].reshape(-1, 3).copy()
+            mpos[mocap] = moved
+            yield of_element(scene, "key", run.start.key, mpos=text_of(mpos.ravel(), 6))
+    if is_site and run.start.key is None:
+        for side, site in enumerate(ids):
+            body = bodies[side]
+            frame = data.xmat[body].reshape(3, 3)
+            place = frame.T @ (points[1 - side] - data.xpos[body])
+            yield of_element(scene, "site", site, pos=text_of(place))

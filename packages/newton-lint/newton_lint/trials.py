@@ -1,0 +1,195 @@
+"""Tries changes: steps the changed scene from all starts for 2 s, and judges it."""
+
+from collections.abc import Callable, Collection, Sequence
+from dataclasses import dataclass, field, replace
+
+import mujoco
+from mujoco import MjModel
+
+from newton_lint.changes import Changes, applied
+from newton_lint.findings import Cure, Finding, Remedy
+from newton_lint.fix import Unwritable, edited
+from newton_lint.law import M
+from newton_lint.ledger import SPAN_S, Run, run_of
+from newton_lint.scene import Scene
+from newton_lint.target import compiled
+
+THROWN_M_S = 0.5
+"""Contacts cannot give a resting or falling body this speed."""
+MENDS = 0.5
+"""A change is recommended if it leaves less than this share of the value."""
+GOOD = 0.2
+"""After a change that leaves less than this share, no further ones are tried."""
+BUDGET_S = 3.0
+"""Changes are tried for this processor time per scene."""
+MOST_CURES = 2
+# Contacts may become this many times as deep, and this much deeper [m].
+DEEPER = 1.1
+DEEPER_M = 5e-5
+# Motions may become this many times as fast, and this much faster [m/s or rad/s].
+FASTER = 1.2
+FASTER_M_S = 5e-3
+SLOWER = 1.8
+"""A simulated second may take this many times the solver's effort."""
+SLOWEST = 3.0
+"""It may take this many times the processor time."""
+SHALLOW_M = 2e-3
+"""A body whose contacts are below this depth no longer falls through."""
+FALLS_M_S = 3.0
+"""A body falls if it reaches this speed."""
+FREES = ("lost", "stiff", "thrown", "unstable", "damping", "jitter", "tunnel")
+"""Rules on bodies that fall or fly, which cost little only because nothing touches."""
+MOVING = ("damping", "friction")
+"""Rules whose changes make bodies faster, as their parameters were meant to do."""
+SINKING = ("tunnel", "slides", "damping", "through")
+"""Rules on bodies that may touch something only after the change."""
+WRITTEN = ("lost", "pyramid", "solref-format", "dampratio", "stiff", "one-sided")
+"""Rules whose changes let contacts be as soft as they are written."""
+DOUBTFUL = ("depth", "equality", "limit")
+"""Rules whose findings are notes if nothing mends them."""
+LEADING = ("equality", "keyframe", "limit", "servo", "apart", "degrees")
+"""Rules whose changes lead to other motions, with other impacts on the way."""
+Read = Callable[[Run], float]
+"""Returns a reading of a run, in the unit of a finding."""
+
+
+@dataclass(frozen=True)
+class Symptom:
+    """A finding in a run, with the reading behind it and changes that may mend it."""
+
+    finding: Finding
+    read: Read
+    ways: Sequence[Changes]
+    needs_cure: bool = False
+    """Whether to report it only if one of the changes mends it."""
+    effect: str = ""
+    """The effect of the changes in words, with {} for the reading after them."""
+    unit: str = ""
+    """The unit of the reading, if it differs from that of the finding."""
+
+
+@dataclass
+class Trials:
+    """The runs of a scene, and those of its variants."""
+
+    scene: Scene
+    runs: Sequence[Run]
+    spent_s: float = 0.0
+    variants: dict[Changes, list[Run] | None] = field(default_factory=dict)
+
+    def model(self, changes: Changes) -> MjModel | None:
+        """Return the changed model, or None if it cannot be made."""
+        scene = self.scene
+        if model := applied(scene.model, changes):
+            return model
+        root = scene.source.root
+        if root is None:
+            return None
+        try:
+            texts = dict(scene.texts)
+            texts |= edited(changes, scene.source, texts)
+            return scene.engine.configured(compiled(root.file, texts))
+        except (Unwritable, ValueError, mujoco.FatalError):
+            return None
+
+    def runs_with(self, changes: Changes) -> list[Run] | None:
+        """Return the runs of a changed scene, or None if there are none."""
+        if changes not in self.variants:
+            long = all(run.time_s > 0.99 * SPAN_S or run.bad for run in self.runs)
+            model = None
+            if changes and long and self.spent_s < BUDGET_S:
+                model = self.model(changes)
+            runs = [run_of(model, run.start) for run in self.runs] if model else None
+            self.spent_s += sum(run.cost_s * run.time_s for run in runs or ())
+            self.variants[changes] = runs
+        return self.variants[changes]
+
+    def found(self, symptom: Symptom, index: int) -> Finding | None:
+        """Return the finding of a symptom in a run with the changes that mend it."""
+        finding = symptom.finding
+        before = symptom.read(self.runs[index])
+        cures: list[Cure] = []
+        for changes in symptom.ways:
+            if (runs := self.runs_with(changes)) is None:
+                continue
+            if any(run.bad or run.time_s < 0.99 * SPAN_S for run in runs):
+                continue
+            after = symptom.read(runs[index])
+            if not after < MENDS * before:
+                continue
+            if harm(self.runs, runs, [finding.rule]):
+                continue
+            unit = symptom.unit or finding.unit
+            cures.append(Cure(changes, before, after, unit, symptom.effect))
+            if after <= GOOD * before or len(cures) == MOST_CURES:
+                break
+        if symptom.needs_cure and not cures:
+            return None
+        if finding.rule in DOUBTFUL and not cures:
+            finding = replace(finding, severity="note")
+        cures.sort(key=lambda cure: (cure.after or 0.0) > GOOD * before)
+        return replace(finding, cures=tuple(cures))
+
+    def advised(self, finding: Finding, remedy: Remedy) -> Finding:
+        """Return a finding with the changes that do no harm from any start."""
+        cures: list[Cure] = []
+        hints = [effect for changes, effect in remedy if not changes]
+        for changes, effect in remedy:
+            if not changes or len(cures) == MOST_CURES:
+                continue
+            runs = self.runs_with(changes) if self.runs else []
+            if runs is not None and not harm(self.runs, runs, [finding.rule]):
+                cures.append(Cure(changes, effect=effect))
+        return replace(finding, cures=tuple(cures), hint=" ".join(hints))
+
+
+def harm(before: Sequence[Run], after: Sequence[Run], rules: Collection[str]) -> str:
+    """Return the harm that a change for these rules does, or an empty string."""
+    for old, new in zip(before, after, strict=True):
+        if new.bad:
+            start = new.start.name
+            return f"the simulation blows up after {new.time_s:.3g} s from {start}"
+        if not old.bad and (reason := _motion_harm(old, new, rules)):
+            return reason
+    if {*FREES} & {*rules}:
+        return ""
+    for name, most in (("effort", SLOWER), ("cost_s", SLOWEST)):
+        old_cost = sum(getattr(run, name) for run in before)
+        new_cost = sum(getattr(run, name) for run in after)
+        if new_cost > most * old_cost:
+            ratio = new_cost / max(old_cost, 1e-9)
+            return f"a simulated second costs {ratio:.2g} times as much"
+    return ""
+
+
+def _motion_harm(old: Run, new: Run, rules: Collection[str]) -> str:
+    """Return how contacts get deeper or resting bodies faster, or an empty string."""
+    old_thrown = old.thrown_m_s.max(initial=0.0)
+    new_thrown = new.thrown_m_s.max(initial=0.0)
+    # A body that flew or fell touched nothing, so it may rest in a contact now.
+    lies = old_thrown > THROWN_M_S > 2.0 * new_thrown and new.deepest_m <= old.deepest_m
+    lies |= bool({*WRITTEN} & {*rules}) and new.deepest_m < SHALLOW_M
+    old_fall = old.speeds_m_s.max(initial=0.0)
+    new_fall = new.speeds_m_s.max(initial=0.0)
+    lies |= old_fall > FALLS_M_S > 2.0 * new_fall and new.late_m < SHALLOW_M
+    for name, reading in (
+        ("deepest contact", "deepest_m"),
+        ("deepest contact at the end", "late_m"),
+    ):
+        old_depth = getattr(old, reading)
+        new_depth = getattr(new, reading)
+        deeper = new_depth > DEEPER * old_depth + DEEPER_M
+        exempt = (*SINKING, *(LEADING if reading == "deepest_m" else ()))
+        if deeper and not lies and not {*exempt} & {*rules}:
+            return (
+                f"the {name} goes from {M * old_depth:.3g} to {M * new_depth:.3g} mm"
+                f" from {new.start.name}"
+            )
+    old_speed = old.speed
+    new_speed = new.speed
+    if new_speed > FASTER * old_speed + FASTER_M_S and not {*MOVING} & {*rules}:
+        return (
+            f"the fastest speed at the end goes from {old_speed:.3g} to"
+            f" {new_speed:.3g} m/s or rad/s"
+        )
+    return ""

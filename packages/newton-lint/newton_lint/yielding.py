@@ -1,0 +1,563 @@
+"""Rules on contacts, joints, equalities and servos that yield to their load."""
+
+import math
+from collections.abc import Iterator, Sequence
+
+import mujoco
+import numpy as np
+from mujoco import MjModel
+
+from newton_lint.changes import (
+    Changes,
+    distinct,
+    of_contact,
+    of_element,
+    of_geom,
+    of_option,
+    of_servo,
+    text_of,
+)
+from newton_lint.failures import is_servo, origin
+from newton_lint.findings import Finding, rounded
+from newton_lint.law import DEFAULT_SOLREF, M
+from newton_lint.ledger import Run, Sample
+from newton_lint.pairs import HFIELD, PLANE
+from newton_lint.scene import HINGE, ON_JOINT, Scene
+from newton_lint.trials import Read, Symptom, Trials
+
+LEAST = 1.0
+"""Least depth, distance or angle that is reported [mm or °]."""
+FAR = 5.0
+"""A finding is a warning if its value is above this multiple of the least one."""
+MUCH = 3.0
+"""For limits of joints and tendons, this multiple applies instead."""
+THIN = 0.1
+"""A depth is reported from this share of the thickness of a geom on."""
+DEEP_MM = 2.0
+"""A depth is a warning from here on."""
+HARD = "0.999 0.999 0.001"
+STEEP = 3.0
+"""From this friction on, bodies sink into a pyramidal cone."""
+SAGS = 5e-3
+"""A joint creeps from this speed on [m/s or rad/s]."""
+HELD = 0.99
+"""The friction of a joint must be below this share of its frictionloss."""
+AGREES = 0.7
+"""Measured and predicted values agree within this ratio."""
+LEAST_SWING = 0.1
+"""A reading swings if it changes by this share in the late samples."""
+THICKER = (2, 4, 8, 16, 32)
+MOST_CONTACTS = int(mujoco.mjMAXCONPAIR)
+SLIDE = int(mujoco.mjtJoint.mjJNT_SLIDE)
+DRY_FRICTION = int(mujoco.mjtConstraint.mjCNSTR_FRICTION_DOF)
+PLATES = tuple(range(mujoco.mjtGeom.mjGEOM_ELLIPSOID, mujoco.mjtGeom.mjGEOM_MESH + 1))
+ELLIPSOID, CYLINDER, BOX, MESH = PLATES
+COUPLINGS = {
+    int(getattr(mujoco.mjtEq, f"mjEQ_{name.upper()}")): name
+    for name in ("connect", "weld", "joint", "tendon")
+}
+
+
+def when(run: Run, *bodies: int) -> str:
+    """Return when a reading holds: at rest only if these bodies rest."""
+    state = "at rest" if run.still[list(bodies)].all() else "after 2 s"
+    return f"{state}{origin(run)}"
+
+
+def scale(unit: str) -> float:
+    return math.degrees(1.0) if unit.startswith("°") else M
+
+
+def stiffest(scene: Scene) -> str:
+    """Return the shortest solref that the time step permits."""
+    return f"{2.0 * scene.option.timestep_s:.3g} 1"
+
+
+def depths(scene: Scene, trials: Trials, run: Run) -> Iterator[Symptom]:
+    """Yield geoms that sink by a millimetre or by a share of their thickness."""
+    model = scene.model
+    contacts = scene.contacts
+    sizes = M * _thin(model)
+    late = {
+        tuple(pair): 0.0
+        for sample in run.late
+        for pair in np.sort(sample.touches.geoms, axis=1).tolist()
+    }
+    indices = scene.pair_indices
+    sunk = [
+        indices[pair]
+        for pair in late
+        if pair in indices and M * depth_m(run, pair) > 0.3 * LEAST
+    ]
+    for pair in late:
+        # The pair may be of a geom that is not read.
+        if (contact := scene.pair_indices.get(pair)) is None:
+            continue
+
+        def read(run: Run, pair=pair) -> float:
+            return M * depth_m(run, pair)
+
+        depth = read(run)
+        bodies = model.geom_bodyid[list(pair)].tolist()
+        thin, partner = sorted(pair, key=lambda geom: sizes[geom])
+        least = min(LEAST, THIN * 2.0 * sizes[thin])
+        lies = scene.free[bodies].sum() == 1 and model.body_weldid[bodies].min() == 0
+        first = M * run.first.get(pair, 0.0)
+        if depth <= least or (depth < 2.0 * first and not lies):
+            continue
+        rests = run.still[bodies].all()
+        severe = depth > min(DEEP_MM, max(2.0 * THIN * sizes[thin], 0.2))
+        timeconst = float(contacts.solref[contact, 0])
+        mu = float(contacts.friction[contact, 0])
+        if scene.option.cone == "pyramidal" and mu > STEEP:
+            why = f"a friction of {mu:.3g} softens contacts with a pyramidal cone"
+        elif not 0.0 < timeconst <= DEFAULT_SOLREF[0]:
+            solref = text_of(contacts.solref[contact])
+            why = f"the solref of their contact ({solref}) is too soft for the load"
+        else:
+            why = "contact stiffness scales with the mass of the lighter body"
+        yield Symptom(
+            Finding(
+                "depth",
+                scene.names[thin],
+                "depth",
+                depth,
+                message=f"$shape sinks $value into $against {when(run, *bodies)}"
+                f" because {why}",
+                against=(scene.names[partner],),
+                unit="mm",
+                severity="warning"
+                if severe and rests and depth > 2.0 * first
+                else "note",
+                element=scene.source.geom(thin),
+            ),
+            read,
+            list(_stiffening(scene, contact, depth, mu, sunk)),
+        )
+
+
+def depth_m(run: Run, pair: Sequence[int]) -> float:
+    """Return the mean of the deepest contact of two geoms in the late samples [m]."""
+    return float(
+        np.mean(
+            [
+                sample.touches.depth_m[
+                    (np.sort(sample.touches.geoms, axis=1) == pair).all(axis=1)
+                ].max(initial=0.0)
+                for sample in run.late
+            ]
+        )
+    )
+
+
+def _stiffening(
+    scene: Scene, contact: int, depth_mm: float, mu: float, others: Sequence[int]
+) -> Iterator[Changes]:
+    """Yield changes that make a contact stiffer, alone or with others."""
+    if scene.option.cone == "pyramidal" and mu > STEEP:
+        yield elliptic(scene)
+    least = 2.0 * scene.option.timestep_s
+    # The depth at a constant impedance is proportional to timeconst².
+    share = min(0.3 / depth_mm, 0.1)
+
+    def stiffer(old: Sequence[float]) -> str:
+        first, second = old
+        if first > 0.0:
+            return f"{max(share**0.5 * first, least):.2g} {max(second, 1.0):g}"
+        return f"{first / share:.3g} {second / share**0.5:.3g}"
+
+    def hardest(_: Sequence[float]) -> str:
+        return f"{least:.3g} 1"
+
+    yield of_contact(scene, contact, stiffer)
+    yield of_contact(scene, contact, hardest)
+    yield of_contact(scene, contact, hardest, solimp=HARD)
+    # A body between two others sinks into one of them if only the other gets stiffer.
+    around = distinct(
+        change
+        for other in others
+        for change in of_contact(scene, other, hardest, solimp=HARD)
+    )
+    yield around
+
+
+def elliptic(scene: Scene, impratio: float = 0.0) -> Changes:
+    """Return changes to an elliptic cone with an impratio and enough iterations."""
+    attributes = {"cone": "elliptic"}
+    if impratio:
+        attributes["impratio"] = f"{impratio:g}"
+    if scene.model.opt.iterations < 10:
+        attributes["iterations"] = "10"
+    return of_option(scene, **attributes)
+
+
+def limits(scene: Scene, trials: Trials, run: Run) -> Iterator[Symptom]:
+    """Yield joints and tendons that have a range, with the distance beyond it."""
+    model = scene.model
+    solref = f"{max(0.005, 2.0 * model.opt.timestep):.3g} 1"
+    servos = np.flatnonzero(is_servo(model))
+    ctrl = run.start.data(model).ctrl
+    is_single = np.isin(model.jnt_type, (HINGE, SLIDE))
+    joints = np.flatnonzero(model.jnt_limited & is_single).tolist()
+    tendons = np.flatnonzero(model.tendon_limited).tolist()
+    for kind, index in [
+        *(("joint", joint) for joint in joints),
+        *(("tendon", tendon) for tendon in tendons),
+    ]:
+        why = "the solref of its limit is too soft for the load"
+        ways: list[Changes] = []
+        body = 0
+        if kind == "joint":
+            low, high = model.jnt_range[index].tolist()
+            body = int(model.jnt_bodyid[index])
+            is_angle = model.jnt_type[index] == HINGE
+            values = "qpos"
+            at = int(model.jnt_qposadr[index])
+            for servo in servos[model.actuator_trnid[servos, 0] == index].tolist():
+                gear = float(model.actuator_gear[servo, 0])
+                told = float(ctrl[servo]) * gear
+                if not low <= told <= high:
+                    name = scene.name("actuator", servo)
+                    why = f"{name} pulls it to a target of {told:.4g}"
+                    span = text_of(sorted((low / gear, high / gear)))
+                    ways.append(of_element(scene, "actuator", servo, ctrlrange=span))
+        else:
+            low, high = model.tendon_range[index].tolist()
+            is_angle = _turns(model, index)
+            values = "ten_length"
+            at = index
+        unit = "°" if is_angle else "mm"
+        ways.append(of_element(scene, kind, index, solreflimit=solref))
+        read = past(values, at, low, high, unit)
+        first = scale(unit) * _beyond(run.samples[0], values, at, low, high)
+        if first > LEAST:
+            why = f"it starts {rounded(first, unit)} beyond it"
+        if (value := read(run)) > LEAST:
+            severe = value > MUCH * LEAST and run.still[body]
+            finding = Finding(
+                "limit",
+                scene.name(kind, index),
+                "position" if kind == "joint" else "length",
+                value,
+                f"$shape is $value beyond its range {when(run, body)} because {why}",
+                unit=unit,
+                severity="warning" if severe else "note",
+            )
+            yield Symptom(finding, read, ways)
+
+
+def past(name: str, at: int, low: float, high: float, unit: str) -> Read:
+    """Return a reading of how far a value is beyond its range in the late samples."""
+
+    def read(run: Run) -> float:
+        excess = [_beyond(sample, name, at, low, high) for sample in run.late]
+        return scale(unit) * float(np.mean(excess))
+
+    return read
+
+
+def _beyond(sample: Sample, name: str, at: int, low: float, high: float) -> float:
+    value = float(sample.arrays[name][at])
+    return max(low - value, value - high, 0.0)
+
+
+def _turns(model: MjModel, tendon: int) -> bool:
+    """Return whether the length of a tendon is a sum of angles of hinges."""
+    wrap = model.tendon_adr[tendon]
+    of_joint = model.wrap_type[wrap] == int(mujoco.mjtWrap.mjWRAP_JOINT)
+    return bool(of_joint and model.jnt_type[model.wrap_objid[wrap]] == HINGE)
+
+
+def equality_unit(model: MjModel, equality: int) -> str:
+    """Return the unit in which the gap of an equality is measured."""
+    joint = int(model.eq_obj1id[equality])
+    kind = COUPLINGS.get(int(model.eq_type[equality]))
+    if kind == "tendon":
+        return "°" if _turns(model, joint) else "mm"
+    return "°" if kind == "joint" and model.jnt_type[joint] == HINGE else "mm"
+
+
+def equalities(scene: Scene, trials: Trials, run: Run) -> Iterator[Symptom]:
+    """Yield equalities with their gap; for a weld, this is the translational gap."""
+    model = scene.model
+    for equality in run.samples[-1].gaps:
+        if (kind := COUPLINGS.get(int(model.eq_type[equality]))) is None:
+            continue
+        unit = equality_unit(model, equality)
+
+        def gap(run: Run, equality=equality, unit=unit) -> float:
+            gaps = [sample.gaps.get(equality, 0.0) for sample in run.samples]
+            return scale(unit) * _centre(np.array(gaps), len(run.late))
+
+        if (value := gap(run)) <= LEAST:
+            continue
+        name = scene.name("equality", equality)
+        solref = text_of(model.eq_solref[equality])
+        hard = {"solref": stiffest(scene)}
+        ways = [
+            of_element(scene, "equality", equality, **attributes)
+            for attributes in (hard, hard | {"solimp": HARD})
+        ]
+        bodies = model.eq_objtype[equality] == int(mujoco.mjtObj.mjOBJ_BODY)
+        moving = [int(model.eq_obj2id[equality])] if bodies else []
+        finding = Finding(
+            "equality",
+            name,
+            "gap",
+            value,
+            message=f"$shape is $value open {when(run, *moving)} because its solref"
+            f" ({solref}) is too soft for the load on this {kind} equality",
+            unit=unit,
+            severity="warning" if value > FAR * LEAST else "note",
+        )
+        yield Symptom(finding, gap, ways)
+
+
+def _centre(values: np.ndarray, late: int) -> float:
+    """Return the value about which a reading swings, or its mean in the late samples."""
+    ways = np.sign(np.diff(values))
+    turns = values[1:-1][(ways[1:] * ways[:-1]) < 0.0]
+    if len(turns) < 3 or np.ptp(values[-late:]) < LEAST_SWING * values[-late:].mean():
+        return float(values[-late:].mean())
+    before, last, after = turns[-3:].tolist()
+    return 0.25 * (before + 2.0 * last + after)
+
+
+def servos(scene: Scene, trials: Trials, run: Run) -> Iterator[Symptom]:
+    """Yield servos that gravity pulls from their targets."""
+    model = scene.model
+    ctrl = run.start.data(model).ctrl.copy()
+    limited = model.actuator_ctrllimited > 0
+    ctrl[limited] = np.clip(ctrl[limited], *model.actuator_ctrlrange[limited].T)
+    for servo in np.flatnonzero(
+        is_servo(model) & (model.actuator_dyntype == 0)
+    ).tolist():
+        joint = int(model.actuator_trnid[servo, 0])
+        dof = int(model.jnt_dofadr[joint])
+        body = int(model.jnt_bodyid[joint])
+        is_blocked = abs(run.mean("qfrc_constraint")[dof]) > 1e-9
+        if model.jnt_type[joint] not in (HINGE, SLIDE) or is_blocked:
+            continue
+        unit = "°" if model.jnt_type[joint] == HINGE else "mm"
+
+        def short(run: Run, servo=servo, unit=unit) -> float:
+            length = float(run.mean("actuator_length")[servo])
+            return scale(unit) * abs(float(ctrl[servo]) - length)
+
+        if (value := short(run)) <= LEAST or not run.still[body]:
+            continue
+        weightless: Changes = ()
+        for each in range(1, model.nbody):
+            if body in _ancestors(model, each):
+                weightless += of_element(scene, "body", each, gravcomp="1")
+        times = math.ceil(2.0 * value / LEAST)
+        gain = times * float(model.actuator_gainprm[servo, 0])
+        damping = -(times**0.5) * float(model.actuator_biasprm[servo, 2])
+        finding = Finding(
+            "servo",
+            scene.name("actuator", servo),
+            "error",
+            value,
+            message=f"$shape is $value from its target {when(run, body)} because"
+            " gravity pulls it and its kp is low",
+            unit=unit,
+            severity="warning" if value > FAR * LEAST else "note",
+        )
+        ways = [weightless, of_servo(scene, servo, gain, damping)]
+        yield Symptom(finding, short, ways, needs_cure=True)
+
+
+def _ancestors(model: MjModel, body: int) -> Iterator[int]:
+    """Yield a body and the bodies that carry it."""
+    while body:
+        yield body
+        body = int(model.body_parentid[body])
+
+
+def sagging(scene: Scene, trials: Trials, run: Run) -> Iterator[Symptom]:
+    """Yield joints that creep although their friction exceeds the load."""
+    model = scene.model
+    data = run.data
+    driven = model.jnt_dofadr[model.actuator_trnid[is_servo(model), 0]]
+    idle = (model.actuator_trntype == ON_JOINT) & (run.start.data(model).ctrl == 0.0)
+    undriven = model.jnt_dofadr[model.actuator_trnid[idle, 0]]
+    for row in np.flatnonzero(data.efc_type[: data.nefc] == DRY_FRICTION).tolist():
+        dof = int(data.efc_id[row])
+        joint = int(model.dof_jntid[dof])
+
+        is_hinge = model.jnt_type[joint] == HINGE
+        unit = "°/s" if is_hinge else "mm/s"
+
+        def creep(run: Run, joint=joint, unit=unit) -> float:
+            begin = run.late[0]
+            end = run.late[-1]
+            address = int(model.jnt_qposadr[joint])
+            moved = end.arrays["qpos"][address] - begin.arrays["qpos"][address]
+            return (
+                scale(unit) * abs(float(moved)) / max(end.time_s - begin.time_s, 1e-9)
+            )
+
+        rate = creep(run) / scale(unit)
+        force = max(abs(data.efc_force[row]), mujoco.mjMINVAL)
+        predicted = data.efc_R[row] * force / data.efc_KBIP[row, 1]
+        loads = [abs(data.qfrc_smooth[dof]), abs(data.qfrc_constraint[dof])]
+        ratios = [rate / max(predicted, 1e-12), *(load / force for load in loads)]
+        if (
+            rate < SAGS
+            or dof in driven
+            or force > HELD * model.dof_frictionloss[dof]
+            or not AGREES < min(ratios) <= max(ratios) < 1.0 / AGREES
+        ):
+            continue
+        loss = model.dof_frictionloss[dof]
+        ways = [of_element(scene, "joint", joint, solimpfriction=HARD)]
+        if scene.engine.name == "mujoco":
+            ways.append(of_option(scene, noslip_iterations="10"))
+        yield Symptom(
+            Finding(
+                "sag",
+                scene.name("joint", joint),
+                "speed",
+                scale(unit) * rate,
+                message=f"$shape creeps at $value{origin(run)} under a load of"
+                f" {force:.3g}, which is {force / loss:.0%} of its frictionloss,"
+                " because MuJoCo's dry friction yields like a damper",
+                unit=unit,
+                severity="note" if dof in undriven else "warning",
+            ),
+            creep,
+            ways,
+        )
+
+
+def passing(scene: Scene, trials: Trials, run: Run) -> Iterator[Symptom]:
+    """Yield geoms that pass through a plate that a thicker one would stop."""
+    model = scene.model
+    contacts = scene.contacts
+    pairs = np.stack([contacts.first, contacts.second], axis=1)
+    pairs = np.concatenate([pairs, pairs[:, ::-1]])
+    # Only plates that stand still count; moving bodies pass others without contact.
+    still = model.body_weldid[model.geom_bodyid] == 0
+    walls = np.isin(model.geom_type, PLATES) & still
+    pairs = pairs[walls[pairs[:, 1]]]
+    for geom, wall in pairs[_crossing(model, pairs, run)][:1].tolist():
+        pair = np.array([[geom, wall]])
+
+        def crosses(run: Run, pair=pair) -> float:
+            # A geom that stops within a plate has not been stopped by it.
+            return float(_crossing(model, pair, run, inside=0.5).any())
+
+        axis = int(model.geom_aabb[wall, 3:].argmin())
+        thick = 2.0 * M * model.geom_aabb[wall, 3 + axis]
+        column = axis // 2 if model.geom_type[wall] == CYLINDER else axis
+        contact = scene.pair_indices.get(tuple(sorted((geom, wall))))
+        mu = 0.0 if contact is None else float(contacts.friction[contact, 0])
+        is_steep = scene.option.cone == "pyramidal" and mu > STEEP
+        ways = [elliptic(scene)] if is_steep else []
+        for times in THICKER if model.geom_type[wall] != MESH else ():
+            size = model.geom_size[wall].copy()
+            size[column] *= times
+            count = 2 if model.geom_type[wall] == CYLINDER else 3
+            ways.append(of_geom(scene, wall, {"size": text_of(size[:count])}))
+        ways += [
+            of_option(scene, timestep=f"{share * model.opt.timestep:.3g}")
+            for share in (0.5, 0.25, 0.1)
+        ]
+        finding = Finding(
+            "tunnel",
+            scene.names[geom],
+            "wall",
+            thick,
+            message=f"$shape passes through $against{origin(run)}, which is only $value"
+            " thick, because a contact that is deeper than half of it pushes onwards",
+            against=(scene.names[wall],),
+            unit="mm",
+            severity="error",
+            element=scene.source.geom(wall),
+            hint="Use a thicker plate or a softer drive.",
+        )
+        # The thickness of a mesh, or of a model without a file, cannot be tried.
+        needs = scene.source.root is not None and model.geom_type[wall] != MESH
+        yield Symptom(finding, crosses, ways, needs_cure=needs, effect="stops it")
+
+
+def _crossing(
+    model: MjModel, pairs: np.ndarray, run: Run, inside: float = 0.0
+) -> np.ndarray:
+    """Return for each pair of a geom and a plate whether the geom passed through.
+
+    Args:
+        inside: Share of a geom's half extent that has to stay on its side of the plate.
+    """
+    rows = np.arange(len(pairs))
+    geoms, walls = pairs.T
+    centres, sizes = np.split(model.geom_aabb[walls], 2, axis=1)
+    axis = sizes.argmin(axis=1)
+    crossing = np.zeros(len(pairs), dtype=bool)
+    last = None
+    for sample in run.samples:
+        positions = sample.arrays["geom_xpos"]
+        frames = sample.arrays["geom_xmat"].reshape(-1, 3, 3)
+        axes = frames[walls]
+        way = np.einsum("nji,nj->ni", axes, positions[geoms] - positions[walls])
+        way -= centres
+        normals = axes[rows, :, axis]
+        along = np.abs(np.einsum("ni,nij->nj", normals, frames[geoms]))
+        extent = (along * model.geom_aabb[geoms, 3:]).sum(axis=1)
+        if last is None:
+            side = np.sign(way[rows, axis])
+        else:
+            edge = side * inside * extent
+            before = last[rows, axis] - edge
+            after = way[rows, axis] - edge
+            is_through = (side * before > 0.0) & (side * after < 0.0)
+            span = np.where(is_through, before - after, 1.0)
+            share = np.where(is_through, before / span, 0.0)
+            across = np.abs(last + (way - last) * share[:, None])
+            across[rows, axis] = 0.0
+            crossing |= is_through & (across <= sizes).all(axis=1)
+        last = way
+    return crossing
+
+
+def crowded(scene: Scene, trials: Trials, run: Run) -> Iterator[Symptom]:
+    """Yield height fields with more cells under a geom than a pair has contacts."""
+    model = scene.model
+    if not model.nhfield:
+        return
+    for sample in run.samples[1:]:
+        pairs, counts = np.unique(sample.touches.geoms, axis=0, return_counts=True)
+        for pair in pairs[counts >= MOST_CONTACTS].tolist():
+            field, geom = sorted(pair, key=lambda geom: model.geom_type[geom] != HFIELD)
+            asset = int(model.geom_dataid[field])
+            wide = model.hfield_size[asset][:2].tolist()
+            ncol, nrow = (
+                max(2, round(2.0 * side / (0.7 * model.geom_rbound[geom])))
+                for side in wide
+            )
+
+            def fall(run: Run, geom=geom) -> float:
+                places = [sample.arrays["geom_xpos"][geom] for sample in run.samples]
+                return M * float(np.linalg.norm(places[-1] - places[0]))
+
+            finding = Finding(
+                "hfield",
+                scene.names[geom],
+                "cells",
+                MOST_CONTACTS,
+                message="$shape sinks through $against because it touches more cells"
+                " than the $value contacts that MuJoCo makes for a pair",
+                against=(scene.names[field],),
+                element=scene.source.geom(field),
+                hint=f'Use larger cells, such as nrow="{nrow}" ncol="{ncol}".',
+            )
+            way = of_element(scene, "hfield", asset, nrow=str(nrow), ncol=str(ncol))
+            yield Symptom(finding, fall, [way], effect="makes the cells large enough")
+            return
+
+
+def _thin(model: MjModel) -> np.ndarray:
+    """Return half the least thickness of each geom, infinite for one-sided ones [m]."""
+    sizes = np.where(model.geom_size > 0.0, model.geom_size, np.inf).min(axis=1)
+    sizes[np.isin(model.geom_type, (PLANE, HFIELD))] = np.inf
+    return sizes
