@@ -137,11 +137,11 @@ SCENES = {  # bodies, options, what is said, what is not
         "",
         (
             "note one-sided: solref 0.1 s of body_1/wheel is soft only on this side",
-            "note depth: body_1/wheel sinks 1.77 mm",
+            "warning depth: body_1/wheel sinks 1.77 mm",
             "at most 0.06 s",
             'solref="0.032 1"` on body_1/wheel reduces it to 0.344 mm',
         ),
-        "warning",
+        "error",
     ),
     "a body without a joint": (
         BOX + '<body name="box" pos="0 0 1"><geom size=".1" mass="1"/></body>',

@@ -70,6 +70,8 @@ class Change:
 
 
 Changes = tuple[Change, ...]
+Solref = Callable[[Sequence[float]], str | None]
+"""Computes a new solref from the old one, or None to keep it."""
 
 
 def applied(model: MjModel, changes: Changes) -> MjModel | None:
@@ -168,14 +170,10 @@ def of_geom(scene: Scene, geom: int, attributes: Mapping[str, str]) -> Changes:
 def of_contact(
     scene: Scene,
     pair: int,
-    solref: Callable[[Sequence[float]], str | None],
+    solref: Solref,
     solimp: str = "",
 ) -> Changes:
-    """Return changes of the solref of a contact, on the geoms that decide it.
-
-    Args:
-        solref: Computes the new solref from the old one, or None to keep it.
-    """
+    """Return changes of the solref of a contact, on the geoms that decide it."""
     contacts = scene.contacts
     model = scene.model
     geoms = [int(contacts.first[pair]), int(contacts.second[pair])]

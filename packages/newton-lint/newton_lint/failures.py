@@ -36,6 +36,8 @@ FORCE = 100.0
 """Bodies are jammed if a force exceeds this multiple of the total weight."""
 JITTERS = 0.5
 """Velocities that alternate by more than this are jitter [m/s or rad/s]."""
+LIGHT = 0.1
+"""An armature is recommended for joints with less mass or inertia [kg or kg m²]."""
 BOUNCY = 0.7
 """Contacts below this damping ratio bounce."""
 RATTLES_MM_S = 5.0
@@ -323,27 +325,25 @@ def jittering(scene: Scene, trials: Trials, run: Run) -> Iterator[Symptom]:
     linear = model.jnt_type[joint] == 2 or (
         is_free and dof - model.jnt_dofadr[joint] < 3
     )
-    ways: list[Changes] = []
     inertia = model.dof_M0[dof]
-    light = np.flatnonzero(
-        (run.jitter > 0.1 * run.jitter[dof]) & (model.jnt_type[model.dof_jntid] >= 2)
-    )
-    for times in (10.0, 100.0):
+    ways = list(_calming(scene, run.start.data(model), run.at_limit > LIMITED))
+    jumping = run.jitter > 0.1 * run.jitter[dof]
+    light = jumping & (model.jnt_type[model.dof_jntid] >= 2) & (model.dof_M0 < LIGHT)
+    for times in (100.0, 10.0) if light.any() else ():
         changes: Changes = ()
-        for each in light.tolist():
-            value = model.dof_armature[each] + times * max(inertia, model.dof_M0[each])
+        for each in np.flatnonzero(light).tolist():
+            value = model.dof_armature[each] + times * model.dof_M0[each]
             joint = model.dof_jntid[each]
             changes += of_element(scene, "joint", joint, armature=f"{value:.2g}")
-        ways.append(changes)
-    ways += _calming(scene, run.start.data(model), run.at_limit > LIMITED)
+        ways.insert(0, changes)
     finding = Finding(
         "jitter",
         name,
         "speed",
         run.jitter[dof],
         message="$shape vibrates by $value from one time step to the next"
-        f" (from {run.start.name}) because the time step is too long for its small"
-        f" inertia of {inertia:.2g} {'kg' if linear else 'kg m²'}",
+        f"{origin(run)} because the time step is too long for the forces on its inertia"
+        f" of {inertia:.2g} {'kg' if linear else 'kg m²'}",
         unit="m/s" if linear else "rad/s",
     )
     yield Symptom(finding, lambda run: float(run.jitter.max()), ways, needs_cure=True)
@@ -450,6 +450,9 @@ def _rattling(
         of_contact(scene, contact, f"{min(new, 0.02):.3g} 1".format)
         for new in (stiff, max(timeconst, stiff))
     ]
+    model = scene.model
+    bodies = model.geom_bodyid[list(pair)]
+    is_finger = np.isin(model.jnt_bodyid[model.jnt_type >= 2], bodies).any()
     shape, partner = (scene.names[geom] for geom in pair)
     yield Symptom(
         Finding(
@@ -462,11 +465,14 @@ def _rattling(
             f" {ratio:.2g}, so they rebound with {rebound:.0%} of their speed",
             against=(partner,),
             unit="mm/s",
+            # A loose body may be meant to bounce.
+            severity="warning" if is_finger else "note",
             element=scene.source.authored(pair[0], "solref")
             or scene.source.authored(pair[1], "solref"),
         ),
         rattle,
         ways,
+        needs_cure=True,
     )
 
 

@@ -123,8 +123,10 @@ def grips(
                 yield _sliding(scene, run, body, gripping, load, bears, under)
         if lasts:
             yield from _turning(scene, run, body, held[-1])
-        if len(held) == len(late) and not _edge(held):
-            yield from _creeping(scene, run, body, held, lasts)
+        # A body that creeps out of its grip is judged while it is gripped.
+        creeping = gripping if gripping and not lasts else held
+        if (gripping or len(held) == len(late)) and not _edge(creeping):
+            yield from _creeping(scene, run, body, creeping, bool(gripping))
 
 
 def _edge(held: list[Grip]) -> bool:
@@ -134,6 +136,9 @@ def _edge(held: list[Grip]) -> bool:
 def slip_mm_s(model: MjModel, run: Run, body: int) -> float:
     """Return the speed at which a body moves on its support in the late samples."""
     holds = [hold_of(model, sample, body) for sample in run.late]
+    if not all(holds):
+        early = run.samples[: round(EARLY * len(run.samples))]
+        holds = [hold_of(model, sample, body) for sample in early]
     slips = [hold.slip_m_s for hold in holds if hold]
     return M * float(np.linalg.norm(np.mean(slips, axis=0))) if slips else math.inf
 
@@ -338,7 +343,9 @@ def _turning(scene: Scene, run: Run, body: int, hold: Grip) -> Iterator[Symptom]
     model = scene.model
     angle = turned_deg(model, run, body)
     pads = list(dict.fromkeys(hold.geoms))
-    if angle < TURNS_DEG or len(pads) != len(hold.geoms):
+    down = model.opt.gravity / max(float(np.linalg.norm(model.opt.gravity)), 1e-9)
+    lies = np.abs(hold.normals @ down).max() > -OPPOSE
+    if angle < TURNS_DEG or lies or not len(pads) == len(hold.geoms) == 2:
         return
     indices = [each for pad in pads for each in _contacts(scene, pad, body)]
     condim = int(scene.contacts.condim[indices].max(initial=3))

@@ -25,8 +25,8 @@ LATE = 0.75
 """Readings are averaged over the samples after this share of a run."""
 STILL_M = 2e-3
 """A body rests if it moves by less than this during the late samples."""
-ALTERNATING = 9
-"""Jitter is measured over this many single steps at the end of a run."""
+SINGLE_STEPS = 12
+"""Jitter is measured over this many steps at the end of a run."""
 # After these warnings mj_checkPos and mj_checkAcc reset the state, which then looks
 # valid; only their counts remain.
 BAD = [
@@ -121,7 +121,7 @@ class Run:
     speeds_m_s: np.ndarray
     """Speed of each free body at the end."""
     jitter: np.ndarray
-    """Part of each dof's velocity that alternates from step to step."""
+    """How much each velocity jumps from one step to the next [m/s or rad/s]."""
     at_limit: float
     """Share of the samples in which the solver used all its iterations."""
     effort: float
@@ -237,14 +237,14 @@ def run_of(model: MjModel, start: Start, time_s: float = SPAN_S) -> Run:
 
 
 def _jitter(model: MjModel, data: MjData) -> np.ndarray:
-    """Return the part of each velocity that alternates from one step to the next."""
-    speeds = np.zeros((ALTERNATING, model.nv))
+    """Return how much each velocity deviates from a parabola over a few steps."""
+    speeds = np.zeros((SINGLE_STEPS, model.nv))
     for row in speeds:
         mujoco.mj_step(model, data)
         row[:] = data.qvel
-    changes = np.diff(speeds, axis=0)
-    changes[::2] *= -1.0
-    return 0.5 * np.abs(changes.mean(axis=0))
+    powers = np.vander(np.linspace(-1.0, 1.0, SINGLE_STEPS), 3)
+    smooth = powers @ np.linalg.lstsq(powers, speeds, rcond=None)[0]
+    return np.sqrt(((speeds - smooth) ** 2).mean(axis=0))
 
 
 def sample_of(model: MjModel, data: MjData) -> Sample:

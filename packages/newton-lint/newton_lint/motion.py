@@ -9,7 +9,7 @@ from newton_lint.findings import Finding
 from newton_lint.grips import grips
 from newton_lint.resting import fallen, wandering
 from newton_lint.starting import ill_posed, leaving, misled, torn
-from newton_lint.trials import Trials
+from newton_lint.trials import Symptom, Trials
 from newton_lint.yielding import (
     crowded,
     depths,
@@ -51,16 +51,17 @@ def motions(trials: Trials, acceleration_m_s2: float = 0.0) -> list[Finding]:
     findings: dict[tuple, Finding] = {}
     for index, run in enumerate(trials.runs):
         rules = always if run.bad else (*always, *settled)
+        # The scene is probably never used from such a start.
+        is_idle = run.start.name == "the start" and (
+            scene.model.nkey > 0 or ill_posed(scene, run)
+        )
         items = [
             finding
             for rule in rules
             for symptom in rule(scene, trials, run)
-            if (finding := trials.found(symptom, index)) is not None
+            if (finding := trials.found(_noted(symptom, is_idle), index)) is not None
         ]
-        is_idle = run.start.name == "the start" and (
-            scene.model.nkey > 0 or ill_posed(scene, run)
-        )
-        for item in _weighed(items, is_idle):
+        for item in _without_effects(items):
             key = (item.rule, item.shape, item.against)
             findings[key] = max(findings.get(key, item), item, key=_weight)
     return list(findings.values())
@@ -70,12 +71,15 @@ def _weight(finding: Finding) -> tuple[bool, float]:
     return finding.severity != "note", finding.value
 
 
-def _weighed(items: Sequence[Finding], is_idle: bool) -> list[Finding]:
-    """Return findings of a run, with effects of others as notes.
+def _noted(symptom: Symptom, is_note: bool) -> Symptom:
+    """Return a symptom, as a note if that is asked for and its rule permits it."""
+    if not is_note or symptom.finding.rule in ITERATED:
+        return symptom
+    return replace(symptom, finding=replace(symptom.finding, severity="note"))
 
-    Args:
-        is_idle: Whether the scene is probably never used from this start.
-    """
+
+def _without_effects(items: Sequence[Finding]) -> list[Finding]:
+    """Return findings of a run, with effects of others as notes."""
     # Overlaps that the solver leaves are not faults of the initial positions, and
     # effects of a jam are not faults of their own.
     unsolved = any(
@@ -90,8 +94,5 @@ def _weighed(items: Sequence[Finding], is_idle: bool) -> list[Finding]:
     jammed = any(item.severity == "warning" for item in overlaps)
     notes = ("overlap",) * unsolved + EFFECTS * jammed
     return [
-        replace(item, severity="note")
-        if item.rule in notes or (is_idle and item.rule not in ITERATED)
-        else item
-        for item in items
+        replace(item, severity="note") if item.rule in notes else item for item in items
     ]

@@ -10,7 +10,7 @@ from functools import partial
 import mujoco
 import numpy as np
 
-from newton_lint.changes import of_contact, of_geom, of_option
+from newton_lint.changes import Changes, distinct, of_contact, of_geom, of_option
 from newton_lint.findings import Finding, Hits, Remedy, Wording, findings_of
 from newton_lint.law import DEFAULT_SOLREF, clamped
 from newton_lint.scene import Scene
@@ -255,14 +255,11 @@ def one_sided(scene: Scene, touched: np.ndarray) -> Iterator[Hits]:
     wording = Wording(
         "one-sided", "solref", message.format("stiff", "soft", "least"), "s"
     )
-    yield _geom_hits(
-        scene,
-        wording,
-        geoms=shape,
-        authored=authored,
-        used=stiffest,
-        advise=partial(of_higher_priority, scene),
-    )
+    ranking = "makes its solref, solimp, friction and condim count alone"
+    stiff = [
+        (of_higher_priority(scene, geoms), ranking) for geoms in (shape, shape[:1])
+    ]
+    yield _geom_hits(scene, wording, shape, authored, stiffest, lambda _: stiff)
     shape = np.flatnonzero(
         (authored >= FAR * DEFAULT_SOLREF[0])
         & (softest > 0.0)
@@ -276,11 +273,7 @@ def one_sided(scene: Scene, touched: np.ndarray) -> Iterator[Hits]:
         severity="note",
     )
 
-    def advise(geom: int) -> Remedy:
-        effect = "makes its solref, solimp, friction and condim count alone"
-        return [(of_geom(scene, geom, rank(scene)), effect)]
-
-    yield _geom_hits(scene, wording, shape, authored, softest, advise)
+    yield _geom_hits(scene, wording, shape, authored, softest, lambda _: ())
 
 
 def friction(scene: Scene) -> Iterator[Hits]:
@@ -318,17 +311,19 @@ def rank(scene: Scene) -> dict[str, str]:
     return {"priority": str(int(scene.model.geom_priority.max(initial=0)) + 1)}
 
 
-def of_higher_priority(scene: Scene, geom: int) -> Remedy:
-    """Return changes that make the solref of a geom count alone."""
+def of_higher_priority(scene: Scene, geoms: np.ndarray) -> Changes:
+    """Return changes that make the solrefs of geoms count alone."""
     option = scene.option
-    authored, ratio = scene.model.geom_solref[geom].tolist()
-    timeconst = max(authored, 2.0 * option.timestep_s if option.refsafe else 0.0)
-    attributes = rank(scene)
-    # Otherwise the next run would report the clamped timeconst.
-    if timeconst > authored:
-        attributes["solref"] = f"{timeconst:g} {ratio:g}"
-    effect = "makes its solref, solimp, friction and condim count alone"
-    return [(of_geom(scene, geom, attributes), effect)]
+    least = 2.0 * option.timestep_s if option.refsafe else 0.0
+    changes: Changes = ()
+    for geom in geoms.tolist():
+        authored, ratio = scene.model.geom_solref[geom].tolist()
+        attributes = rank(scene)
+        # Otherwise the next run would report the clamped timeconst.
+        if authored < least:
+            attributes["solref"] = f"{least:g} {ratio:g}"
+        changes += of_geom(scene, geom, attributes)
+    return distinct(changes)
 
 
 def longer_solref(scene: Scene, pair: int, timeconst_s: float, effect: str) -> Remedy:

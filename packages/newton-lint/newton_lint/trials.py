@@ -20,7 +20,7 @@ MENDS = 0.5
 """A change is recommended if it leaves less than this share of the value."""
 GOOD = 0.2
 """After a change that leaves less than this share, no further ones are tried."""
-BUDGET_S = 3.0
+BUDGET_S = 2.0
 """Changes are tried for this processor time per scene."""
 MOST_CURES = 2
 # Contacts may become this many times as deep, and this much deeper [m].
@@ -37,9 +37,19 @@ SHALLOW_M = 2e-3
 """A body whose contacts are below this depth no longer falls through."""
 FALLS_M_S = 3.0
 """A body falls if it reaches this speed."""
-FREES = ("lost", "stiff", "thrown", "unstable", "damping", "jitter", "tunnel")
-"""Rules on bodies that fall or fly, which cost little only because nothing touches."""
-MOVING = ("damping", "friction")
+FREES = (
+    "lost",
+    "stiff",
+    "thrown",
+    "unstable",
+    "damping",
+    "jitter",
+    "tunnel",
+    "bounce",
+    "solver",
+)
+"""Rules on simulations that are only cheap because they are wrong."""
+MOVING = ("damping", "friction", "bounce", "thrown")
 """Rules whose changes make bodies faster, as their parameters were meant to do."""
 SINKING = ("tunnel", "slides", "damping", "through")
 """Rules on bodies that may touch something only after the change."""
@@ -107,9 +117,11 @@ class Trials:
     def found(self, symptom: Symptom, index: int) -> Finding | None:
         """Return the finding of a symptom in a run with the changes that mend it."""
         finding = symptom.finding
+        # Notes are seldom read, so nothing is tried for them.
+        ways = symptom.ways if finding.severity != "note" else ()
         before = symptom.read(self.runs[index])
         cures: list[Cure] = []
-        for changes in symptom.ways:
+        for changes in ways:
             if (runs := self.runs_with(changes)) is None:
                 continue
             if any(run.bad or run.time_s < 0.99 * SPAN_S for run in runs):
@@ -134,7 +146,7 @@ class Trials:
         """Return a finding with the changes that do no harm from any start."""
         cures: list[Cure] = []
         hints = [effect for changes, effect in remedy if not changes]
-        for changes, effect in remedy:
+        for changes, effect in remedy if finding.severity != "note" else ():
             if not changes or len(cures) == MOST_CURES:
                 continue
             runs = self.runs_with(changes) if self.runs else []

@@ -9,6 +9,7 @@ from mujoco import MjModel
 
 from newton_lint.changes import (
     Changes,
+    Solref,
     distinct,
     of_contact,
     of_element,
@@ -36,6 +37,7 @@ THIN = 0.1
 DEEP_MM = 2.0
 """A depth is a warning from here on."""
 HARD = "0.999 0.999 0.001"
+FEW_ALIKE = 3
 STEEP = 3.0
 """From this friction on, bodies sink into a pyramidal cone."""
 SAGS = 5e-3
@@ -106,12 +108,14 @@ def depths(scene: Scene, trials: Trials, run: Run) -> Iterator[Symptom]:
         if depth <= least or (depth < 2.0 * first and not lies):
             continue
         rests = run.still[bodies].all()
-        severe = depth > min(DEEP_MM, max(2.0 * THIN * sizes[thin], 0.2))
         timeconst = float(contacts.solref[contact, 0])
         mu = float(contacts.friction[contact, 0])
+        is_soft = not 0.0 < timeconst <= DEFAULT_SOLREF[0]
+        much = LEAST if is_soft else DEEP_MM
+        severe = depth > min(much, max(2.0 * THIN * sizes[thin], 0.2))
         if scene.option.cone == "pyramidal" and mu > STEEP:
             why = f"a friction of {mu:.3g} softens contacts with a pyramidal cone"
-        elif not 0.0 < timeconst <= DEFAULT_SOLREF[0]:
+        elif is_soft:
             solref = text_of(contacts.solref[contact])
             why = f"the solref of their contact ({solref}) is too soft for the load"
         else:
@@ -127,12 +131,12 @@ def depths(scene: Scene, trials: Trials, run: Run) -> Iterator[Symptom]:
                 against=(scene.names[partner],),
                 unit="mm",
                 severity="warning"
-                if severe and rests and depth > 2.0 * first
+                if ((severe and rests) or depth > sizes[thin]) and depth > 2.0 * first
                 else "note",
                 element=scene.source.geom(thin),
             ),
             read,
-            list(_stiffening(scene, contact, depth, mu, sunk)),
+            list(_stiffening(scene, contact, depth, sunk)),
         )
 
 
@@ -151,11 +155,14 @@ def depth_m(run: Run, pair: Sequence[int]) -> float:
 
 
 def _stiffening(
-    scene: Scene, contact: int, depth_mm: float, mu: float, others: Sequence[int]
+    scene: Scene, contact: int, depth_mm: float, sunk: Sequence[int]
 ) -> Iterator[Changes]:
-    """Yield changes that make a contact stiffer, alone or with others."""
-    if scene.option.cone == "pyramidal" and mu > STEEP:
-        yield elliptic(scene)
+    """Yield changes that make a contact stiffer, alone or with others.
+
+    Args:
+        sunk: All contacts that sink.
+    """
+    contacts = scene.contacts
     least = 2.0 * scene.option.timestep_s
     # The depth at a constant impedance is proportional to timeconst².
     share = min(0.3 / depth_mm, 0.1)
@@ -169,16 +176,27 @@ def _stiffening(
     def hardest(_: Sequence[float]) -> str:
         return f"{least:.3g} 1"
 
-    yield of_contact(scene, contact, stiffer)
-    yield of_contact(scene, contact, hardest)
-    yield of_contact(scene, contact, hardest, solimp=HARD)
+    def together(group: Sequence[int], solref: Solref, solimp: str = "") -> Changes:
+        return distinct(
+            change
+            for each in group
+            for change in of_contact(scene, each, solref, solimp)
+        )
+
+    if scene.option.cone == "pyramidal" and contacts.friction[contact, 0] > STEEP:
+        yield elliptic(scene)
+    alike = [
+        each
+        for each in sunk
+        if np.array_equal(contacts.solref[each], contacts.solref[contact])
+    ]
+    # Many equal contacts have one change, and not each its own.
+    group = alike if len(alike) > FEW_ALIKE else [contact]
+    yield together(group, stiffer)
+    yield together(group, hardest)
+    yield together(group, hardest, HARD)
     # A body between two others sinks into one of them if only the other gets stiffer.
-    around = distinct(
-        change
-        for other in others
-        for change in of_contact(scene, other, hardest, solimp=HARD)
-    )
-    yield around
+    yield together(sunk, hardest, HARD)
 
 
 def elliptic(scene: Scene, impratio: float = 0.0) -> Changes:
