@@ -8,8 +8,8 @@ import mujoco
 import numpy as np
 
 from newton_lint.report import scene_of
-from newton_lint.settle import Work, settled, settled_hold, started
 from newton_lint.target import Target
+from tests.newton_lint.settle import Work, settled, settled_hold, started
 
 BALLAST = 'tolerance="1e-12" iterations="200"'
 INCLINE = """

@@ -10,13 +10,12 @@ from dataclasses import replace
 import mujoco
 import pytest
 
-from newton_lint.command import main
 from newton_lint.law import DISCRETE
 from newton_lint.report import scene_of
 from newton_lint.scene import changed
-from newton_lint.settle import Hold, Work, _reading, predicted_hold, settled_hold
 from newton_lint.target import Target
 from tests.newton_lint.cases import Case
+from tests.newton_lint.settle import Work, _reading, predicted_hold, settled_hold
 
 FLAT = "0.9 0.9 0.001 0.5 2"
 SOFT = "0.1 0.1 0.001 0.5 2"
@@ -195,29 +194,6 @@ def test_what_is_at_the_edge_of_its_cone_or_moves_much_faster_slides():
         )
 
 
-@pytest.mark.parametrize(
-    ("mm_s", "moves", "below", "rule", "value"),
-    [
-        (1.0, 2.4, 1.1, None, None),  # rests up to twice its creep and 0.5 mm/s
-        (1.0, 2.6, 1.1, "unsettled", 2.6),
-        (1.0, 2.4, 0.9, "creep", 1.0),
-        (math.inf, 1.0, 0.9, "slides", 3.0),
-    ],
-)
-def test_a_hold_that_moves_more_than_it_creeps_has_not_settled(
-    mm_s, moves, below, rule, value
-):
-    scene, _, hold = hold_of()
-    found = list(
-        Hold(
-            hold.body, "held", hold.touches, 3.0, mm_s, 0.0, moves, hold.data
-        ).findings(scene, below)
-    )
-    assert [(each.rule, each.value) for each in found] == (
-        [(rule, value)] if rule else []
-    )
-
-
 def test_discrete_weighs_what_a_row_says_of_itself():
     """The factor is 1 + b h + h² k d, with b = 2 / 18 ms and k = 1 / 18² ms²."""
     scene, _, hold = hold_of()
@@ -227,66 +203,3 @@ def test_discrete_weighs_what_a_row_says_of_itself():
         for variant in (scene, discrete)
     )
     assert other / one == pytest.approx(1.0 + 2.0 / 9.0 + 0.9 / 81.0)
-
-
-@pytest.mark.parametrize("integrator", ["Euler", "RK4"])
-@pytest.mark.parametrize(
-    ("solref", "friction", "kes"),
-    [
-        ("0.02 1", "", "2500 and 100,"),
-        ("-900 -40", "", "900 and 40,"),
-        ("0.02 1", "0.005 1", "2500 and 100,"),
-    ],
-)
-def test_ke_and_kd_are_those_of_the_normal(
-    integrator, solref, friction, kes, tmp_path, capsys
-):
-    """ke is 1 / timeconst² and kd is 2 / timeconst for any integrator; w is 1 / 0.5 kg."""
-    path = tmp_path / "scene.xml"
-    own = f'<contact><pair geom1="floor" geom2="box" solref="{solref}" solimp="{FLAT}" solreffriction="{{}}"/></contact>'
-    changes = {
-        "integrator": integrator,
-        "solref": solref,
-        "solimp": FLAT,
-        "rest": own.format(friction) * bool(friction),
-    }
-    path.write_text(Case("incline", tuple(changes.items())).text)
-    assert main(["pair", str(path), "floor", "box"]) == 0
-    out = capsys.readouterr().out
-    depth = 0.1 * 2.0 * (0.0004 if solref[0] == "0" else 1.0 / 900.0)
-    creep = (
-        0.1 * 2.0 * (0.0025 if friction else 0.01 if solref[0] == "0" else 1.0 / 40.0)
-    )
-    assert (
-        kes in out
-        and f" {1e3 * depth:.3g} mm deep" in out
-        and f"at {1e3 * creep:.3g} mm/s" in out
-    )
-
-
-@pytest.mark.parametrize(
-    ("changes", "geoms", "why"),
-    [
-        (
-            {"rest": '<worldbody><geom name="wall" size="1"/></worldbody>'},
-            ["floor", "wall"],
-            "cannot move relative to",
-        ),
-        ({"box": 'contype="4"', "floor": 'conaffinity="2"'}, ["floor", "box"], None),
-        (
-            {"box": 'contype="4" conaffinity="4"'},
-            ["floor", "box"],
-            "[1 4] and conaffinity [1 4] have no bit",
-        ),
-        (
-            {"rest": '<contact><exclude body1="world" body2="held"/></contact>'},
-            ["box", "floor"],
-            "an <exclude> names",
-        ),
-    ],
-)
-def test_it_is_said_why_two_geoms_never_touch(changes, geoms, why, tmp_path, capsys):
-    path = tmp_path / "scene.xml"
-    path.write_text(Case("incline", tuple(changes.items())).text)
-    assert main(["pair", str(path), *geoms]) == bool(why)
-    assert (why or "as Newton's ke") in capsys.readouterr().out

@@ -344,7 +344,9 @@ def main() -> None:
     text = DOCUMENT.read_text(encoding="utf-8")
     before, _, rest = text.partition(BEGIN)
     _, _, after = rest.partition(END)
-    DOCUMENT.write_text(before + BEGIN + table(findings()) + END + after, encoding="utf-8")
+    DOCUMENT.write_text(
+        before + BEGIN + table(findings()) + END + after, encoding="utf-8"
+    )
 
 
 if __name__ == "__main__":

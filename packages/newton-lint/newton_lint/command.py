@@ -21,9 +21,8 @@ UNFIT = 2
 BROKEN = 3
 STOPPED = 130
 PROGRAM = "newton-lint"
-SUBCOMMANDS = ("page", "pair")
+SUBCOMMANDS = ("page",)
 """Subcommands; each of them is a module."""
-LONGEST_SETTLE_S = 60.0
 SEVERITIES = ("note", "warning", "error")
 RULE = re.compile(r"^\| `([\w-]+)` \| (\w+) \| (.+) \| .+ \|$", re.MULTILINE)
 """Matches a row of rules.md."""
@@ -154,10 +153,10 @@ def _linted(options: argparse.Namespace) -> int:
         fixes += fixed_again(targets, request, paths)
     least = options.fail_on or table.get("fail-on", "warning")
     try:
-        if reports or form in ("json", "sarif"):
+        if reports or form == "json":
             notes = options.notes or least == "note"
             detail = Detail(notes, rules() if options.explain else {})
-            print(written(reports, form, unread, detail), flush=True)
+            print(written(reports, form, detail), flush=True)
     except BrokenPipeError:
         # The reader, for example head, has stopped. Python flushes again at its end.
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
@@ -190,7 +189,8 @@ def request_of(options: argparse.Namespace, table: dict[str, Any]):
     return Request(
         engine=engine_of(options, table),
         load=Load(options.acceleration, options.load),
-        work=work_of(options),
+        hold=options.hold or "",
+        lift_m_s2=options.lift,
         below_mm_s=options.below or table.get("below"),
         ignore=frozenset(ignore),
         step=not options.no_step,
@@ -208,16 +208,6 @@ def engine_of(options: argparse.Namespace, table: dict[str, Any]):
     )
 
 
-def work_of(options: argparse.Namespace):
-    from newton_lint.settle import SETTLE_S, Work
-
-    return (
-        Work(options.hold, options.settle or SETTLE_S, options.turn, options.lift)
-        if options.hold
-        else None
-    )
-
-
 def version() -> str:
     # This import takes as long as all the rules.
     metadata = importlib.import_module("importlib.metadata")
@@ -232,8 +222,7 @@ def lint_parser() -> Parser:
         prog=PROGRAM,
         description="Find contact parameters that MuJoCo does not use as they are"
         " written, predict creep, and recommend changes.",
-        epilog="Subcommands: newton-lint page writes an HTML page, pair explains the"
-        " contact of two geoms.",
+        epilog="The subcommand newton-lint page writes an HTML page.",
     )
     add = parser.add_argument
     add(
@@ -245,7 +234,7 @@ def lint_parser() -> Parser:
         help="FILE.xml, FILE.urdf, FILE.usd, a folder, FILE.py:function or"
         " module:function",
     )
-    add("--format", choices=("text", "json", "sarif", "github"), help="default: text")
+    add("--format", choices=("text", "json", "github"), help="default: text")
     add("--json", action="store_true", help="the same as --format json")
     add(
         "--fail-on",
@@ -290,18 +279,11 @@ def lint_parser() -> Parser:
         help="tangential force on each contact point [N]",
     )
     add(
-        "--turn",
-        type=positive,
-        default=0.0,
-        metavar="RAD/S",
-        help="rate at which the support of the held body turns about the vertical",
-    )
-    add(
         "--acceleration",
         type=positive,
         default=0.0,
         metavar="M/S²",
-        help="acceleration ω² r of a turning support",
+        help="acceleration that contacts and grips have to bear",
     )
     return parser
 
@@ -321,13 +303,7 @@ def add_work(parser: argparse.ArgumentParser) -> None:
     add(
         "--hold",
         metavar="BODY",
-        help="body whose creep is predicted; the first keyframe or the start grips it",
-    )
-    add(
-        "--settle",
-        type=moderate,
-        metavar="S",
-        help="time for the grip to settle [s]; default: 0.5",
+        help="body whose creep is reported; the first keyframe or the start grips it",
     )
     add(
         "--lift",
@@ -342,15 +318,6 @@ def add_work(parser: argparse.ArgumentParser) -> None:
         metavar="MM/S",
         help="largest acceptable creep of the held body; default: 1",
     )
-
-
-def moderate(text: str) -> float:
-    value = positive(text)
-    if value > LONGEST_SETTLE_S:
-        raise argparse.ArgumentTypeError(
-            f"expected at most {LONGEST_SETTLE_S:g} s, got {text}"
-        )
-    return value
 
 
 def positive(text: str) -> float:

@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from mujoco import MjModel
@@ -19,9 +19,8 @@ from newton_lint.changes import (
 from newton_lint.failures import origin
 from newton_lint.findings import Finding
 from newton_lint.law import M
-from newton_lint.ledger import Run, Sample
-from newton_lint.scene import ON_JOINT, Scene
-from newton_lint.settle import Hold
+from newton_lint.ledger import Run, Sample, run_of
+from newton_lint.scene import ON_JOINT, Scene, changed
 from newton_lint.trials import Symptom, Trials
 from newton_lint.yielding import elliptic
 
@@ -66,6 +65,21 @@ class Grip:
     """Orientation of the body in the frame of the support."""
     opposed: bool
     """Whether two geoms press from opposite sides."""
+
+
+@dataclass(frozen=True)
+class Hold:
+    """How a body is held, as ``--hold`` and ``--json`` report it."""
+
+    body: str
+    load_n: float
+    """The friction that holds it."""
+    point_count: float
+    mm_s: float | None
+    """The speed at which it creeps, or None if it slides."""
+    slides: bool
+    moves_mm_s: float
+    acceleration_mm_s: float | None = None
 
 
 def hold_of(model: MjModel, sample: Sample, body: int) -> Grip | None:
@@ -199,24 +213,61 @@ def _firmer(scene: Scene, body: int, supports: list[int]) -> list[Changes]:
     ]
 
 
-def creeping(trials: Trials, hold: Hold, finding: Finding) -> Finding:
-    """Return the finding of a body that the law predicts to creep, with its cures."""
+def held(
+    trials: Trials, name: str, lift_m_s2: float, below_mm_s: float
+) -> tuple[Hold, Finding | None] | None:
+    """Measure how a body is held, from the first keyframe or the start.
+
+    Args:
+        lift_m_s2: Upward acceleration of its support, which adds to gravity.
+
+    Returns:
+        The hold and a finding if the body slides or creeps too fast, or None if nothing
+        touches the body.
+    """
     scene = trials.scene
-    if finding.rule != "creep" or not trials.runs:
-        return finding
-    body = scene.model.body_weldid[[touch.support for touch in hold.touches]]
-    own = scene.model.geom_bodyid
-    supports = [
-        geom
-        for touch in hold.touches
-        for geom in touch.geoms
-        if scene.model.body_weldid[own[geom]] in body
-    ]
-    ways = _firmer(scene, hold.body, list(dict.fromkeys(supports)))
-    index = 1 if len(trials.runs) > 1 else 0
-    symptom = Symptom(finding, lambda run: slip_mm_s(scene.model, run, hold.body), ways)
-    found = trials.found(symptom, index)
-    return found or finding
+    model = scene.model
+    index = min(1, len(trials.runs) - 1)
+    run = trials.runs[index]
+    body = scene.bodies.index(name)
+    if lift_m_s2:
+        gravity = max(float(np.linalg.norm(model.opt.gravity)), 1e-9)
+        model = changed(model, gravity=(1.0 + lift_m_s2 / gravity) * model.opt.gravity)
+        run = run_of(model, run.start)
+    late = [grip for sample in run.late if (grip := hold_of(model, sample, body))]
+    first = [grip for sample in run.samples if (grip := hold_of(model, sample, body))]
+    if not first:
+        return None
+    grips = late or first
+    load = np.linalg.norm(np.mean([grip.friction_n for grip in grips], axis=0))
+    supports = list(dict.fromkeys(geom for grip in grips for geom in grip.geoms))
+
+    def slip(run: Run) -> float:
+        return slip_mm_s(model, run, body)
+
+    slides = len(late) < len(run.late) or _edge(late)
+    speed = slip(run)
+    points = float(np.mean([len(grip.geoms) for grip in grips]))
+    hold = Hold(name, float(load), points, None if slides else speed, slides, speed)
+    finding = Finding(
+        "creep",
+        name,
+        "creep",
+        speed,
+        "$shape creeps at $value, faster than the bound of $used",
+        against=tuple(scene.names[geom] for geom in supports),
+        used=below_mm_s,
+        unit="mm/s",
+    )
+    if slides:
+        message = "$shape slides because its load exceeds the friction of its contacts"
+        finding = replace(
+            finding, rule="slides", message=message, used=None, severity="error"
+        )
+    elif speed <= below_mm_s:
+        return hold, None
+    ways = _firmer(scene, body, supports)
+    return hold, trials.found(Symptom(finding, slip, ways, goal=below_mm_s), index)
 
 
 def _bearable_n(scene: Scene, body: int, grip: Grip) -> float:

@@ -9,7 +9,6 @@ import numpy as np
 from mujoco import MjData, MjModel
 
 from newton_lint.scene import FREE, WEIGHTLESS
-from newton_lint.settle import started
 
 SPAN_S = 2.0
 """Time for which a scene is stepped from each start."""
@@ -33,6 +32,8 @@ BAD = [
     int(getattr(mujoco.mjtWarning, f"mjWARN_BAD{name}"))
     for name in ("QPOS", "QVEL", "QACC")
 ]
+STATE = ("qpos", "qvel", "act", "ctrl", "mocap_pos", "mocap_quat", "qacc_warmstart")
+"""Arrays of the data that make up a state."""
 COPIED = (
     "qpos",
     "qvel",
@@ -60,11 +61,12 @@ class Start:
 
     def data(self, model: MjModel) -> MjData:
         """Return data of a model in this state."""
-        if self.state is not None:
-            return started(model, self.state)
         data = MjData(model)
         if self.key is not None:
             mujoco.mj_resetDataKeyframe(model, data, self.key)
+        # mj_copyData would need the same model, but this one may be changed.
+        for name in STATE if self.state is not None else ():
+            getattr(data, name)[:] = getattr(self.state, name)
         return data
 
 

@@ -1,7 +1,8 @@
 """Implements ``--fix``: tries changes in MuJoCo C and writes those that do no harm."""
 
 import difflib
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from pathlib import Path
 from xml.parsers import expat
 
@@ -12,7 +13,7 @@ from newton_lint.changes import Change
 from newton_lint.findings import Finding
 from newton_lint.fix import Unwritable, edited, undo, write
 from newton_lint.law import M
-from newton_lint.ledger import MOST_DOFS, Run, run_of, starts
+from newton_lint.ledger import Run
 from newton_lint.report import Report, Request, report_of
 from newton_lint.source import Texts, parse
 from newton_lint.target import Target, TargetError, compiled, read_target, tried
@@ -24,19 +25,9 @@ MOST_TRIES = 40
 PASSES = 4
 
 
-def measured(target: Target) -> list[Run]:
-    """Step a scene from each of its starts, long enough to judge a change."""
-    model = target.model
-    assert model is not None  # Only files of MuJoCo are mended.
-    if model.nv > MOST_DOFS:
-        return []
-    return [run_of(model, start) for start in starts(model, target.data)]
-
-
 def _measures(runs: Sequence[Run]) -> str:
     depth = max((run.deepest_m for run in runs), default=0.0)
-    cost = sum(run.cost_s for run in runs)
-    seconds = cost / max(len(runs), 1)
+    seconds = sum(run.cost_s for run in runs) / max(len(runs), 1)
     return (
         f"the deepest contact is {M * depth:.3g} mm and a simulated second takes"
         f" {seconds:.2g} s"
@@ -48,110 +39,83 @@ class Mending:
 
     def __init__(self, target: Target, request: Request, paths: Sequence[Path]):
         self.target = target
-        self.request = request
+        self.request = replace(request, step=True)
         self.paths = paths
-        self.first = report_of(target, request)
+        self.first = report_of(target, self.request)
         self.report = self.first
-        self.first_runs = measured(target)
-        self.runs = self.first_runs
-        self.texts: dict[Path, bytes] = dict(target.texts)
+        self.texts: dict[Path, bytes] = {}
         self.outcomes: dict[str, str] = {}
         """For each tried change, the reason why it is not written; empty if it is."""
-        self.idle: set[str] = set()
-        """Changes that affect no motion."""
-        self.rules: set[str] = set()
-        while self._pass():
-            pass
-        # Each change alone does little harm, but many of them may add up.
-        if reason := harm(self.first_runs, self.runs, self.rules):
-            self.texts = dict(target.texts)
-            self.report = self.first
-            self.runs = self.first_runs
-            self.outcomes = {
-                line: why or f"together with the other changes, {reason}"
-                for line, why in self.outcomes.items()
-            }
-
-    def _pass(self) -> bool:
-        """Try each change once. Return whether any of them was taken over."""
-        self.outcomes = {line: why for line, why in self.outcomes.items() if not why}
-        written = len(self.outcomes)
-        for _ in range(MOST_TRIES):
-            # An accepted change alters the findings, so list the candidates again.
-            untried = (
-                candidate
-                for candidate in self._candidates()
-                if candidate[0] not in self.outcomes
-            )
-            if not (candidate := next(untried, None)):
-                break
+        rules: list[str] = []
+        # An accepted change alters the findings, so list the candidates again.
+        while candidate := self._next():
             line, finding, changes = candidate
-            runs = self.runs
             self.outcomes[line] = self._outcome(finding, changes)
-            ends = [[run.data.qpos for run in group] for group in (runs, self.runs)]
-            if runs is not self.runs and all(map(np.array_equal, *ends)):
-                self.idle.add(line)
-        return list(self.outcomes.values()).count("") > written
+            if not self.outcomes[line]:
+                rules.append(finding.rule)
+                # Another change may do no harm any more.
+                self.outcomes = {each: "" for each, why in self._tried() if not why}
+        # Each change alone does little harm, but many of them may add up.
+        if reason := harm(self.first.runs, self.report.runs, rules):
+            self.texts = {}
+            self.report = self.first
+            reason = f"together with the other changes, {reason}"
+            self.outcomes = {each: why or reason for each, why in self._tried()}
 
-    def _candidates(self) -> Iterator[tuple[str, Finding, Sequence[Change]]]:
-        """Yield the text of changes, the finding that they mend, and the changes."""
+    def _tried(self) -> list[tuple[str, str]]:
+        return list(self.outcomes.items())
+
+    def _next(self) -> tuple[str, Finding, Sequence[Change]] | None:
+        """Return the next changes with their text and the finding that they mend."""
         for finding in self.report.findings:
             for cure in finding.cures if finding.severity != "note" else ():
-                yield ", ".join(map(str, cure.changes)), finding, cure.changes
+                line = ", ".join(map(str, cure.changes))
+                if line not in self.outcomes and len(self.outcomes) < MOST_TRIES:
+                    return line, finding, cure.changes
+        return None
 
     def _outcome(self, finding: Finding, changes: Sequence[Change]) -> str:
-        """Apply changes, or return why they do harm."""
+        """Apply changes that mend a finding, or return why they do harm."""
         try:
-            texts = edited(changes, self.report.source, self.texts)
-            return self._harm(finding, self.texts | texts)
+            texts = self.texts | edited(changes, self.report.source, self.texts)
+            report = report_of(tried(self.target, texts), self.request)
         except Unwritable as error:
             return str(error)
         except (ValueError, OSError, expat.ExpatError, mujoco.FatalError) as error:
             return f"MuJoCo refuses it: {' '.join(str(error).split())[:200]}"
-
-    def _harm(self, finding: Finding, texts: dict[Path, bytes]) -> str:
-        """Apply texts that mend a finding, or return why they do harm."""
-        rules = [finding.rule]
-        target = tried(self.target, texts)
-        report = report_of(target, self.request)
-        before = _worst(self.report)
-        after = _worst(report)
         key = _key(finding)
-        if after.get(key, 0.0) > MENDS * before[key]:
+        if _worst(report).get(key, 0.0) > MENDS * _worst(self.report)[key]:
             return "the finding remains"
         known = {_key(item) for item in self.report.findings}
         for item in report.findings:
             severe = item.severity == "error" or finding.severity != "error"
             if item.severity != "note" and _key(item) not in known and severe:
                 return f"it causes another finding: {item.rule} {item.shape}".rstrip()
-        runs = measured(target)
-        if reason := harm(self.runs, runs, rules) or self._harm_elsewhere(texts, rules):
+        reason = harm(self.report.runs, report.runs, [finding.rule])
+        if reason := reason or self._harm_elsewhere(texts, finding.rule):
             return reason
         self.texts = texts
         self.report = report
-        self.runs = runs
-        self.rules |= {*rules}
         return ""
 
-    def _harm_elsewhere(self, texts: Texts, rules: Collection[str]) -> str:
+    def _harm_elsewhere(self, texts: Texts, rule: str) -> str:
         """Return how a change of an included file harms the other scenes."""
         included = texts.keys() - {self.target.path}
         for path in self.paths if included else ():
-            if path != self.target.path and included & {
-                element.file for element in parse(path).walk()
-            }:
-                scene = Target(path.name, compiled(path), path=path)
-                if reason := harm(
-                    measured(scene), measured(tried(scene, texts)), rules
-                ):
-                    return f"in {path.name}, {reason}"
+            files = {element.file for element in parse(path).walk()}
+            if path == self.target.path or not included & files:
+                continue
+            scene = Target(path.name, compiled(path), path=path)
+            before = report_of(scene, self.request).runs
+            after = report_of(tried(scene, texts), self.request).runs
+            if reason := harm(before, after, [rule]):
+                return f"in {path.name}, {reason}"
         return ""
 
     def lines(self, written: bool) -> Iterator[str]:
         """Yield a line for each change that was tried."""
         outcome = "written" if written else "can be written"
-        for line, why in self.outcomes.items():
-            line += " (no effect on the motion)" if line in self.idle else ""
+        for line, why in self._tried():
             yield f"{line}: {f'not written because {why}' if why else outcome}"
 
     def patch(self) -> Iterator[str]:
@@ -204,8 +168,8 @@ def fixed(
         *backups,
     ]
     if mending.texts:
-        before = _measures(mending.first_runs)
-        after = _measures(mending.runs)
+        before = _measures(mending.first.runs)
+        after = _measures(mending.report.runs)
         lines.append(
             f"{target.name}: before the changes, {before}; after them, {after}"
             " (measured)"

@@ -1,4 +1,4 @@
-"""Writes reports as text, JSON, SARIF and GitHub annotations."""
+"""Writes reports as text, JSON and GitHub annotations."""
 
 import json
 from collections.abc import Iterator, Mapping, Sequence
@@ -38,20 +38,16 @@ class Detail:
 def written(
     reports: Sequence[Report],
     form: str,
-    unread: Sequence[str] = (),
     detail: Detail = Detail(),
 ) -> str:
     """Return reports in a format.
 
     Args:
-        form: ``text``, ``json``, ``sarif`` or ``github``.
-        unread: Errors of targets that could not be linted.
+        form: ``text``, ``json`` or ``github``.
     """
     if form == "json":
         objects = [as_json(report) for report in reports]
         return json.dumps(objects[0] if len(objects) == 1 else objects, indent=1)
-    if form == "sarif":
-        return json.dumps(_sarif(reports, unread), indent=1)
     lines_of = _github if form == "github" else text_of
     lines = [line for report in reports for line in lines_of(report, detail)]
     lines += summary(reports) if form == "text" and len(reports) > 1 else ()
@@ -99,9 +95,9 @@ def text_of(report: Report, detail: Detail = Detail()) -> Iterator[str]:
         if group[0].severity != "note" or detail.notes:
             yield from _lines(group, detail)
     if hold := report.hold:
-        rate = "slides" if hold.slides else f"creeps at {rated(hold.mm_s)}"
+        rate = f"creeps at {rated(hold.mm_s)}" if hold.mm_s is not None else "slides"
         points = f"{hold.point_count:.3g} contact points"
-        yield f"{hold.name} {rate} under {hold.load_n:.3g} N on {points}"
+        yield f"{hold.body} {rate} under {hold.load_n:.3g} N on {points}"
     if report.creep and any(vars(report.load).values()):
         yield "predicted creep:"
         yield from (
@@ -174,50 +170,8 @@ def _github(report: Report, detail: Detail) -> Iterator[str]:
         yield f"::{level} {location},title=newton-lint {finding.rule}::{message}"
 
 
-def _sarif(reports: Sequence[Report], unread: Sequence[str]) -> dict:
-    results = [
-        {
-            "ruleId": group[0].rule,
-            "level": group[0].severity,
-            "message": {"text": _with_advice(group)},
-            "locations": [{"physicalLocation": _location(group[0], report)}],
-        }
-        for report in reports
-        for group in grouped(report.findings)
-    ]
-    rules = sorted({str(result["ruleId"]) for result in results})
-    run = {
-        "tool": {
-            "driver": {"name": "newton-lint", "rules": [{"id": rule} for rule in rules]}
-        },
-        "results": results,
-        "invocations": [
-            {
-                "executionSuccessful": not unread,
-                "toolExecutionNotifications": [
-                    {"level": "error", "message": {"text": line}} for line in unread
-                ],
-            }
-        ],
-    }
-    return {
-        "$schema": "https://json.schemastore.org/sarif-2.1.0.json",
-        "version": "2.1.0",
-        "runs": [run],
-    }
-
-
 def _with_advice(group: Sequence[Finding]) -> str:
     return ". ".join(filter(None, [sentence(group), group[0].advice]))
-
-
-def _location(finding: Finding, report: Report) -> dict:
-    if not (element := finding.element):
-        return {"artifactLocation": {"uri": report.target}}
-    return {
-        "artifactLocation": {"uri": str(element.file)},
-        "region": {"startLine": element.line},
-    }
 
 
 def _counted(count: int, noun: str) -> str:

@@ -38,9 +38,7 @@ def main(arguments: Sequence[str]) -> int:
         help="folder to write; default: page",
     )
     add_work(parser)
-    parser.set_defaults(
-        ignore=None, acceleration=0.0, load=1.0, no_step=False, turn=0.0
-    )
+    parser.set_defaults(ignore=None, acceleration=0.0, load=1.0, no_step=False)
     options = parser.parse_args(arguments)
     request = request_of(options, {})
     reports = []

@@ -9,14 +9,13 @@ import numpy as np
 
 from newton_lint.changes import Changes
 from newton_lint.findings import SEVERITIES, Finding, sentence
-from newton_lint.grips import SLIP_MM_S, creeping
+from newton_lint.grips import SLIP_MM_S, Hold, held
 from newton_lint.ledger import MOST_DOFS, Run, run_of, starts
 from newton_lint.motion import motions
 from newton_lint.prediction import Load, Prediction, predictions
 from newton_lint.rules import lint
 from newton_lint.scene import Engine, Scene
 from newton_lint.settings import is_ignored
-from newton_lint.settle import Hold, Work, settled_hold, weigh
 from newton_lint.source import Element, Source
 from newton_lint.target import NEWTONS, Target, TargetError, newtons
 from newton_lint.trials import Trials
@@ -39,7 +38,10 @@ class Request:
 
     engine: Engine = field(default_factory=Engine)
     load: Load = field(default_factory=Load)
-    work: Work | None = None
+    hold: str = ""
+    """A body whose creep is reported, or an empty string."""
+    lift_m_s2: float = 0.0
+    """Upward acceleration of the support of this body."""
     below_mm_s: float | None = None
     """The creep of a held body is a finding above this speed."""
     ignore: Collection[str] = ()
@@ -61,6 +63,7 @@ class Report:
     newton: str | None = None
     """The release of Newton that read the target, or None."""
     hold: Hold | None = None
+    runs: Sequence[Run] = ()
     source: Source | None = None
     """The files that a fix may change."""
 
@@ -110,39 +113,34 @@ def report_on(
     runs: list[Run] = []
     if request.step and model.nv <= MOST_DOFS:
         runs = [run_of(model, start) for start in starts(model, target.data)]
-    for run in runs:
-        weigh(scene, run.data)
     trials = Trials(scene, runs)
     findings = [*more, *lint(scene, trials)]
     # Creep is undefined if the engine refuses the scene or throws bodies off.
     refused = any(finding.rule in ("engine", "stiff") for finding in findings)
-    work = None if refused else request.work
-    hold = settled_hold(scene, target, work) if work else None
-    if hold:
+    hold: Hold | None = None
+    if request.hold and request.hold not in scene.bodies[1:]:
+        bodies = ", ".join(scene.bodies[1:][:12])
+        raise TargetError(
+            f"{target.name}: the scene has no body {request.hold}; it has {bodies}"
+        )
+    if request.hold and runs and not refused:
         bound = request.below_mm_s or SLIP_MM_S
-        findings += [
-            creeping(trials, hold, finding) for finding in hold.findings(scene, bound)
-        ]
-    elif work:
-        message = (
-            "Nothing touches $shape within $value: grip it in a keyframe, or in the"
-            " data that the function returns"
-        )
-        findings.append(
-            Finding(
-                "slides",
-                work.body,
-                "settle",
-                work.settle_s,
-                message,
-                unit="s",
-                severity="error",
+        measured = held(trials, request.hold, request.lift_m_s2, bound)
+        if measured is None:
+            message = (
+                "Nothing touches $shape: grip it in a keyframe, or in the data that"
+                " the function returns"
             )
-        )
+            findings.append(
+                Finding("slides", request.hold, "load", 0.0, message, severity="error")
+            )
+        else:
+            hold, creep = measured
+            findings += [creep] if creep else []
     motion = motions(trials, request.load.acceleration_m_s2)
-    held = [hold.name] if hold else []
+    known = [hold.body] if hold else []
     findings += [
-        item for item in motion if item.rule != "slip" or item.shape not in held
+        item for item in motion if item.rule != "slip" or item.shape not in known
     ]
     if request.step and model.nv > MOST_DOFS:
         message = (
@@ -166,6 +164,7 @@ def report_on(
         ],
         creep=[] if refused else predictions(scene, request.load),
         hold=hold,
+        runs=runs,
         source=scene.source,
     )
 
@@ -274,7 +273,7 @@ def as_json(report: Report) -> dict[str, Any]:
         },
         "findings": [_finding_json(finding) for finding in report.findings],
         "creep": [vars(report.load) | vars(prediction) for prediction in report.creep],
-        "hold": report.hold.as_json() if report.hold else None,
+        "hold": vars(report.hold) if report.hold else None,
     }
 
 

@@ -18,7 +18,6 @@ from newton_lint.scene_rules import (
     closed,
     damped,
     engine,
-    fixed,
     lost,
     pyramid,
     unread,
@@ -58,7 +57,7 @@ def lint(scene: Scene, trials: Trials) -> list[Finding]:
             for hits in rule(scene)
             for finding, remedy in findings_of(hits, scene.names)
         ]
-    scene_rules = (lost, damped, fixed, visual, closed, pyramid, unread, engine)
+    scene_rules = (lost, damped, visual, closed, pyramid, unread, engine)
     return findings + [
         trials.advised(finding, remedy)
         for rule in scene_rules
@@ -230,7 +229,7 @@ def _touched(scene: Scene, trials: Trials) -> np.ndarray:
 
 
 def one_sided(scene: Scene, touched: np.ndarray) -> Iterator[Hits]:
-    """Yield stiff geoms that only meet soft ones, and soft geoms among stiff ones."""
+    """Yield stiff geoms that only touch soft ones."""
     contacts = scene.contacts
     authored = scene.model.geom_solref[:, 0]
     # Direct solrefs are not mixed: the engine uses the element-wise minimum.
@@ -239,41 +238,25 @@ def one_sided(scene: Scene, touched: np.ndarray) -> Iterator[Hits]:
     ranked = np.append(contacts.first[outranked], contacts.second[outranked])
     # A geom that meets an equal one somewhere is as stiff as written there.
     stiffest = -_largest(scene, mixed, -contacts.solref[:, 0])
-    softest = _largest(scene, mixed, contacts.solref[:, 0])
     # A geom with a priority decides on purpose.
     stiffest[ranked] = 0.0
-    softest[ranked] = np.inf
     is_stiff = (
         (authored > 0.0) & (authored * FAR <= DEFAULT_SOLREF[0]) & np.isfinite(stiffest)
     )
     softer = stiffest > np.maximum(2.0 * authored, 4.0 * scene.option.timestep_s)
     shape = np.flatnonzero(is_stiff & softer)
-    message = (
-        "solref $value of $shapes is {} only on this side, because each contact mixes it"
-        " with the {} solref of the other geom, which gives at {} $used"
-    )
     wording = Wording(
-        "one-sided", "solref", message.format("stiff", "soft", "least"), "s"
+        "one-sided",
+        "solref",
+        "solref $value of $shapes is stiff only on this side, because each contact mixes"
+        " it with the soft solref of the other geom, which gives at least $used",
+        "s",
     )
     ranking = "makes its solref, solimp, friction and condim count alone"
     stiff = [
         (of_higher_priority(scene, geoms), ranking) for geoms in (shape, shape[:1])
     ]
     yield _geom_hits(scene, wording, shape, authored, stiffest, lambda _: stiff)
-    shape = np.flatnonzero(
-        (authored >= FAR * DEFAULT_SOLREF[0])
-        & (softest > 0.0)
-        & (1.5 * softest < authored)
-    )
-    wording = Wording(
-        "one-sided",
-        "solref",
-        message.format("soft", "stiff", "most"),
-        unit="s",
-        severity="note",
-    )
-
-    yield _geom_hits(scene, wording, shape, authored, softest, lambda _: ())
 
 
 def friction(scene: Scene) -> Iterator[Hits]:

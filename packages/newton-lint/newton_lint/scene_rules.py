@@ -87,48 +87,6 @@ def damped(scene: Scene) -> Iterator[Found]:
         yield finding, [(changes, "lets it fall freely")]
 
 
-def fixed(scene: Scene) -> Iterator[Found]:
-    """Yield bodies that have a mass but no joint, and that touch nothing."""
-    model = scene.model
-    data = mujoco.MjData(model)
-    tree = model.body_rootid[model.geom_bodyid]
-    mujoco.mj_kinematics(model, data)
-    static = np.flatnonzero(
-        ~np.isin(tree, model.body_rootid[model.jnt_bodyid])
-    ).tolist()
-    for body in np.flatnonzero((model.body_parentid == 0) & (model.body_mocapid < 0))[
-        1:
-    ].tolist():
-        geoms = [
-            geom for geom in static if tree[geom] == body and model.geom_contype[geom]
-        ]
-        elements = [
-            element
-            for geom in geoms
-            if (element := scene.source.geom(geom)) and "mass" in element.attributes
-        ]
-        near = (
-            mujoco.mj_geomDistance(model, data, geom, outside_body, NEAR_M, None)
-            < NEAR_M
-            for outside_body in np.flatnonzero(tree != body).tolist()
-            for geom in geoms
-        )
-        if elements and not any(near):
-            element = elements[0]
-            finding = Finding(
-                "fixed",
-                scene.bodies[body],
-                "mass",
-                model.body_subtreemass[body],
-                message="$shape has a mass of $value but no joint, so it is fixed to"
-                " the world and hangs in the air",
-                unit="kg",
-                severity="note",
-                element=element,
-            )
-            yield finding, [((), "Add a <freejoint/> to the body to let it fall.")]
-
-
 def visual(scene: Scene) -> Iterator[Found]:
     """Yield bodies whose mass includes visual geoms, which collide with nothing."""
     model = scene.model

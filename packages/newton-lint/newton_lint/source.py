@@ -87,35 +87,26 @@ def _included(name: str, path: Path, root: Path, texts: Texts) -> list[Element]:
     return []
 
 
-COUNTS = {
-    "body": "nbody",
-    "joint": "njnt",
-    "actuator": "nu",
-    "equality": "neq",
-    "tendon": "ntendon",
-    "key": "nkey",
-    "site": "nsite",
-    "hfield": "nhfield",
-}
-"""The field of the model that counts the elements of a kind."""
+COUNTS = {"joint": "njnt", "actuator": "nu", "equality": "neq"}
+"""Fields of the model that count its objects, unless they are called n and the kind."""
 SECTIONS = {
     "actuator": "actuator",
     "equality": "equality",
     "tendon": "tendon",
-    "key": "keyframe",
+    "keyframe": "key",
 }
-"""The section that contains the elements of a kind."""
+"""The kind of the elements of some sections, whatever their tags are."""
+Placed = tuple[Element, str | None]
+"""An element, and its class or its section."""
 
 
 class Source:
-    """The elements of a scene's file, with the geoms of the model that they define.
-
-    Elements and geoms are matched by order or, if the counts differ, by name.
-    """
+    """The elements of a scene's file, with the objects of the model that they define."""
 
     def __init__(self, root: Element | None, model: mujoco.MjModel):
         self.root = root
         self._model = model
+        self._placed: dict[str, dict[int, Placed]] = {}
 
     @classmethod
     def of(
@@ -127,34 +118,48 @@ class Source:
             return cls(None, model)
 
     @cached_property
-    def _placed(self) -> list[list[tuple[Element, str | None]]]:
-        """Return the geom elements and classes of each body, in the file's order."""
+    def _in_order(self) -> list[Placed]:
+        """Return the elements of all bodies and sections, in the order of the model."""
         if self.root is None or self.root.tag != "mujoco":
             return []
-        return list(_bodies(self._world, None))
-
-    @property
-    def _world(self) -> Element:
-        """Return an element with the children of all worldbody elements."""
-        assert self.root is not None
         worlds = self.root.sections("worldbody")
         children = [child for world in worlds for child in world.children]
-        return Element("worldbody", {}, self.root.file, 1, 0, children)
+        world = Element("body", {}, self.root.file, 1, 0, children)
+        sections = [
+            (child, section.tag)
+            for section in self.root.children
+            if section.tag in SECTIONS or section.tag == "asset"
+            for child in section.children
+        ]
+        return [*_within(world, None), *sections]
 
-    @cached_property
-    def geoms(self) -> dict[int, tuple[Element, str | None]]:
-        """Return the element and the class of each geom that can be located."""
-        bodies = self._placed
-        model = self._model
-        in_order = [geom for geoms in bodies for geom in geoms]
-        names = [model.geom(index).name for index in range(model.ngeom)]
-        if list(map(len, bodies)) == model.body_geomnum.tolist():
-            authored = [element.attributes.get("name", "") for element, _ in in_order]
-            # replicate appends to each name.
-            if all(map(str.startswith, names, authored)):
-                return dict(enumerate(in_order))
-        named = {geom[0].attributes.get("name"): geom for geom in in_order}
+    def placed(self, kind: str) -> dict[int, Placed]:
+        """Return the element and the class of each geom, joint and so on.
+
+        Elements and objects of the model are matched by order or, if the counts or the
+        names differ, by name.
+        """
+        if kind in self._placed:
+            return self._placed[kind]
+        tags = (kind, f"free{kind}")
+        placed = [
+            each
+            for each in self._in_order
+            if each[0].tag in tags or SECTIONS.get(each[1] or "") == kind
+        ]
+        count = getattr(self._model, COUNTS.get(kind, f"n{kind}"))
+        names = [getattr(self._model, kind)(index).name for index in range(count)]
+        authored = [element.attributes.get("name", "") for element, _ in placed]
+        # replicate appends to each name.
+        if len(placed) == count and all(map(str.startswith, names, authored)):
+            return dict(enumerate(placed))
+        named = dict(zip(authored, placed, strict=True))
         return {index: named[name] for index, name in enumerate(names) if name in named}
+
+    @property
+    def geoms(self) -> dict[int, Placed]:
+        """Return the element and the class of each geom that can be located."""
+        return self.placed("geom")
 
     @cached_property
     def _defaults(self) -> dict[str, list[Element]]:
@@ -191,7 +196,7 @@ class Source:
 
     def geom(self, index: int) -> Element | None:
         """Return the element of a geom."""
-        return self.geoms[index][0] if index in self.geoms else None
+        return self.find("geom", index)
 
     def option(self, attribute: str = "") -> Element | None:
         """Return the ``<option>`` that sets an attribute, or any if no one does."""
@@ -203,84 +208,30 @@ class Source:
         return authoring[-1] if authoring else None
 
     def find(self, kind: str, index: int) -> Element | None:
-        """Return the element of a body, joint, actuator, equality, tendon or keyframe.
-
-        Elements are matched by order or, if the counts differ, by name.
-        """
-        elements = self._elements.get(kind, [])
-        if len(elements) == getattr(self._model, COUNTS[kind]):
-            return elements[index]
-        name = getattr(self._model, kind)(index).name
-        named = {element.attributes.get("name"): element for element in elements}
-        return named.get(name) if name else None
-
-    @cached_property
-    def _elements(self) -> dict[str, list[Element]]:
-        """Return the elements of each kind, in the order of the model."""
-        if self.root is None or self.root.tag != "mujoco":
-            return {}
-        elements = {
-            kind: [
-                child
-                for section in self.root.sections(section_tag)
-                for child in section.children
-            ]
-            for kind, section_tag in SECTIONS.items()
-        }
-        bodies = list(_body_elements(self._world))
-        elements["body"] = bodies
-        for kind in ("joint", "site"):
-            elements[kind] = [
-                child
-                for body in bodies
-                for child, _ in _children(body, None)
-                if child.tag in (kind, f"free{kind}")
-            ]
-        elements["hfield"] = [
-            child
-            for assets in self.root.sections("asset")
-            for child in assets.sections("hfield")
-        ]
-        return elements
+        """Return the element of a body, joint, actuator, equality, tendon or so on."""
+        placed = self.placed(kind)
+        return placed[index][0] if index in placed else None
 
     def pair(self, *names: str) -> Element | None:
         """Return the ``<pair>`` that names two geoms."""
-        pairs = self._within("contact", "pair")
-        return next(
-            (
-                p
-                for p in pairs
-                if {p.attributes.get("geom1"), p.attributes.get("geom2")} == {*names}
-            ),
-            None,
-        )
-
-    def _within(self, section: str, tag: str) -> Iterator[Element]:
-        for element in self.root.sections(section) if self.root else ():
-            yield from element.sections(tag)
+        for section in self.root.sections("contact") if self.root else ():
+            for pair in section.sections("pair"):
+                ends = [pair.attributes.get(name) for name in ("geom1", "geom2")]
+                if {*ends} == {*names}:
+                    return pair
+        return None
 
 
-def _bodies(
-    element: Element, inherited: str | None
-) -> Iterator[list[tuple[Element, str | None]]]:
-    """Yield the geoms and classes of a body, then those of each body within it."""
+def _within(element: Element, inherited: str | None) -> Iterator[Placed]:
+    """Yield a body and its elements with their classes, then the bodies within it."""
+    yield element, inherited
     children = list(_children(element, element.attributes.get("childclass", inherited)))
-    yield [
-        (child, child.attributes.get("class", name))
-        for child, name in children
-        if child.tag == "geom"
-    ]
+    for child, name in children:
+        if child.tag != "body":
+            yield child, child.attributes.get("class", name)
     for child, name in children:
         if child.tag == "body":
-            yield from _bodies(child, name)
-
-
-def _body_elements(element: Element) -> Iterator[Element]:
-    """Yield a body and all bodies within it."""
-    yield element
-    for child, _ in _children(element, None):
-        if child.tag == "body":
-            yield from _body_elements(child)
+            yield from _within(child, name)
 
 
 def _children(

@@ -76,6 +76,8 @@ class Symptom:
     """The effect of the changes in words, with {} for the reading after them."""
     unit: str = ""
     """The unit of the reading, if it differs from that of the finding."""
+    goal: float = 0.0
+    """A reading that is good enough; by default a share of that without changes."""
 
 
 @dataclass
@@ -133,7 +135,8 @@ class Trials:
                 continue
             unit = symptom.unit or finding.unit
             cures.append(Cure(changes, before, after, unit, symptom.effect))
-            if after <= GOOD * before or len(cures) == MOST_CURES:
+            good = symptom.goal or GOOD * before
+            if after <= good or len(cures) == MOST_CURES:
                 break
         if symptom.needs_cure and not cures:
             return None

@@ -142,7 +142,6 @@ def friction_gain(scene: Shapes) -> Iterator[Hits]:
     """Yield a kf that is not read, is clamped, or removes the friction."""
     contacts = scene.contacts
     kf = scene.of_geoms("shape_material_kf")
-    opt = scene.option
     authored = ~np.isclose(kf, newton.ModelBuilder.ShapeConfig().kf, rtol=SAME)
     if reason := kf_unread(scene):
         unread = np.flatnonzero(authored & scene.counts)
@@ -166,21 +165,6 @@ def friction_gain(scene: Shapes) -> Iterator[Hits]:
         " the friction",
     )
     yield Hits(wording, frictionless, mu, shape=first, partner=second)
-    dmax = contacts.solimp[:, 1]
-    most = 1.0 / (
-        opt.timestep_s * contacts.weight * ((1.0 - dmax) / opt.impratio + dmax)
-    )
-    counts = authored[first] | authored[second] & ~contacts.outranked
-    hit = np.flatnonzero(
-        counts & opt.refsafe & (contacts.named < 0) & (mixed > most * (1.0 + SAME))
-    )
-    wording = Wording(
-        "kf",
-        "kf",
-        "kf $value of $shapes against $against needs a friction timeconst below two"
-        " time steps, so the engine clamps it to that of a kf of $used",
-    )
-    yield Hits(wording, hit, mixed, used=most, shape=first, partner=second)
 
 
 def kf_unread(scene: Scene) -> str:

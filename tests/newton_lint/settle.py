@@ -1,8 +1,8 @@
-"""Predicts how fast a held body creeps, from the forces on its settled contacts."""
+"""Predicts by the law how fast a held body creeps, from the forces on its contacts."""
 
 import math
 from collections import Counter, defaultdict
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
@@ -10,7 +10,6 @@ import mujoco
 import numpy as np
 from mujoco import MjData, MjModel
 
-from newton_lint.findings import Finding
 from newton_lint.law import (
     M,
     Response,
@@ -111,63 +110,6 @@ class Hold:
     def rests(self) -> bool:
         """Return whether the body moves no faster than it creeps."""
         return self.moves_mm_s <= UNSETTLED * self.mm_s + UNSETTLED_MM_S
-
-    def findings(self, scene: Scene, below_mm_s: float) -> Iterator[Finding]:
-        """Yield a finding if the body has not settled, slides or creeps too fast."""
-        touching = tuple(
-            dict.fromkeys(
-                scene.names[geom] for touch in self.touches for geom in touch.geoms
-            )
-        )
-        if not self.rests:
-            yield Finding(
-                "unsettled",
-                self.name,
-                "speed",
-                self.moves_mm_s,
-                message="$shape still moves at $value, faster than its predicted creep"
-                " of $used; give its grip more time with --settle",
-                against=touching,
-                used=self.mm_s,
-                unit="mm/s",
-                severity="note",
-            )
-        elif self.slides:
-            yield Finding(
-                "slides",
-                self.name,
-                "load",
-                self.load_n,
-                message="$shape slides because its load of $value exceeds the friction"
-                " of its contacts",
-                against=touching,
-                unit="N",
-                severity="error",
-            )
-        elif self.mm_s > below_mm_s:
-            yield Finding(
-                "creep",
-                self.name,
-                "creep",
-                self.mm_s,
-                message="$shape creeps at $value, faster than the bound of $used",
-                against=touching,
-                used=below_mm_s,
-                unit="mm/s",
-            )
-
-    def as_json(self) -> dict[str, Any]:
-        names = (
-            "load_n",
-            "point_count",
-            "mm_s",
-            "acceleration_mm_s",
-            "slides",
-            "moves_mm_s",
-        )
-        values = {"body": self.name} | {name: getattr(self, name) for name in names}
-        # JSON cannot represent infinity.
-        return values | ({"mm_s": None} if self.slides else {})
 
 
 def settled_hold(scene: Scene, target: Target, work: Work) -> Hold | None:
@@ -320,15 +262,6 @@ def _weight(scene: Scene, data: MjData, index: int) -> float:
         # An edge of the pyramid has this multiple of R and of the weight.
         weight *= model.opt.impratio / (2.0 * mu**2 * (1.0 + mu**2))
     return weight
-
-
-def weigh(scene: Scene, data: MjData) -> None:
-    """Set the weights of touching pairs to those of the engine, under diagexact."""
-    pairs = scene.pair_indices if scene.model.opt.enableflags & EXACT else {}
-    for index in range(data.ncon if pairs else 0):
-        pair = pairs.get(tuple(sorted(data.contact[index].geom.tolist())))
-        if pair is not None and data.contact[index].efc_address >= 0:
-            scene.contacts.weight[pair] = _weight(scene, data, index)
 
 
 def predicted_hold(
