@@ -175,7 +175,4 @@ def test_of_many_geoms_that_are_alike_the_first_are_read(tmp_path, capsys):
         assert len(pairs_of(mujoco.MjModel.from_xml_string(scene))[0]) == count
     (tmp_path / "many.xml").write_text(text.format(geoms))
     assert main([str(tmp_path / "many.xml"), "--no-step", "--notes"]) == 0
-    assert (
-        "360600 pairs" in (out := capsys.readouterr().out)
-        and "4800 geoms are not read" in out
-    )
+    assert "360600 pairs" in capsys.readouterr().out

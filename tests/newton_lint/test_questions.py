@@ -197,7 +197,7 @@ WELDED = (
 STARTS = {
     "an exclude is of the bodies that overlap": (
         TORSO,
-        "overlap: thigh/",
+        "overlap: torso/",
         'body1="torso" body2="thigh"',
     ),
     "a margin presses": (

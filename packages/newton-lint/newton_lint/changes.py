@@ -167,12 +167,7 @@ def of_geom(scene: Scene, geom: int, attributes: Mapping[str, str]) -> Changes:
     return (Change("geom", ids, items, subject, authored),)
 
 
-def of_contact(
-    scene: Scene,
-    pair: int,
-    solref: Solref,
-    solimp: str = "",
-) -> Changes:
+def of_contact(scene: Scene, pair: int, solref: Solref, solimp: str = "") -> Changes:
     """Return changes of the solref of a contact, on the geoms that decide it."""
     contacts = scene.contacts
     model = scene.model

@@ -20,14 +20,10 @@ from newton_lint.findings import Finding
 from newton_lint.law import EULER, M
 from newton_lint.ledger import Run, free_joints
 from newton_lint.scene import FREE, ON_JOINT, Scene
-from newton_lint.trials import THROWN_M_S, Symptom, Trials
+from newton_lint.trials import THROWN_M_S, Symptom
 
 LIMITED = 0.5
 """The solver is at its limit if this share of the samples uses all iterations."""
-DIFFERS_MM = 1.0
-"""Too few iterations are reported if more of them reduce the depth by this."""
-DIFFERS = 0.9
-"""The depth must also fall below this share."""
 OVERLAP_M = 1e-3
 """An overlap at the start is reported from this depth on."""
 OVERLAP_SHARE = 0.05
@@ -50,7 +46,7 @@ ITERATED = ("solver", "thrown", "unstable")
 """Rules that recommend more iterations if the solver is at its limit."""
 
 
-def unstable(scene: Scene, trials: Trials, run: Run) -> Iterator[Symptom]:
+def unstable(scene: Scene, run: Run) -> Iterator[Symptom]:
     """Yield a run that diverges, throws a body or does not converge."""
     model = scene.model
     opt = model.opt
@@ -102,16 +98,13 @@ def unstable(scene: Scene, trials: Trials, run: Run) -> Iterator[Symptom]:
             float(opt.iterations),
             message=f"The solver uses all $value iterations in {run.at_limit:.0%} of the"
             f" steps from {run.start.name}, so the contacts are not solved",
-            element=scene.source.option("iterations"),
         )
 
         def error(run: Run) -> float:
             return M * run.deepest_m + 10.0 * run.speeds_m_s.max(initial=0.0)
 
-        if (runs := trials.runs_with(more)) is not None:
-            after = error(runs[trials.runs.index(run)])
-            if after < min(DIFFERS * error(run), error(run) - DIFFERS_MM):
-                yield Symptom(finding, error, [more], effect="makes them converge")
+        effect = "makes them converge"
+        yield Symptom(finding, error, [more], needs_cure=True, effect=effect)
 
 
 def _calming(scene: Scene, data: MjData, limited: bool) -> Iterator[Changes]:
@@ -184,7 +177,7 @@ def is_servo(model: MjModel) -> np.ndarray:
     return on_joint & (gain > 0.0) & np.isclose(gain, -bias)
 
 
-def overlapping(scene: Scene, trials: Trials, run: Run) -> Iterator[Symptom]:
+def overlapping(scene: Scene, run: Run) -> Iterator[Symptom]:
     """Yield bodies that overlap at the start.
 
     It is a warning if they are jammed or thrown apart, otherwise a note.
@@ -241,7 +234,7 @@ def overlapping(scene: Scene, trials: Trials, run: Run) -> Iterator[Symptom]:
         if is_base:
             message += "; MuJoCo ignores this contact if the base can move"
         hard = jammed or run.bad or speed(bodies) > THROWN_M_S
-        shape, partner = (scene.names[geom] for geom in pair)
+        partner, shape = (scene.names[geom] for geom in pair)
         separation = "Lower the margin, or move" if margin else "Move"
 
         def overlap(run: Run, pair=pair) -> float:
@@ -257,7 +250,6 @@ def overlapping(scene: Scene, trials: Trials, run: Run) -> Iterator[Symptom]:
                 against=(partner,),
                 unit="mm",
                 severity="warning" if hard and not is_base else "note",
-                element=scene.source.geom(pair[1]) or scene.source.geom(pair[0]),
                 hint=f"{separation} one of them by {M * depth:.3g} mm.",
             ),
             overlap,
@@ -266,11 +258,7 @@ def overlapping(scene: Scene, trials: Trials, run: Run) -> Iterator[Symptom]:
 
 
 def _separating(
-    scene: Scene,
-    run: Run,
-    bodies: tuple[int, ...],
-    pair: tuple[int, int],
-    depth: float,
+    scene: Scene, run: Run, bodies: tuple[int, ...], pair: tuple[int, int], depth: float
 ) -> Iterator[Changes]:
     """Yield changes that remove an overlap: an exclude or another initial position.
 
@@ -293,25 +281,15 @@ def _separating(
         )
         if not len(free) or not len(row):
             continue
-        is_second = body_of_second(model, touches.geoms[row[0]], body)
+        is_second = model.geom_bodyid[touches.geoms[row[0], 1]] == body
         away = touches.normal[row[0]] * (1.0 if is_second else -1.0)
-        address = int(model.jnt_qposadr[free[0]])
         if run.start.key is None:
             root = int(model.body_rootid[body])
             place = model.body_pos[root] + (depth + 1e-4) * away
             yield of_element(scene, "body", root, pos=text_of(place))
-        else:
-            qpos = model.key_qpos[run.start.key].copy()
-            qpos[address : address + 3] += (depth + 1e-4) * away
-            yield of_element(scene, "key", run.start.key, qpos=text_of(qpos, 6))
 
 
-def body_of_second(model: MjModel, geoms: np.ndarray, body: int) -> bool:
-    """Return whether the second geom of a contact belongs to a body."""
-    return int(model.geom_bodyid[geoms[1]]) == body
-
-
-def jittering(scene: Scene, trials: Trials, run: Run) -> Iterator[Symptom]:
+def jittering(scene: Scene, run: Run) -> Iterator[Symptom]:
     """Yield the joint that vibrates most from one time step to the next."""
     model = scene.model
     if not model.nv or run.jitter.max() < JITTERS:
@@ -349,7 +327,7 @@ def jittering(scene: Scene, trials: Trials, run: Run) -> Iterator[Symptom]:
     yield Symptom(finding, lambda run: float(run.jitter.max()), ways, needs_cure=True)
 
 
-def bouncing(scene: Scene, trials: Trials, run: Run) -> Iterator[Symptom]:
+def bouncing(scene: Scene, run: Run) -> Iterator[Symptom]:
     """Yield contacts with a damping ratio below 1 that rattle or bounce wrongly."""
     contacts = scene.contacts
     first, second = contacts.solref.T
@@ -467,8 +445,6 @@ def _rattling(
             unit="mm/s",
             # A loose body may be meant to bounce.
             severity="warning" if is_finger else "note",
-            element=scene.source.authored(pair[0], "solref")
-            or scene.source.authored(pair[1], "solref"),
         ),
         rattle,
         ways,

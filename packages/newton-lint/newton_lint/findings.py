@@ -39,6 +39,8 @@ class Cure:
         for change in self.changes:
             subjects.setdefault(change.text, []).append(change.subject)
         changes = joined([f"{text} on {named(on)}" for text, on in subjects.items()])
+        if self.changes[0].kind == "exclude":
+            return f"Adding {self.changes[0].text} to <contact> {effect}{measured}"
         return f"Setting {changes} {effect or 'prevents it'}{measured}"
 
 
@@ -153,12 +155,12 @@ class Hits:
     value: np.ndarray
     used: np.ndarray | float = np.nan
     """The value that is used, one for all or one for each; NaN if there is none."""
+    advise: Callable[[int], Remedy] = lambda _: ()
+    """Returns the remedies of an item."""
     shape: np.ndarray | None = None
     """The geom of each pair, or None if the items are geoms."""
     partner: np.ndarray | None = None
     """The other geom of each pair, or None if the items are geoms."""
-    element: Callable[[int], Element | None] = lambda _: None
-    advise: Callable[[int], Remedy] = lambda _: ()
 
 
 def findings_of(hits: Hits, names: Sequence[str]) -> Iterator[tuple[Finding, Remedy]]:
@@ -180,7 +182,6 @@ def findings_of(hits: Hits, names: Sequence[str]) -> Iterator[tuple[Finding, Rem
             value=float(hits.value[entry]),
             against=tuple(names[geom] for geom in partners),
             used=None if np.isnan(used) else used,
-            element=hits.element(entry),
         )
         yield finding, hits.advise(entry)
 

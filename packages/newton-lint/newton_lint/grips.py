@@ -114,9 +114,7 @@ def hold_of(model: MjModel, sample: Sample, body: int) -> Grip | None:
     )
 
 
-def grips(
-    scene: Scene, trials: Trials, run: Run, acceleration_m_s2: float = 0.0
-) -> Iterator[Symptom]:
+def grips(scene: Scene, run: Run, acceleration_m_s2: float = 0.0) -> Iterator[Symptom]:
     """Yield bodies that creep on their support, slide out of a grip, or turn in it."""
     model = scene.model
     free = np.flatnonzero(scene.free & (model.body_weldid == np.arange(model.nbody)))
@@ -184,7 +182,6 @@ def _creeping(
             f" only {hold.used:.0%} of the friction is used",
             against=tuple(scene.names[geom] for geom in supports),
             unit="mm/s",
-            element=scene.source.option("impratio"),
         ),
         lambda run: slip_mm_s(model, run, body),
         _firmer(scene, body, supports),
@@ -430,7 +427,6 @@ def _turning(scene: Scene, run: Run, body: int, hold: Grip) -> Iterator[Symptom]
             against=tuple(scene.names[pad] for pad in pads),
             used=4.0,
             unit="°",
-            element=scene.source.authored(pads[0], "condim"),
         ),
         lambda run: turned_deg(model, run, body),
         ways,

@@ -86,8 +86,6 @@ class Touches:
     """Share of the friction cone that is used."""
     velocity_m_s: np.ndarray
     """Velocity of the second geom relative to the first [contact_count, 3]."""
-    turning_rad_s: np.ndarray
-    """Angular velocity of the second geom relative to the first [contact_count, 3]."""
 
 
 @dataclass(frozen=True)
@@ -286,7 +284,6 @@ def touches_of(model: MjModel, data: MjData) -> Touches:
         friction_n=np.einsum("ni,nij->nj", forces[:, 1:], frames[:, 1:]),
         used=load / np.maximum(forces[:, 0], mujoco.mjMINVAL),
         velocity_m_s=speeds[:, 1] - speeds[:, 0],
-        turning_rad_s=spins[:, 1] - spins[:, 0],
     )
 
 

@@ -58,7 +58,7 @@ def motions(trials: Trials, acceleration_m_s2: float = 0.0) -> list[Finding]:
         items = [
             finding
             for rule in rules
-            for symptom in rule(scene, trials, run)
+            for symptom in rule(scene, run)
             if (finding := trials.found(_noted(symptom, is_idle), index)) is not None
         ]
         for item in _without_effects(items):

@@ -35,11 +35,7 @@ class Detail:
     """Descriptions of the rules, if details are printed."""
 
 
-def written(
-    reports: Sequence[Report],
-    form: str,
-    detail: Detail = Detail(),
-) -> str:
+def written(reports: Sequence[Report], form: str, detail: Detail = Detail()) -> str:
     """Return reports in a format.
 
     Args:

@@ -27,6 +27,7 @@ LONGEST_S = 1.0
 """Range of the time step."""
 # Numbers above this have infinite squares.
 HUGE = 1e100
+KEYS = ("rule", "shape", "against", "parameter", "value", "used", "unit")
 MUJOCO_C = Engine()
 # Fields of the model with these prefixes are checked for such numbers.
 NUMBERS = ("geom_", "pair_", "body_", "dof_", "actuator_gain", "actuator_bias")
@@ -278,32 +279,18 @@ def as_json(report: Report) -> dict[str, Any]:
 
 
 def _finding_json(finding: Finding) -> dict[str, Any]:
-    names = (
-        "rule",
-        "shape",
-        "against",
-        "parameter",
-        "value",
-        "used",
-        "unit",
-    )
+    cures = [
+        vars(cure) | {"changes": _changes_json(cure.changes), "text": str(cure)}
+        for cure in finding.cures
+    ]
     return {
-        **{name: getattr(finding, name) for name in names},
+        **{name: getattr(finding, name) for name in KEYS},
         "message": sentence([finding]),
         "severity": finding.severity,
         **_location(finding.element),
         "advice": finding.advice or None,
-        "changes": _changes_json(finding.cures[0].changes) if finding.cures else [],
-        "cures": [
-            {
-                "changes": _changes_json(cure.changes),
-                "before": cure.before,
-                "after": cure.after,
-                "unit": cure.unit,
-                "text": str(cure),
-            }
-            for cure in finding.cures
-        ],
+        "changes": cures[0]["changes"] if cures else [],
+        "cures": cures,
     }
 
 

@@ -14,7 +14,7 @@ from newton_lint.ledger import Run
 from newton_lint.pairs import PLANE
 from newton_lint.scene import FREE, Scene
 from newton_lint.scene_rules import MESH
-from newton_lint.trials import Symptom, Trials
+from newton_lint.trials import Symptom
 
 WANDERS_DEG_S = 1.0
 """A body wanders if it turns faster than this while it should rest."""
@@ -26,7 +26,7 @@ BELOW_MM = 10.0
 """A part has fallen through if its centre is this deep below a plane."""
 
 
-def wandering(scene: Scene, trials: Trials, run: Run) -> Iterator[Symptom]:
+def wandering(scene: Scene, run: Run) -> Iterator[Symptom]:
     """Yield bodies that turn slowly on too few points, or on a border of two geoms."""
     model = scene.model
     static = model.body_weldid[model.geom_bodyid] == 0
@@ -75,7 +75,6 @@ def wandering(scene: Scene, trials: Trials, run: Run) -> Iterator[Symptom]:
                 f"{origin(run)} although it should rest, because {why}",
                 against=tuple(names),
                 unit="°/s",
-                element=scene.source.geom(min(own)),
                 hint=hint,
             ),
             turning,
@@ -83,7 +82,7 @@ def wandering(scene: Scene, trials: Trials, run: Run) -> Iterator[Symptom]:
         )
 
 
-def fallen(scene: Scene, trials: Trials, run: Run) -> Iterator[Symptom]:
+def fallen(scene: Scene, run: Run) -> Iterator[Symptom]:
     """Yield parts of a free robot that pass a plane because only others collide."""
     model = scene.model
     contacts = scene.contacts
@@ -122,7 +121,6 @@ def fallen(scene: Scene, trials: Trials, run: Run) -> Iterator[Symptom]:
                 " the robot do",
                 against=(scene.names[plane],),
                 unit="mm",
-                element=scene.source.geom(deepest),
             ),
             below,
             [

@@ -14,16 +14,7 @@ from newton_lint.changes import Changes, distinct, of_contact, of_geom, of_optio
 from newton_lint.findings import Finding, Hits, Remedy, Wording, findings_of
 from newton_lint.law import DEFAULT_SOLREF, clamped
 from newton_lint.scene import Scene
-from newton_lint.scene_rules import (
-    closed,
-    damped,
-    engine,
-    lost,
-    pyramid,
-    unread,
-    visual,
-)
-from newton_lint.source import Element
+from newton_lint.scene_rules import closed, damped, engine, lost, pyramid, visual
 from newton_lint.trials import Trials
 
 # Parameters that differ by less than this are equal.
@@ -57,7 +48,7 @@ def lint(scene: Scene, trials: Trials) -> list[Finding]:
             for hits in rule(scene)
             for finding, remedy in findings_of(hits, scene.names)
         ]
-    scene_rules = (lost, damped, visual, closed, pyramid, unread, engine)
+    scene_rules = (lost, damped, visual, closed, pyramid, engine)
     return findings + [
         trials.advised(finding, remedy)
         for rule in scene_rules
@@ -87,7 +78,7 @@ def solref_format(scene: Scene) -> Iterator[Hits]:
         )
         return critical(scene, int(np.flatnonzero(plain)[0]))
 
-    yield _geom_hits(scene, wording, geoms, solref[:, 1], DEFAULT_SOLREF[1], advise)
+    yield Hits(wording, geoms, solref[:, 1], DEFAULT_SOLREF[1], advise)
 
 
 def solimp(scene: Scene) -> Iterator[Hits]:
@@ -96,8 +87,7 @@ def solimp(scene: Scene) -> Iterator[Hits]:
         scene.model.geom_solimp[:, :2], mujoco.mjMINIMP, mujoco.mjMAXIMP
     ).T
     geoms = np.flatnonzero(scene.counts & (dmin > dmax))
-    yield _geom_hits(
-        scene,
+    yield Hits(
         Wording(
             "solimp",
             "solimp",
@@ -256,7 +246,7 @@ def one_sided(scene: Scene, touched: np.ndarray) -> Iterator[Hits]:
     stiff = [
         (of_higher_priority(scene, geoms), ranking) for geoms in (shape, shape[:1])
     ]
-    yield _geom_hits(scene, wording, shape, authored, stiffest, lambda _: stiff)
+    yield Hits(wording, shape, authored, stiffest, lambda _: stiff)
 
 
 def friction(scene: Scene) -> Iterator[Hits]:
@@ -271,8 +261,7 @@ def friction(scene: Scene) -> Iterator[Hits]:
         return [(of_geom(scene, geom, rank(scene)), effect)]
 
     # The compiled model does not distinguish a default from the same written number.
-    yield _geom_hits(
-        scene,
+    yield Hits(
         Wording(
             "friction",
             "friction",
@@ -353,32 +342,6 @@ def _largest(scene: Scene, pairs: np.ndarray, values: np.ndarray) -> np.ndarray:
     return largest
 
 
-def _geom_hits(
-    scene: Scene,
-    wording: Wording,
-    geoms: np.ndarray,
-    authored: np.ndarray,
-    used: np.ndarray | float,
-    advise: Advise,
-) -> Hits:
-    """Return hits of some geoms, located at the tags that set the parameter.
-
-    Args:
-        authored: The written value of each geom.
-        used: The value that the engine uses for each geom.
-    """
-    return Hits(
-        wording,
-        geoms,
-        value=authored,
-        used=used,
-        element=partial(
-            scene.source.authored, attribute=wording.parameter.partition("[")[0]
-        ),
-        advise=advise,
-    )
-
-
 def _pair_hits(
     scene: Scene,
     wording: Wording,
@@ -387,21 +350,13 @@ def _pair_hits(
     used: np.ndarray | float,
     advise: Advise,
 ) -> Hits:
-    """Return hits of some pairs, located at the solref of the stiffer geom."""
+    """Return hits of some pairs, with the stiffer geom first."""
     contacts = scene.contacts
     timeconst = scene.model.geom_solref[:, 0]
     swap = (
         timeconst[contacts.second] < timeconst[contacts.first]
     ) & ~contacts.outranked
     shape = np.where(swap, contacts.second, contacts.first)
-
-    def element(pair: int) -> Element | None:
-        is_named = contacts.named[pair] >= 0
-        return (
-            scene.pair_element(pair)
-            if is_named
-            else scene.source.authored(int(shape[pair]), "solref")
-        )
 
     return Hits(
         wording,
@@ -410,6 +365,5 @@ def _pair_hits(
         used=used,
         shape=shape,
         partner=np.where(swap, contacts.first, contacts.second),
-        element=element,
         advise=advise,
     )

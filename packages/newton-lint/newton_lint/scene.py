@@ -16,7 +16,6 @@ from newton_lint.warp_engine import has_noslip
 FREE = int(mujoco.mjtJoint.mjJNT_FREE)
 HINGE = int(mujoco.mjtJoint.mjJNT_HINGE)
 ON_JOINT = int(mujoco.mjtTrn.mjTRN_JOINT)
-ELLIPTIC = int(mujoco.mjtCone.mjCONE_ELLIPTIC)
 WEIGHTLESS = int(mujoco.mjtDisableBit.mjDSBL_GRAVITY)
 
 
@@ -103,6 +102,14 @@ class Scene:
             geom if owner in ("", geom) else f"{owner}/{geom}"
             for owner, geom in zip(owners, geoms, strict=True)
         ]
+
+    def place(self, name: str) -> Element | None:
+        """Return the element of a geom or a body with a name, or None."""
+        if name in self.names:
+            return self.source.geom(self.names.index(name))
+        if name in self.bodies:
+            return self.source.find("body", self.bodies.index(name))
+        return None
 
     @cached_property
     def pair_indices(self) -> dict[tuple[int, int], int]:

@@ -8,15 +8,13 @@ import numpy as np
 
 from newton_lint.changes import of_element, of_geom, of_option
 from newton_lint.findings import Finding, Remedy
-from newton_lint.pairs import MOST_PAIRS, OFF, read
+from newton_lint.pairs import OFF, read
 from newton_lint.scene import FREE, WEIGHTLESS, Scene
 from newton_lint.warp_engine import refusal
 
 # Bodies sink visibly into a pyramidal cone from this friction on: 2 mm at 3, 100 mm at
 # 8.
 STEEP = 3.0
-# Bodies that are farther from every other geom than this hang in the air.
-NEAR_M = 1e-3
 # Visual geoms are reported if they make a body this many times as heavy.
 HEAVIER = 1.7
 # A mass counts as doubled if its ratio differs from 2 by less than this.
@@ -218,24 +216,6 @@ def pyramid(scene: Scene) -> Iterator[Found]:
             " pyramidal cone, so bodies sink and creep more",
         )
         yield finding, remedy
-
-
-def unread(scene: Scene) -> Iterator[Found]:
-    """Yield the number of geoms that are not read because there are too many pairs."""
-    count = np.count_nonzero(
-        scene.model.geom_contype | scene.model.geom_conaffinity
-    ) - len(read(scene.model))
-    if count:
-        finding = _scene_finding(
-            scene,
-            "unread",
-            "geoms",
-            float(count),
-            message="$value geoms are not read because the scene has more than"
-            f" {MOST_PAIRS:,} pairs; the findings cover a regular sample of the geoms",
-            severity="note",
-        )
-        yield finding, ()
 
 
 def engine(scene: Scene) -> Iterator[Found]:

@@ -12,13 +12,8 @@ from newton_lint.failures import is_servo, origin
 from newton_lint.findings import Finding
 from newton_lint.ledger import Run
 from newton_lint.scene import HINGE, Scene
-from newton_lint.trials import Symptom, Trials
-from newton_lint.yielding import (
-    COUPLINGS,
-    equality_unit,
-    past,
-    scale,
-)
+from newton_lint.trials import Symptom
+from newton_lint.yielding import COUPLINGS, equality_unit, past, scale
 
 LEAVES = 3.0
 """A start is reported if a motion of this speed begins there [m/s or rad/s]."""
@@ -49,7 +44,7 @@ def fastest(run: Run) -> float:
     return math.inf if run.bad else float(max(speeds))
 
 
-def leaving(scene: Scene, trials: Trials, run: Run) -> Iterator[Symptom]:
+def leaving(scene: Scene, run: Run) -> Iterator[Symptom]:
     """Yield a keyframe without ctrl or act, whose servos pull their joints to 0."""
     model = scene.model
     key = run.start.key
@@ -90,7 +85,7 @@ def leaving(scene: Scene, trials: Trials, run: Run) -> Iterator[Symptom]:
     yield Symptom(finding, fastest, [way], needs_cure=True)
 
 
-def misled(scene: Scene, trials: Trials, run: Run) -> Iterator[Symptom]:
+def misled(scene: Scene, run: Run) -> Iterator[Symptom]:
     """Yield servos of hinges whose targets are in degrees."""
     model = scene.model
     ctrl = run.start.data(model).ctrl
@@ -129,7 +124,7 @@ def misled(scene: Scene, trials: Trials, run: Run) -> Iterator[Symptom]:
         yield Symptom(finding, read, [changes])
 
 
-def torn(scene: Scene, trials: Trials, run: Run) -> Iterator[Symptom]:
+def torn(scene: Scene, run: Run) -> Iterator[Symptom]:
     """Yield equalities that are open at the start, and snap shut."""
     model = scene.model
     data = run.start.data(model)

@@ -143,7 +143,8 @@ class Trials:
         if finding.rule in DOUBTFUL and not cures:
             finding = replace(finding, severity="note")
         cures.sort(key=lambda cure: (cure.after or 0.0) > GOOD * before)
-        return replace(finding, cures=tuple(cures))
+        element = finding.element or self.scene.place(finding.shape)
+        return replace(finding, cures=tuple(cures), element=element)
 
     def advised(self, finding: Finding, remedy: Remedy) -> Finding:
         """Return a finding with the changes that do no harm from any start."""
@@ -155,7 +156,12 @@ class Trials:
             runs = self.runs_with(changes) if self.runs else []
             if runs is not None and not harm(self.runs, runs, [finding.rule]):
                 cures.append(Cure(changes, effect=effect))
-        return replace(finding, cures=tuple(cures), hint=" ".join(hints))
+        elements = [changes[0].element for changes, _ in remedy if changes]
+        element = finding.element or next(iter(elements), None)
+        element = element or self.scene.place(finding.shape)
+        return replace(
+            finding, cures=tuple(cures), hint=" ".join(hints), element=element
+        )
 
 
 def harm(before: Sequence[Run], after: Sequence[Run], rules: Collection[str]) -> str:

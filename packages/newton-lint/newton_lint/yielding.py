@@ -24,7 +24,7 @@ from newton_lint.law import DEFAULT_SOLREF, M
 from newton_lint.ledger import Run, Sample
 from newton_lint.pairs import HFIELD, PLANE
 from newton_lint.scene import HINGE, ON_JOINT, Scene
-from newton_lint.trials import Read, Symptom, Trials
+from newton_lint.trials import Read, Symptom
 
 LEAST = 1.0
 """Least depth, distance or angle that is reported [mm or °]."""
@@ -75,7 +75,7 @@ def stiffest(scene: Scene) -> str:
     return f"{2.0 * scene.option.timestep_s:.3g} 1"
 
 
-def depths(scene: Scene, trials: Trials, run: Run) -> Iterator[Symptom]:
+def depths(scene: Scene, run: Run) -> Iterator[Symptom]:
     """Yield geoms that sink by a millimetre or by a share of their thickness."""
     model = scene.model
     contacts = scene.contacts
@@ -133,7 +133,6 @@ def depths(scene: Scene, trials: Trials, run: Run) -> Iterator[Symptom]:
                 severity="warning"
                 if ((severe and rests) or depth > sizes[thin]) and depth > 2.0 * first
                 else "note",
-                element=scene.source.geom(thin),
             ),
             read,
             list(_stiffening(scene, contact, depth, sunk)),
@@ -209,7 +208,7 @@ def elliptic(scene: Scene, impratio: float = 0.0) -> Changes:
     return of_option(scene, **attributes)
 
 
-def limits(scene: Scene, trials: Trials, run: Run) -> Iterator[Symptom]:
+def limits(scene: Scene, run: Run) -> Iterator[Symptom]:
     """Yield joints and tendons that have a range, with the distance beyond it."""
     model = scene.model
     solref = f"{max(0.005, 2.0 * model.opt.timestep):.3g} 1"
@@ -295,7 +294,7 @@ def equality_unit(model: MjModel, equality: int) -> str:
     return "°" if kind == "joint" and model.jnt_type[joint] == HINGE else "mm"
 
 
-def equalities(scene: Scene, trials: Trials, run: Run) -> Iterator[Symptom]:
+def equalities(scene: Scene, run: Run) -> Iterator[Symptom]:
     """Yield equalities with their gap; for a weld, this is the translational gap."""
     model = scene.model
     for equality in run.samples[-1].gaps:
@@ -341,7 +340,7 @@ def _centre(values: np.ndarray, late: int) -> float:
     return 0.25 * (before + 2.0 * last + after)
 
 
-def servos(scene: Scene, trials: Trials, run: Run) -> Iterator[Symptom]:
+def servos(scene: Scene, run: Run) -> Iterator[Symptom]:
     """Yield servos that gravity pulls from their targets."""
     model = scene.model
     ctrl = run.start.data(model).ctrl.copy()
@@ -392,7 +391,7 @@ def _ancestors(model: MjModel, body: int) -> Iterator[int]:
         body = int(model.body_parentid[body])
 
 
-def sagging(scene: Scene, trials: Trials, run: Run) -> Iterator[Symptom]:
+def sagging(scene: Scene, run: Run) -> Iterator[Symptom]:
     """Yield joints that creep although their friction exceeds the load."""
     model = scene.model
     data = run.data
@@ -448,7 +447,7 @@ def sagging(scene: Scene, trials: Trials, run: Run) -> Iterator[Symptom]:
         )
 
 
-def passing(scene: Scene, trials: Trials, run: Run) -> Iterator[Symptom]:
+def passing(scene: Scene, run: Run) -> Iterator[Symptom]:
     """Yield geoms that pass through a plate that a thicker one would stop."""
     model = scene.model
     contacts = scene.contacts
@@ -491,7 +490,6 @@ def passing(scene: Scene, trials: Trials, run: Run) -> Iterator[Symptom]:
             against=(scene.names[wall],),
             unit="mm",
             severity="error",
-            element=scene.source.geom(wall),
             hint="Use a thicker plate or a softer drive.",
         )
         # The thickness of a mesh, or of a model without a file, cannot be tried.
@@ -538,7 +536,7 @@ def _crossing(
     return crossing
 
 
-def crowded(scene: Scene, trials: Trials, run: Run) -> Iterator[Symptom]:
+def crowded(scene: Scene, run: Run) -> Iterator[Symptom]:
     """Yield height fields with more cells under a geom than a pair has contacts."""
     model = scene.model
     if not model.nhfield:
@@ -566,7 +564,6 @@ def crowded(scene: Scene, trials: Trials, run: Run) -> Iterator[Symptom]:
                 message="$shape sinks through $against because it touches more cells"
                 " than the $value contacts that MuJoCo makes for a pair",
                 against=(scene.names[field],),
-                element=scene.source.geom(field),
                 hint=f'Use larger cells, such as nrow="{nrow}" ncol="{ncol}".',
             )
             way = of_element(scene, "hfield", asset, nrow=str(nrow), ncol=str(ncol))
