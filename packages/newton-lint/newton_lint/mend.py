@@ -17,7 +17,7 @@ from newton_lint.ledger import Run
 from newton_lint.report import Report, Request, report_of
 from newton_lint.source import Texts, parse
 from newton_lint.target import Target, TargetError, compiled, read_target, tried
-from newton_lint.trials import MENDS, harm
+from newton_lint.trials import MENDS, MOVING, harm
 
 # At most this many changes are tried in one pass.
 MOST_TRIES = 40
@@ -91,7 +91,9 @@ class Mending:
             severe = item.severity == "error" or finding.severity != "error"
             if item.severity != "note" and _key(item) not in known and severe:
                 return f"it causes another finding: {item.rule} {item.shape}".rstrip()
-        reason = harm(self.report.runs, report.runs, [finding.rule])
+        # A change that makes bodies faster is recommended, but not written.
+        rules = [finding.rule] if finding.rule not in MOVING else []
+        reason = harm(self.report.runs, report.runs, rules)
         if reason := reason or self._harm_elsewhere(texts, finding.rule):
             return reason
         self.texts = texts

@@ -49,9 +49,9 @@ FREES = (
     "solver",
 )
 """Rules on simulations that are only cheap because they are wrong."""
-MOVING = ("damping", "friction", "bounce", "thrown")
+MOVING = ("friction", "bounce", "thrown")
 """Rules whose changes make bodies faster, as their parameters were meant to do."""
-SINKING = ("tunnel", "slides", "damping", "through")
+SINKING = ("tunnel", "slides", "through", "damping")
 """Rules on bodies that may touch something only after the change."""
 WRITTEN = ("lost", "pyramid", "solref-format", "dampratio", "stiff", "one-sided")
 """Rules whose changes let contacts be as soft as they are written."""

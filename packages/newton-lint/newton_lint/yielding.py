@@ -103,6 +103,9 @@ def depths(scene: Scene, run: Run) -> Iterator[Symptom]:
         bodies = model.geom_bodyid[list(pair)].tolist()
         thin, partner = sorted(pair, key=lambda geom: sizes[geom])
         least = min(LEAST, THIN * 2.0 * sizes[thin])
+        # A body that moves sinks into one that does not.
+        is_static = model.body_weldid[model.geom_bodyid[[thin, partner]]] == 0
+        shape, partner = (partner, thin) if is_static[0] else (thin, partner)
         lies = scene.free[bodies].sum() == 1 and model.body_weldid[bodies].min() == 0
         first = M * run.first.get(pair, 0.0)
         if depth <= least or (depth < 2.0 * first and not lies):
@@ -123,7 +126,7 @@ def depths(scene: Scene, run: Run) -> Iterator[Symptom]:
         yield Symptom(
             Finding(
                 "depth",
-                scene.names[thin],
+                scene.names[shape],
                 "depth",
                 depth,
                 message=f"$shape sinks $value into $against {when(run, *bodies)}"
