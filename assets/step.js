@@ -52,7 +52,7 @@ function begin(place, columns) {
   const input = document.querySelector("#step-ms");
   const contacts = document.querySelector("#step-contacts");
   const output = document.querySelector("#step-slip");
-  for (const { name } of others) contacts.append(new Option(name.replace(" [mm]", "")));
+  for (const { name } of others) contacts.append(new Option(name.replace("slip, ", "").replace(" [mm]", "")));
   contacts.selectedIndex = Number(contacts.dataset.default);
   const code = [...document.querySelectorAll("main pre code")].find((block) => block.textContent.includes("shape_material_kd"));
   const original = code?.textContent;

@@ -3,6 +3,14 @@
 from report.sections import step_cost, time_step
 from report.shared import Quantity, Row, Sections, Table, table_of
 
+NAMES = {
+    "newton-elliptic": "Newton, elliptic",
+    "newton-pyramidal": "Newton, pyramidal",
+    "mujoco-elliptic": "MuJoCo, elliptic",
+    "mujoco-pyramidal": "MuJoCo, pyramidal",
+}
+"""Source of the contacts and friction cone, by setting of section time_step."""
+
 
 def table(sections: Sections) -> Table | None:
     """Make a table with a line for each step, or return None if it was not measured."""
@@ -19,11 +27,13 @@ def table(sections: Sections) -> Table | None:
     gentle = [runs.get((time_step.PYRAMIDAL, count)) for count in counts]
     columns: dict[str, list] = {
         "kd": [row.pad_kd for row in pads],
-        "ke, elliptic cone": [row.pad_ke for row in pads],
-        "ke, pyramidal cone": [row.pad_ke if row else "" for row in gentle],
+        "ke, elliptic": [row.pad_ke for row in pads],
+        "ke, pyramidal": [row.pad_ke if row else "" for row in gentle],
     }
-    for setting, name in time_step.SETTINGS.items():
-        columns[name] = [_slip(runs.get((setting, count))) for count in counts]
+    for setting, name in NAMES.items():
+        columns[f"slip, {name}"] = [
+            _slip(runs.get((setting, count))) for count in counts
+        ]
     columns["run time"] = [ratios.get(count, "") for count in counts]
     return table_of("step", [row.substep_ms for row in pads], columns)
 
