@@ -6,6 +6,7 @@ from functools import partial
 
 from report.sections import step_cost
 from report.shared import (
+    FRAME_RATE,
     HOLDS,
     MS_PER_S,
     TIMED_WORLDS,
@@ -26,6 +27,7 @@ from report.shared import (
     at_most,
     cell_count,
     combined,
+    constant,
     decided,
     departure,
     greater,
@@ -80,6 +82,7 @@ MOST_SUBSTEPS = 32  # chosen: with more substeps, rounding decides the slip
 ELLIPTIC = (NEWTON, "mujoco-elliptic")
 PYRAMIDAL = "newton-pyramidal"
 SHIPPED_SUBSTEPS = 16
+FRAME_MS = constant(1e3 / FRAME_RATE, "ms")
 FOLLOWED = 0.9  # chosen: the share of the runs that have to follow the law
 REMEDIES = {
     (NEWTON, "shipped"): ("shipped pads", SHIPPED, "o"),
@@ -107,6 +110,14 @@ class Ladder:
 
     def row(self, setting: str, pads: str, substeps: int) -> Row:
         return self.rows[setting, pads, substeps]
+
+    def step(self, substeps: int) -> Quantity:
+        """Return the length of a step [ms], which follows from the number of substeps."""
+        name = f"step_{substeps}"
+        count = self.row(NEWTON, RULE, substeps).substeps
+        return self.results.derived.get(name) or self.results.value(
+            name, "length of a frame divided by its substeps", FRAME_MS / count
+        )
 
     def slip(self, setting: str, pads: str, substeps: int) -> Quantity:
         return self.row(setting, pads, substeps).slip_mm
@@ -212,8 +223,8 @@ def _halves(results: Results, ladder: Ladder) -> Claim:
         "halves",
         at_least(least, 1.6, "nearly half"),
         {
-            "long": first.substep_ms,
-            "short": last.substep_ms,
+            "long": ladder.step(counts[0]),
+            "short": ladder.step(counts[-1]),
             "before": first.slip_mm,
             "after": last.slip_mm,
         },
@@ -235,20 +246,22 @@ def _shipped(results: Results, ladder: Ladder) -> Claim:
         {
             "shipped": shipped.slip_mm,
             "rule": rule.slip_mm,
-            "step": shipped.substep_ms,
+            "step": ladder.step(SHIPPED_SUBSTEPS),
         },
     )
 
 
 def _finest(ladder: Ladder) -> Claim:
     """Test whether the shortest step is worse than the next one."""
-    *_, before, last = (ladder.row(NEWTON, RULE, count) for count in ladder.substeps())
+    *_, next_count, count = ladder.substeps()
+    before = ladder.row(NEWTON, RULE, next_count)
+    last = ladder.row(NEWTON, RULE, count)
     return _claim(
         "finest",
         greater(last.slip_mm, before.slip_mm),
         {
-            "short": last.substep_ms,
-            "next": before.substep_ms,
+            "short": ladder.step(count),
+            "next": ladder.step(next_count),
             "after": last.slip_mm,
             "before": before.slip_mm,
         },
@@ -264,7 +277,7 @@ def _pyramid(ladder: Ladder) -> Claim:
         "pyramid",
         greater(rule.slip_mm, gentle.slip_mm),
         {
-            "step": rule.substep_ms,
+            "step": ladder.step(count),
             "rule": rule.slip_mm,
             "gentle": gentle.slip_mm,
         },
@@ -277,18 +290,16 @@ def _fixed_pads(ladder: Ladder) -> Claim:
         ladder.row(NEWTON, "stiff", n) for n in (SHIPPED_SUBSTEPS, 4 * SHIPPED_SUBSTEPS)
     ]
     shipped, short = rows
-    rule = ladder.row(NEWTON, RULE, 4 * SHIPPED_SUBSTEPS)
     return _claim(
         "fixed_pads",
         greater(short.slip_mm, shipped.slip_mm),
         {
             "ke": shipped.pad_ke,
             "kd": shipped.pad_kd,
-            "step": shipped.substep_ms,
-            "short": short.substep_ms,
+            "step": ladder.step(SHIPPED_SUBSTEPS),
+            "short": ladder.step(4 * SHIPPED_SUBSTEPS),
             "before": shipped.slip_mm,
             "after": short.slip_mm,
-            "rule": rule.slip_mm,
         },
     )
 
@@ -319,8 +330,8 @@ def _follows(results: Results, ladder: Ladder, laws: dict) -> Claim:
         at_most(most, 10.0, "a prediction that one can use").having_read(*slips),
         {
             "most": most,
-            "long": ladder.row(NEWTON, RULE, ladder.usual()[0]).substep_ms,
-            "short": ladder.row(NEWTON, RULE, ladder.usual()[-1]).substep_ms,
+            "long": ladder.step(ladder.usual()[0]),
+            "short": ladder.step(ladder.usual()[-1]),
             "count": results.value(
                 "law_count", "runs that were compared", cell_count(slips)
             ),
@@ -354,7 +365,7 @@ def _margin(results: Results, ladder: Ladder) -> Claim:
         return results.value(name, formula, cell)
 
     rows = [ladder.row(NEWTON, RULE, count) for count in counts]
-    outcome = decided(all(held[RULE]), *(row.substep_ms for row in rows))
+    outcome = decided(all(held[RULE]), *(row.substeps for row in rows))
     outcome = outcome.having_read(*(row.slip_mm for row in rows))
     return _claim(
         "margin",
@@ -370,8 +381,8 @@ def _margin(results: Results, ladder: Ladder) -> Claim:
                 lost[:1],
                 "smallest ke relative to the rule with which a run loses it",
             ),
-            "long": rows[0].substep_ms,
-            "short": rows[-1].substep_ms,
+            "long": ladder.step(counts[0]),
+            "short": ladder.step(counts[-1]),
         },
     )
 
@@ -397,10 +408,13 @@ def _fine(results: Results, ladder: Ladder) -> Claim:
     ratio = step_cost.ratios(others).get(counts[0], unmeasured)
     return _claim(
         "fine",
-        at_most(row.slip_mm, bound),
+        all_of(
+            at_most(row.slip_mm, bound),
+            at_most(ratio, 10.0, "a price that may be worth it"),
+        ),
         {
             "substeps": row.substeps,
-            "step": row.substep_ms,
+            "step": ladder.step(counts[0]),
             "ke": row.pad_ke,
             "kd": row.pad_kd,
             "slip": row.slip_mm,

@@ -22,8 +22,6 @@ GIVEN = {
             {},
             {
                 "doubled": 1.95,
-                "fourth_1": 0.3,
-                "fourth_16384": 0.5,
                 "proportional": "holds",
                 "resolution": 1,
             },
