@@ -1,4 +1,4 @@
-"""Altered results: the report as it would be if something else had been measured."""
+"""Alter the tracked results as if something else had been measured."""
 
 import re
 import shutil
@@ -31,15 +31,15 @@ from tests.perturbed import load_trace_once
 MOTION = re.compile(
     r"(total_|creep_)?(slip|drift|wander|oscillation|increment|creep|displacement|along)_.*|[xyz]_mm"
 )
-"""Columns of how the cube moves in the grasp."""
+"""Columns that measure the motion of the cube in the grasp."""
 SIGNED = re.compile(
     r"(total_)?(drift|along)_.*|increment_(mean|last)_mm|creep_[xyz]_mm_s|[xyz]_mm"
 )
-"""Those of them that say in which direction."""
+"""Columns of motion whose sign is a direction."""
 PERCENTILE = re.compile("_p(5|95)$")
 FAILURE = "the state was not finite in frame 300"
 SHARE = 0.1
-"""Of the rows so many fail."""
+"""Share of the rows that fail."""
 
 Row = dict[str, Any]
 Place = tuple[str, str]
@@ -53,17 +53,17 @@ def as_measured(records: Records, place: Place) -> list[Row]:
 
 @dataclass(frozen=True)
 class Scenario:
-    """What is measured otherwise in it."""
+    """Describes how the measurements differ from the tracked ones."""
 
     name: str
     rows: Callable[[Records, Place], list[Row]] = as_measured
-    """The rows of one record."""
+    """Changes the rows of one record."""
     frame: Callable[[Path, pd.DataFrame], pd.DataFrame] = lambda path, frame: frame
-    """A trace, by its tracked file."""
+    """Changes a trace, given its tracked file."""
 
 
 def measured(row: Row) -> dict[str, float]:
-    """The numbers of a row that nobody chose."""
+    """Return the numbers of a row except settings."""
     return {
         column: value
         for column, value in row.items()
@@ -74,7 +74,10 @@ def measured(row: Row) -> dict[str, float]:
 def changed(
     rows: Sequence[Row], section: str, change: Callable[[str, float], float]
 ) -> list[Row]:
-    """Rows with their measured numbers changed; how far apart runs of one case are stays as it was."""
+    """Return rows with changed numbers.
+
+    The differences between runs of one case stay the same.
+    """
     found = []
     for row, mean in zip(rows, _means(rows, section), strict=True):
         middles = {
@@ -99,7 +102,9 @@ def _sized(column: str, value: float) -> float:
 
 
 def _means(rows: Sequence[Row], section: str) -> list[dict[str, float]]:
-    """For each run of the section on noise the means of the runs of its case; for runs of others none."""
+    """Return the means of each case for its runs in the section on noise, and an empty
+    mapping for other runs.
+    """
     if section != "noise":
         return [{}] * len(rows)
     cells: dict[tuple[str, str], list[float]] = {}
@@ -115,7 +120,7 @@ def _means(rows: Sequence[Row], section: str) -> list[dict[str, float]]:
 
 
 def moving(name: str, factor: float) -> Scenario:
-    """The cube moves so many times as much."""
+    """Multiply the motion of the cube by a factor."""
 
     def moved(column: str, value):
         if not MOTION.fullmatch(column):
@@ -141,8 +146,11 @@ def _moved(
 
 
 def reversed_rows(records: Records, place: Place) -> list[Row]:
-    """What was large is small and the other way round: motion about the middle of shipped and stiff pads, on a
-    logarithmic scale, and any other number about the middle of its column."""
+    """Exchange large and small numbers.
+
+    Motion is reflected at the middle of shipped and stiff pads on a logarithmic scale,
+    and any other number at the middle of its column.
+    """
     shipped, stiff = (
         measured(row) for row in records[place[0], "reproduction"].rows[:2]
     )
@@ -173,7 +181,9 @@ def reversed_rows(records: Records, place: Place) -> list[Row]:
 
 
 def _with_ends_turned(row: Row, before: Row) -> Row:
-    """Percentiles in their order, what is counted of either kind of pads exchanged, and what failed passed."""
+    """Sort percentiles, exchange the counts of both kinds of pads, and make failed runs
+    pass.
+    """
     found = dict(row)
     for column in row:
         if column.endswith("_p5") and is_number(row[column]):
@@ -203,7 +213,9 @@ def reversed_frame(path: Path, frame: pd.DataFrame) -> pd.DataFrame:
 
 
 def noisier(name: str, times: float) -> Scenario:
-    """Runs of one case are so many times as far apart, and so are a run's frames; ratios are known as badly."""
+    """Multiply the differences between runs of one case and between the frames of a run
+    by a factor. The noise of ratios grows by the same factor.
+    """
 
     def rows(records: Records, place: Place) -> list[Row]:
         found = records[place].rows
@@ -234,7 +246,7 @@ def _farther(row: Row, mean: Row, times: float) -> Row:
 
 
 def failing(records: Records, place: Place) -> list[Row]:
-    """A tenth of the runs fail."""
+    """Make a tenth of the runs fail."""
     chance = Random(f"0 {place[1]}")
     return [
         failed(row) if chance.random() < SHARE else row
@@ -243,7 +255,7 @@ def failing(records: Records, place: Place) -> list[Row]:
 
 
 def lacking(records: Records, place: Place) -> list[Row]:
-    """Each record lacks a row."""
+    """Remove a row from each record."""
     rows = as_measured(records, place)
     lost = Random(place[1]).randrange(len(rows))
     return [*rows[:lost], *rows[lost + 1 :]] or rows
@@ -275,7 +287,7 @@ SCENARIOS = (
     Scenario("lacking", lacking),
 )
 CHECKED = "reversed"
-"""The scenario whose site is built, with that of the newest release."""
+"""Scenario whose site is built, with the scenario of the newest release."""
 NEWEST = [release for release in Project(own_release()).releases if "+" not in release][
     -1
 ]
@@ -301,7 +313,9 @@ def tracked_records() -> Records:
 def project_of(
     scenario: Scenario, releases: Sequence[str], without: Place | None = None
 ) -> Iterator[Project]:
-    """A project that has a scenario's results of some releases, but for one record."""
+    """Return a project with the results of a scenario for some releases, except one
+    record.
+    """
     own, records = Project(own_release()), tracked_records()
     with TemporaryDirectory() as folder:
         project = Project(own.release, root=Path(folder))
@@ -332,12 +346,12 @@ def project_of(
 
 
 TEMPLATES = Templates(ROOT / "templates")
-"""Of all scenarios, each parsed once."""
+"""Return the results of all scenarios, and parse each file once."""
 CLAIM = re.compile(r'data-claim="([^"]*)" data-outcome="([^"]*)"( data-opposite)?')
 
 
 def text_of(editions: Mapping[str, Edition], release: str) -> str:
-    """Return the text of all pages of the release, in which no section is lost."""
+    """Return the text of all pages of the release, which must have all sections."""
     lost = [state for state in editions[release].left_out if state.kind != "missing"]
     assert not lost, f"lost: {[state.notes for state in lost]}"
     pages = contents(editions, TEMPLATES, release)
@@ -354,7 +368,9 @@ def outcomes_in(text: str) -> dict[str, str]:
 
 @cache
 def said(scenario: Scenario) -> tuple[dict[str, str], list[str]]:
-    """What claims of the own release say in a scenario, and what a check of its site, without drawings, finds."""
+    """Return the outcomes of the release's claims in a scenario, and the faults of its
+    site without drawings.
+    """
     own = own_release()
     releases = [own, NEWEST] if scenario.name == CHECKED else [own]
     # Most of the time goes into drawings.

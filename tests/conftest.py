@@ -1,4 +1,4 @@
-"""The report of these tests is this repository's."""
+"""Provide this repository's report to the tests."""
 
 import os
 import shutil
@@ -53,7 +53,9 @@ needs_boxes_in_c = pytest.mark.skipif(
     INSTALLED["mujoco"].startswith("3.11."),
     reason="MuJoCo 3.11 in C finds contacts 75 mm deep between boxes that are 30 mm apart",
 )
-"""For a shake through MuJoCo's C engine. Release 1.5 comes with it; seen in fixed_scene.py, as the hand comes down."""
+"""Marks a test of the shake in MuJoCo's C engine, which does not work with the MuJoCo
+of release 1.5. The error was observed with fixed_scene.py while the hand moves down.
+"""
 SOURCES = (
     "packages",
     "experiments",
@@ -87,12 +89,15 @@ LONGEST = (
     "tests/experiments/simulation/test_simulation.py",
     "tests/experiments/test_stability.py",
 )
-"""Files whose tests take longest. The first one compiles the kernels and builds the tracked
-site, which the next six do not need."""
+"""Files with the slowest tests.
+
+The first file compiles the kernels and builds the tracked site, which the next six do
+not need.
+"""
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Begin with the files that take longest, so that no process ends long after the others."""
+    """Begin with the slowest files, so that no process ends long after the others."""
     ranks = {ROOT / name: rank for rank, name in enumerate(LONGEST)}
     items.sort(key=lambda item: ranks.get(item.path, len(ranks)))
     for item in items:
@@ -102,7 +107,9 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
 
 @pytest.fixture(scope="session")
 def kernels(tmp_path_factory) -> None:
-    """Those of the scene, compiled once for all processes of this run of the tests."""
+    """Return the kernels of the scene, compiled once for all processes of this run of
+    the tests.
+    """
 
     def make(_: Path) -> None:
         from experiments.simulation.host import compile_first
@@ -114,9 +121,10 @@ def kernels(tmp_path_factory) -> None:
 
 @pytest.fixture(scope="session")
 def site(tmp_path_factory) -> Path:
-    """The site of what is tracked, apart from the checkout's own; what did not change since is derived and drawn once.
+    """Build the site of the tracked results in a folder outside the checkout.
 
-    That an entry of the cache is only ever read where all is as it was ``findings/test_cache.py`` tests.
+    Unchanged parts are derived and drawn once. ``findings/test_cache.py`` tests that
+    entries of the cache are read only if all of their sources are unchanged.
     """
 
     def make(root: Path) -> None:
@@ -145,7 +153,7 @@ def site(tmp_path_factory) -> Path:
 
 @pytest.fixture(scope="session")
 def editions(site) -> Mapping[str, Edition]:
-    """What the tracked results of every release make, as it was kept when their site was built."""
+    """Return the derived results of every release from the cache of their site."""
     project = Project(own_release(), root=site.parent)
     with cached_sources():
         return worded_editions(project, Templates(project.templates))
@@ -156,14 +164,16 @@ read_once = cache(read_replica)
 
 @pytest.fixture(scope="module")
 def unchanged() -> Iterator[None]:
-    """Mark tests of which none changes a source or a replica: each replica is read once."""
+    """Mark tests that change neither sources nor replicas, so that each replica is read
+    once.
+    """
     with mock.patch.object(replicas, "read_replica", read_once):
         yield
 
 
 @pytest.fixture
 def toy(tmp_path, monkeypatch) -> Iterator[Toy]:
-    """A section of this report, whose others are there as well."""
+    """Return a function that derives a section of this report among all others."""
     monkeypatch.setattr(
         sys, "dont_write_bytecode", True
     )  # a file changes here within the second that a cache tells
@@ -185,7 +195,7 @@ def toy(tmp_path, monkeypatch) -> Iterator[Toy]:
 
 @pytest.fixture(scope="session")
 def poses_path(tmp_path_factory) -> Path:
-    """A copy of the tracked record of section poses, with its traces."""
+    """Return a copy of the tracked record of section poses with its traces."""
     results = tmp_path_factory.mktemp("project") / f"results/newton-{own_release()}"
     results.mkdir(parents=True)
     for path in Project(own_release()).results.glob("poses.*"):
@@ -194,7 +204,7 @@ def poses_path(tmp_path_factory) -> Path:
 
 
 def tracked_mm(folder: Path, case: str, frame_count: int) -> float:
-    """How far a tracked run had slipped after so many frames."""
+    """Return how far a tracked run has slipped after a number of frames."""
     from experiments.simulation.measurement import (
         SETUP_FRAME_COUNT,  # most tests need no simulator
     )
@@ -206,10 +216,10 @@ def tracked_mm(folder: Path, case: str, frame_count: int) -> float:
 def contents(
     editions: Mapping[str, Edition], templates: Templates, release: str
 ) -> list[Content]:
-    """The pages of one release as they are without a site."""
+    """Return the pages of one release as they are rendered without a site."""
     return contents_of(editions, release, templates)
 
 
 def undrawn(parts: Sequence[Prose]) -> str:
-    """The words of some parts, with their titles."""
+    """Return the texts of some parts with their titles."""
     return "".join(f"<h2>{part.title}</h2>{part.body}" for part in parts)

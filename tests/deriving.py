@@ -1,10 +1,10 @@
-"""Sections derived from tracked records of which a test sets some cells.
+"""Derive sections from tracked records in which a test sets some cells.
 
 A test sets cells by case, ``{"pad-mu-0.2": {"slip_mm": 6.5}}``; later ones override
 earlier ones. In a case ``*`` stands for any text, and the cells are then set only in
 rows that have the column. A case may be followed by its device and number of worlds,
 ``"without-all cuda 1"``. A case set to None has no rows. ``("poses", "arc"): 0.1`` sets
-a value of another section, ``("cure", "plain-c"): {...}`` cells of it, and
+a value of another section, ``("cure", "plain-c"): {...}`` cells of another section, and
 ``(NOISE, "slip_mm"): 0.1`` the noise of each number of a column.
 """
 
@@ -41,7 +41,7 @@ NOISES = dict.fromkeys(
     1e-9,
 )
 NOISES |= {"slip_mm": 0.001, "drift_mm_s": 0.0001}
-"""The noise of columns unless a test sets it; of others nobody knows it."""
+"""Noise of columns unless a test sets it. The noise of other columns is unknown."""
 RUN_COUNT = 10**9  # so many runs that their scatter is known
 FLAGS = {
     ("drift_law", "law/follows"): ["follows"],
@@ -53,12 +53,12 @@ FLAGS = {
     ("stability", "maps/is_so"): ["safe_settings"],
     ("stiffness", "sweep/is_so"): ["ke_alone_does_not_help", "together_they_hold"],
 }
-"""Claims that have to hold where a flag of a figure is set."""
+"""Claims that have to hold if a flag of a figure is set."""
 
 
 @dataclass(frozen=True)
 class TracedResults(Results):
-    """Results whose traces are read once, or are all the same given one."""
+    """Holds results with traces, which are read once or replaced by one given trace."""
 
     frame: pd.DataFrame | None = None
 
@@ -73,7 +73,7 @@ class TracedResults(Results):
 
 @cache
 def tracked(section: str, release: str) -> Record:
-    """Return the full record, or the quick one where a section has no full one yet."""
+    """Return the full record, or the quick one if a section has no full record yet."""
     full = Project(release).record_path(section)
     if full.exists():
         return load_record(full)
@@ -126,8 +126,9 @@ def results_with(
 def chapters_with(
     *changes: Mapping[str, Mapping[str, Any]], release: str = "1.4.0"
 ) -> dict[str, Any]:
-    """Return chapters as they are tracked, by section with cells and values set, as if
-    another release had been measured so."""
+    """Return tracked chapters by section with some cells and values set, as if another
+    release had been measured.
+    """
     chapters = {}
     for section in dict.fromkeys(name for change in changes for name in change):
         results = read(section, "1.4.0")
@@ -152,7 +153,7 @@ def changed(results: Results, changes: Mapping[str, Any]) -> Results:
 
 
 def with_cells(record: Record, case: str, cells: Mapping[str, Any] | None) -> Record:
-    """Return a record with cells of a case set, which gets a row if it has none."""
+    """Return a record with some cells of a case set. A case without a row gets one."""
     rows = [dict(row) for row in record.rows]
     mine = [row for row in rows if fnmatchcase(name_of(row, case), case)]
     if cells is None:
@@ -173,7 +174,7 @@ def with_cells(record: Record, case: str, cells: Mapping[str, Any] | None) -> Re
 
 
 def name_of(row: Mapping[str, Any], case: str) -> str:
-    """Return the case of a row, with its device and worlds where ``case`` has them."""
+    """Return the case of a row, with its device and worlds if ``case`` contains them."""
     columns = [name for name in ("device", "worlds") if name in row and " " in case]
     return " ".join(str(row[name]) for name in ("case", *columns))
 
@@ -230,12 +231,14 @@ def plain(found: Any) -> Any:
 
 
 def only(found: Mapping[str, Any], expected: Iterable[str]) -> dict[str, Any]:
-    """Return what was found under the names that are expected."""
+    """Return the findings with the expected names."""
     return {name: found.get(name, "nothing is found so named") for name in expected}
 
 
 def near(expected: Mapping[str, Any]) -> dict[str, Any]:
-    """Return what equals it within the digits that are worked out by hand."""
+    """Return an object that equals the number within the digits that are computed by
+    hand.
+    """
     return {
         name: pytest.approx(value, rel=2e-4, abs=1e-9)
         if type(value) in (int, float)

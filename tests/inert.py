@@ -1,4 +1,6 @@
-"""Inert numbers: those in the words of a claim or a passage that could be anything, and the words would stay."""
+"""Find inert numbers: numbers in the words of a claim or a passage that could have any
+value without a change of the words.
+"""
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
@@ -23,14 +25,17 @@ PASSAGE = re.compile(
     re.DOTALL,
 )
 NUMBER = re.compile("<data[^>]*>[^<]*</data>(&nbsp;[^ .,;)<]+)?")
-"""A number as it is printed, with its unit."""
+"""Number in its printed form, with its unit."""
 LEAVES_TRIED = 4
-"""Of a value that is computed from more numbers than that, so many are changed one by one, spread over all of them; and
-all of them together."""
+"""Number of sources that are changed one at a time.
+
+If a value has more sources, this many are chosen, spread over all of them, and all of
+them are changed together.
+"""
 
 
 def named_pointers(thing: Any) -> Iterator[str]:
-    """Pointers to all numbers in what a wording is handed over."""
+    """Return pointers to all numbers that are passed to a wording."""
     if isinstance(thing, Quantity):
         yield from [thing.source] if thing.source else []
     elif isinstance(thing, Markup):
@@ -41,7 +46,7 @@ def named_pointers(thing: Any) -> Iterator[str]:
 
 
 def named_in(claim: Claim) -> Iterator[str]:
-    """Names of the numbers that some words of a claim can't do without."""
+    """Return the names of the numbers that some words of a claim need."""
     for name in sorted(claim.numbers):
         others = {key: each for key, each in claim.numbers.items() if key != name}
         try:
@@ -52,7 +57,7 @@ def named_in(claim: Claim) -> Iterator[str]:
 
 
 def measured(values: Mapping[str, Value], pointer: str) -> list[str]:
-    """The measured numbers and traces that a number comes from; none for what was chosen."""
+    """Return the measured numbers and traces behind a number. A chosen number has none."""
     roots = values[pointer].reads if pointer in values else {pointer}
     return sorted(
         root
@@ -62,26 +67,29 @@ def measured(values: Mapping[str, Value], pointer: str) -> list[str]:
 
 
 def changes(leaves: Sequence[str]) -> Iterator[tuple[tuple[str, ...], str]]:
-    """Yield what is tried of the numbers that one comes from: which of them are changed, and how."""
+    """Yield the changes to try for the sources of a number: which of them are changed,
+    and how.
+    """
     single = [(leaf,) for leaf in leaves[:: -(-len(leaves) // LEAVES_TRIED)]]
     yield from product([tuple(leaves), *single] if len(leaves) > 1 else single, FACTORS)
 
 
 @dataclass(frozen=True)
 class Survey:
-    """What the words of one section of one release name, against what its tests do with it.
-
-    Each is said as ``section.claim name``.
+    """Compares the numbers that the words of one section of one release name with the
+    numbers that its tests use. Each result has the form ``section.claim name``.
     """
 
     perturbation: Perturbation
     release: str
     section: str
     values: Mapping[str, Value]
-    """Every derived value by its pointer."""
+    """Return every derived value by its pointer."""
 
     def numbers(self) -> Iterator[tuple[Claim, str, str]]:
-        """Claim, name and pointer of every measured number that the words of a claim name."""
+        """Yield claim, name and pointer of every measured number that the words of a
+        claim name.
+        """
         for claim in self.perturbation.releases[self.release][
             self.section
         ].section.claims:
@@ -99,7 +107,9 @@ class Survey:
                         yield claim, name, pointer
 
     def unread(self) -> set[str]:
-        """What words name that their claim's test has not read, neither itself nor all that it comes from."""
+        """Return the names of numbers in words that the test of their claim has not
+        read, neither directly nor by all of their sources.
+        """
         return {
             f"{self.section}.{claim.name} {name}"
             for claim, name, pointer in self.numbers()
@@ -110,9 +120,9 @@ class Survey:
         }
 
     def inert(self) -> set[str]:
-        """Numbers of which no factor of ``FACTORS`` at their origin changes a claim's outcome or words.
-
-        Where claims read nothing of each other's, numbers of all of them are changed at once.
+        """Return numbers whose claim keeps its outcome and words for every factor of
+        ``FACTORS`` at their sources. If claims read no numbers of each other, numbers
+        of all of them are changed at once.
         """
         waiting = {
             (claim.name, name, pointer): (
@@ -151,7 +161,9 @@ class Survey:
 def _independent(
     tried: Mapping[Any, tuple[Claim, tuple[str, ...], str]],
 ) -> list[list[Any]]:
-    """Group numbers whose claims read none of what is changed for another of the group."""
+    """Group numbers whose claims do not read the sources of another number in the
+    group.
+    """
 
     def are_apart(key: Any, other: Any) -> bool:
         (claim, leaves, _), (other_claim, other_leaves, _) = tried[key], tried[other]
@@ -181,12 +193,14 @@ def _claims(section: Section) -> dict[str, Claim]:
 
 
 def _shape(claim: Claim) -> tuple[str, str]:
-    """Return outcome and words of a claim, with a mark in the place of each number."""
+    """Return the outcome and the words of a claim, with a mark instead of each number."""
     return claim.outcome.answer, NUMBER.sub("#", str(claim.sentence))
 
 
 def inert_passages(perturbation: Perturbation, release: str) -> set[str]:
-    """Numbers of a release's passages that could be anything, and the passages would stand; after what they need."""
+    """Return numbers of a release's passages that do not decide whether the passages
+    are shown, in the order of the claims that these need.
+    """
     values, told = _values(perturbation), list(perturbation.pages).index(release)
 
     @cache
@@ -217,7 +231,7 @@ def inert_passages(perturbation: Perturbation, release: str) -> set[str]:
 
 
 def _values(perturbation: Perturbation) -> dict[str, Value]:
-    """Every derived value by its pointer."""
+    """Return every derived value by its pointer."""
     results = [
         chapter.results
         for chapters in perturbation.releases.values()
@@ -227,7 +241,7 @@ def _values(perturbation: Perturbation) -> dict[str, Value]:
 
 
 def surveys(perturbation: Perturbation) -> list[Survey]:
-    """One for every section of every release."""
+    """Yield one object for every section of every release."""
     releases, values = perturbation.releases, _values(perturbation)
     return [
         Survey(perturbation, release, section, values)

@@ -1,4 +1,4 @@
-"""Perturbed results: what a section would say if other numbers had been measured."""
+"""Perturb results to test how sections react to other numbers."""
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, fields, replace
@@ -35,7 +35,7 @@ FACTORS = {
     "×2": 2.0,
     "×½": 0.5,
 }
-"""What is done to a number."""
+"""Changes of a number."""
 load_trace_once = lru_cache(maxsize=None)(load_trace)
 
 
@@ -44,7 +44,7 @@ def perturbed(value: Any, change: str) -> Any:
 
 
 def perturbed_record(record: Record, pointer: Pointer, change: str) -> Record:
-    """The record with one number changed."""
+    """Return the record with one number changed."""
     index, column = pointer.cell
     rows = list(record.rows)
     rows[index] = {**rows[index], column: perturbed(rows[index][column], change)}
@@ -53,10 +53,10 @@ def perturbed_record(record: Record, pointer: Pointer, change: str) -> Record:
 
 @dataclass(frozen=True)
 class PerturbedResults(Results):
-    """Results of which a trace may be changed; traces are read once."""
+    """Holds results in which a trace may be changed. Traces are read once."""
 
     traces: Mapping[str, str] = field(default_factory=dict)
-    """Change by the pointer of the trace."""
+    """Change of each trace, by its pointer."""
 
     def loaded(self, *place: Any) -> "pd.DataFrame":
         return load_trace_once(*place)
@@ -77,7 +77,9 @@ class PerturbedResults(Results):
 
 @dataclass(frozen=True)
 class Perturbation:
-    """Derives sections again from perturbed results, in memory, among the chapters of all releases as tracked."""
+    """Derives sections again from perturbed results, in memory, among the tracked
+    chapters of all releases.
+    """
 
     releases: Mapping[str, Chapters]
     templates: Templates
@@ -87,7 +89,7 @@ class Perturbation:
     def of(
         self, release: str, name: str, pointers: Iterable[Pointer], change: str
     ) -> Section:
-        """A section with the same change made to some numbers and traces."""
+        """Derive a section with the same change in some numbers and traces."""
         tracked = (
             chapter.results
             for chapters in self.releases.values()
@@ -111,9 +113,9 @@ class Perturbation:
         records: Mapping[str, Record],
         traces: Mapping[str, str] = MappingProxyType({}),
     ) -> Section:
-        """A section, or what a text tells, as these records, by their file below ``data/``, and changed traces make it.
-
-        Sections between one of these and this one stay as they are.
+        """Derive a section or the claims of a text from these records, by their file
+        below ``data/``, and from changed traces. Sections on which this one depends are
+        not derived again unless their records changed.
         """
         releases = {each: dict(chapters) for each, chapters in self.releases.items()}
         for each, chapters in releases.items():
@@ -140,12 +142,14 @@ class Perturbation:
         return derive_section(replace(own, others=others), releases)
 
     def worded(self, section: Section, name: str) -> Section:
-        """The same with all of its words, which take as long."""
+        """Derive the section with all of its words, which takes as long."""
         template = f"sections/{name}.md.j2"
         return section.worded(name, template, self.templates.words(template))
 
     def says_before(self, release: str, section: str, claim: Claim) -> bool:
-        """Whether a release that is told before this one answers so too: of the same numbers, in the same words."""
+        """Return whether an earlier release gives the same answer, with the same
+        numbers in the same words.
+        """
         earlier = [
             self.releases[name]
             for name in list(self.pages)[: list(self.pages).index(release)]
@@ -167,7 +171,9 @@ class Perturbation:
         records: Mapping[str, Record],
         traces: Mapping[str, str],
     ) -> PerturbedResults:
-        """Nothing is derived from them yet."""
+        """Return the perturbed results of a section, from which no value has been
+        derived yet.
+        """
         tracked = self.releases[release][name].results
         record = records.get(tracked.source, tracked.record)
         noise = records.get(
@@ -198,7 +204,9 @@ class Perturbation:
 def of_editions(
     editions: Mapping[str, Edition], templates: Templates, told: Iterable[str]
 ) -> Perturbation:
-    """Of what the results of some editions make, with the words of those that are told."""
+    """Return the perturbation of some editions, with the words of the releases that are
+    rendered.
+    """
     there = {release: contents(editions, templates, release) for release in told}
     pages = {
         release: "".join(undrawn(content.parts) for content in found)

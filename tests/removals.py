@@ -1,14 +1,14 @@
-"""Removals: which sentences change though they do not read what is missing.
+"""Find sentences that change although they do not read the removed data.
 
-One row, one record or one release of the tracked results is taken away, or a row's
-numbers are made non-finite, and what the report says is derived again. A sentence is a
-claim; it reads the cells of its test and of its numbers. How numbers scatter is known
-from all measurements together, so the evidence of all other numbers stays as it is here.
+Each removal takes away one row, one record or one release of the tracked results, or
+makes a row's numbers non-finite; then the report is derived again. A sentence is a
+claim; it reads the cells of its test and of its numbers. Noise is estimated from all
+measurements together, so the noise of all other numbers is kept.
 
     .venv/bin/python -m tests.removals [EVERY [FIRST]]
 
-EVERY=1, the default, tries all of them. A larger number tries each EVERYth, from the one
-with the index FIRST, so that several processes can share them.
+EVERY=1, the default, tries all removals. A larger number tries each EVERYth, from the
+one with the index FIRST, so that several processes can share them.
 """
 
 import sys
@@ -37,13 +37,13 @@ from measured_report.values.results import Results
 
 NON_FINITE = "the state was not finite in frame 300"
 OF_ALL = {("upgrade", "claims_stand")}
-"""Sentences that read what all other claims of an edition say."""
+"""Sentences that read the outcomes of all other claims of an edition."""
 Sentence = tuple[str, str, str]  # release, section or text, claim
 
 
 @dataclass(frozen=True)
 class Said:
-    """What a claim says, and the cells and traces that it reads."""
+    """Holds the answer of a claim, and the cells and traces that it reads."""
 
     text: str
     reads: frozenset[str]
@@ -51,7 +51,7 @@ class Said:
 
 @dataclass(frozen=True)
 class Removal:
-    """Names what is taken away: a release, a record, or a row of it."""
+    """Names the removed release, record or row."""
 
     release: str
     section: str = ""
@@ -74,7 +74,7 @@ class Removal:
         return replace(record, rows=rows)
 
     def takes(self, pointer: str, folder: str) -> bool:
-        """Return whether a pointer leads to what is taken away."""
+        """Return whether a pointer leads to a removed cell."""
         if not self.section:
             return pointer.startswith(f"{folder}/")
         if self.row is None:
@@ -97,7 +97,9 @@ def broken(row: Mapping[str, Any]) -> dict[str, Any]:
 
 @dataclass
 class World:
-    """What the tracked results say, and derives again what a removal changes."""
+    """Holds the answers of the tracked results, and derives again the sections that a
+    removal changes.
+    """
 
     editions: Mapping[str, Edition]
     templates: Templates
@@ -109,7 +111,7 @@ class World:
 
     @cached_property
     def texts(self) -> dict[str, str]:
-        """Return the template of each text that derives something, by its name."""
+        """Return the templates with derived values, by name."""
         files = [file for page in report().settings.pages for file in page.texts]
         names = {file.rpartition("/")[2].partition(".")[0]: file for file in files}
         return {name: file for name, file in names.items() if self._module(name)}
@@ -123,11 +125,11 @@ class World:
 
     @cached_property
     def said(self) -> dict[Sentence, Said]:
-        """Return what the tracked results say."""
+        """Return the answers of the tracked results."""
         return self._said_of(self.releases, self.releases)
 
     def _said_of(self, releases: Releases, changed: Releases) -> dict[Sentence, Said]:
-        """Return what the changed chapters say, and all texts."""
+        """Return the answers of the changed chapters and of all texts."""
         said = {}
         for release, chapters in changed.items():
             for name, chapter in chapters.items():
@@ -172,7 +174,7 @@ class World:
         }
 
     def without(self, removal: Removal) -> tuple[Releases, Releases]:
-        """Return all chapters in a world without something, and those that differ."""
+        """Return all chapters without the removed data, and the chapters that changed."""
         releases = {name: dict(each) for name, each in self.releases.items()}
         changed: dict[str, dict[str, Chapter]] = {name: {} for name in releases}
         gone: set[str] = set()
@@ -208,7 +210,7 @@ class World:
         return releases, changed
 
     def with_rows_of(self, chapter: Chapter, other: Chapter) -> Chapter:
-        """Return a chapter as it would be if it had measured what another one has."""
+        """Return a chapter with the measurements of another one."""
         record = replace(chapter.results.record, rows=other.results.record.rows)
         results = replace(
             chapter.results, record=record, evidence=other.results.evidence
@@ -224,7 +226,9 @@ class World:
         return replace(results, record=record, evidence=evidence)
 
     def unread(self, removal: Removal) -> dict[Sentence, tuple[str, str]]:
-        """Return sentences that changed and do not read what is missing: before, after."""
+        """Return sentences that changed without reading removed data, as pairs of
+        before and after.
+        """
         folder = self.editions[removal.release].project.results.name
         releases, changed = self.without(removal)
         after = self._said_of(releases, changed)
@@ -247,14 +251,14 @@ class World:
 
 
 def reads_of(claim: Claim) -> frozenset[str]:
-    """Return pointers to all that a claim's test and its numbers read."""
+    """Return pointers to all cells that a claim's test and its numbers read."""
     numbers = [each for each in claim.numbers.values() if isinstance(each, Quantity)]
     tests = (claim.outcome.reads, claim.effect.reads)
     return frozenset().union(*tests, *(number.reads for number in numbers))
 
 
 def removals_of(world: World, among: tuple[str, ...]) -> Iterator[Removal]:
-    """Yield each release, record and row of some releases, dropped, and each row broken."""
+    """Yield removals of each release, record and row, and a broken copy of each row."""
     for release in world.releases:
         yield Removal(release)
     for release in among:
@@ -272,7 +276,10 @@ def tracked_world() -> World:
 
 
 def main() -> int:
-    """Print each sentence that changes unread, and what fails; 1 if there is any."""
+    """Print each sentence that changes without reading removed data, and each error.
+
+    Return 1 if there are any.
+    """
     numbers = [int(text) for text in sys.argv[1:]]
     every = numbers[0] if numbers else 1
     first = numbers[1] if len(numbers) > 1 else 0

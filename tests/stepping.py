@@ -1,4 +1,4 @@
-"""Steps of MuJoCo Warp on the CPU, without launching each of their kernels from Python."""
+"""Step MuJoCo Warp on the CPU without launching each kernel from Python."""
 
 from functools import partial
 
@@ -11,7 +11,10 @@ BALL = """<mujoco><option timestep="0.002" cone="elliptic" integrator="implicitf
   <geom type="plane" size="5 5 1"/><body pos="0 0 0.03"><freejoint/><geom type="sphere" size="0.03" mass="0.2"/></body>
   <body><joint type="slide" axis="1 0 0"/><geom size="0.03" contype="0" conaffinity="0"/></body>
 </worldbody></mujoco>"""
-"""A ball on the ground, and one on a slide that touches nothing: one scene, for whose sizes kernels are compiled."""
+"""Scene with a ball on the ground and another on a slide without contact.
+
+Kernels are compiled for its sizes.
+"""
 
 
 def in_two_worlds(
@@ -23,7 +26,10 @@ def in_two_worlds(
 
 
 def take_steps(m: mjw.Model, d: mjw.Data, count: int) -> None:
-    """Take ``count`` steps, the first as it is and the others as a graph, as simulations do."""
+    """Take ``count`` steps.
+
+    The first step is launched directly and the others as a graph, as in simulations.
+    """
     mjw.step(m, d)
     step = captured(partial(mjw.step, m, d))
     for _ in range(count - 1):

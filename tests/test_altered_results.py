@@ -1,7 +1,7 @@
-"""Properties of the report over altered editions.
+"""Test properties of the report with altered editions.
 
-Whatever is measured, nothing ends in a traceback, no claims contradict each other, and no bound stands on the wrong
-side.
+For any measurements, no command ends in a traceback, no claims contradict each other,
+and each number is on the stated side of its bound.
 """
 
 import pytest
@@ -13,7 +13,7 @@ from measured_report.editions.project import own_release
 pytestmark = [pytest.mark.words, pytest.mark.usefixtures("unchanged")]
 pytestmark += [pytest.mark.filterwarnings("error::RuntimeWarning")]
 SAMPLE = [scenario for scenario in SCENARIOS if scenario.name != "moving-x-20"]
-"""All but one of three in which the cube moves farther or less far."""
+"""All scenarios except one of the three in which the cube moves farther or less far."""
 BY_NAME = {scenario.name: scenario for scenario in SCENARIOS}
 RECOMMENDING = (
     "front.title",
@@ -74,7 +74,9 @@ def measured(editions) -> dict[str, str]:
 def test_whatever_is_measured_no_section_is_lost_other_claims_hold_and_the_site_is_sound(
     scenario, measured
 ):
-    """Every bound stands on its side, every number is the record's."""
+    """Test that every number is on the stated side of its bound and agrees with the
+    record.
+    """
     found, problems = said(scenario)
     assert any(
         measured.get(claim, outcome) != outcome for claim, outcome in found.items()

@@ -1,4 +1,6 @@
-"""The rooms: who may read whom, and that the picture of them is the one that the imports make."""
+"""Test which folders import which, and that the diagram of the architecture agrees with
+the imports.
+"""
 
 import re
 from collections.abc import Mapping
@@ -31,7 +33,7 @@ OUTSIDE = (
     "contact_bias",
     "number_audit",
 )
-"""Rooms beside the generator's."""
+"""Folders outside the generator."""
 ARROW = re.compile(r"^ +([\w.]+) --> ([\w.]+)$", re.MULTILINE)
 
 SIMULATOR = re.compile(
@@ -47,13 +49,18 @@ CARRYING |= {
     f"measured_report.{name}"
     for name in ("files.errors", "files.root", "editions.environment")
 }
-"""What carries calls to where they are made: its code is no part of a record's identity, and changes no row."""
+"""Modules that pass calls on to other modules.
+
+Their code is not part of a record's identity and does not change any row.
+"""
 MOST_ROOMS, MOST_ARROWS = 11, 60
 
 
 @cache
 def modules() -> Mapping[str, Path]:
-    """Every module of the project by its name, but for what a new report begins as."""
+    """Return every module of the project by its name, except the skeleton of a new
+    report.
+    """
     roots = {folder: PACKAGES.get(folder, ROOT) for folder in FOLDERS}
     files = {
         path: root
@@ -78,7 +85,9 @@ def modules() -> Mapping[str, Path]:
 
 @cache
 def imports() -> Mapping[str, frozenset[str]]:
-    """The project's modules that each of its modules imports, wherever in it the import stands, and their packages."""
+    """Return the project's modules that each of its modules imports anywhere, and their
+    packages.
+    """
     graph = Code(ROOT)
     names = {str(path): name for name, path in modules().items()}
     named = {
@@ -89,7 +98,9 @@ def imports() -> Mapping[str, frozenset[str]]:
 
 
 def room_of(module: str) -> str:
-    """The room that a module is in: a folder of the generator, or one of those outside; empty for a bare package."""
+    """Return the folder of a module: one of the generator or one outside; empty for a
+    package.
+    """
     if module.startswith("measured_report"):
         return module.partition(".")[2].partition(".")[0]
     if module.startswith("contact_"):
@@ -99,7 +110,10 @@ def room_of(module: str) -> str:
 
 @cache
 def arrows() -> frozenset[tuple[str, str]]:
-    """Pairs of rooms of which the first imports the second; packages themselves, which all may name, left out."""
+    """Return pairs of folders, the first of which imports the second.
+
+    Packages are left out because every folder may import them.
+    """
     pairs = (
         (room_of(module), room_of(named))
         for module, found in imports().items()
@@ -160,7 +174,9 @@ def test_the_page_s_side_never_imports_the_simulator():
 
 
 def test_what_computes_rows_has_the_generator_for_carrying_alone():
-    """Besides ROOT and the errors: an identity stops at the generator."""
+    """Test that the modules that compute rows import only ROOT and the errors, besides
+    the modules for carrying. An identity does not contain the generator.
+    """
     reached = {f"experiments.{section}" for section in sections()}
     while (
         more := {
@@ -204,7 +220,9 @@ def test_no_import_leads_in_a_circle_and_the_generator_has_few_rooms():
 
 
 def test_findings_exist_without_words():
-    """What compares editions stands beside pages, and parses no template."""
+    """Test that the code that compares editions does not import pages or parse a
+    template.
+    """
     below = {"changes": "pages", "findings": "pages", "editions": "findings"}
     assert [pair for pair in arrows() if below.get(pair[0]) == pair[1]] == []
 
@@ -242,13 +260,16 @@ SUBJECT = re.compile(
     r"|(?:Warp|Cube|Pad|Slip|Shake)s?(?![a-z])"
     r"|(?<![A-Z])(?:WARP|CUBE|PAD|SLIP|SHAKE)S?(?![A-Z])"
 )
-"""What this report is about, as a word or as a part of an identifier; padding and warping are neither."""
+"""Terms of this report's subject, as words or as parts of identifiers.
+
+Padding and warping are not among them.
+"""
 OF_LANGUAGES = re.compile(r"\bpad(?:Start|End)\b")
-"""Names of JavaScript's own."""
+"""Names that are built into JavaScript."""
 
 
 def generator_files() -> dict[str, str]:
-    """Texts of all files of the generator, by path."""
+    """Return the texts of all files of the generator, by path."""
     files = [
         path
         for path in sorted((GENERATOR / "measured_report").rglob("*"))

@@ -1,4 +1,6 @@
-"""docs/audit.md describes number-audit as it is: its examples, options and formats."""
+"""Test that docs/audit.md describes the examples, options and formats of number-audit
+correctly.
+"""
 
 import json
 import re

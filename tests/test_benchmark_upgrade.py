@@ -1,4 +1,6 @@
-"""The second report is built of its tracked records by the public interface alone."""
+"""Test that the second report is built from its tracked records by the public interface
+only.
+"""
 
 import os
 import shutil
@@ -11,7 +13,10 @@ from measured_report.files.root import ROOT
 
 EXAMPLE = ROOT / "examples" / "benchmark-upgrade"
 EDITIONS = ("mujoco-3.3.0", "mujoco-3.7.0", "mujoco-4.0.0")
-"""Its own, one with all sections, and the newest: to build all twelve takes four times as long."""
+"""Releases to build: the report's own, one with all sections, and the newest.
+
+Building all twelve takes four times as long.
+"""
 TRACKED = subprocess.run(
     ["git", "ls-files", "-z", "."],
     cwd=EXAMPLE,

@@ -1,4 +1,6 @@
-"""What is typed behind make: it arrives as it was typed, and a misspelt variable is refused."""
+"""Test that the arguments of make arrive unchanged, and that a misspelt variable is
+refused.
+"""
 
 import os
 import re
@@ -36,7 +38,9 @@ def make(*arguments: str | Path, level: str = "0") -> subprocess.CompletedProces
 
 @pytest.fixture
 def python(tmp_path) -> str:
-    """What stands in for Python: it prints what it is asked for, and keeps what make passes on beside itself."""
+    """Replaces Python: it prints its arguments, and writes the variables of make to a
+    file next to itself.
+    """
     path = tmp_path / "python"
     path.write_text('#!/bin/sh\nprintf "%s" "$TYPED" > "${0%/*}/typed"\necho "$@"\n')
     path.chmod(0o755)
@@ -44,7 +48,9 @@ def python(tmp_path) -> str:
 
 
 def test_the_makefile_itself_names_what_can_be_asked_for():
-    """Programs outside read that file and follow no include."""
+    """Test the targets in the file without its includes, because programs that list
+    targets do not follow these.
+    """
     named = set(
         re.findall(r"^([a-z]+):", (ROOT / "Makefile").read_text(), re.MULTILINE)
     )
@@ -73,7 +79,10 @@ def test_a_misspelt_variable_is_refused_and_not_executed(name, word, tmp_path):
 
 
 def test_a_variable_of_another_command_is_refused():
-    """With several goals, a variable may be meant for one of them."""
+    """Test that a variable is refused if no goal takes it.
+
+    With several goals it may belong to only one of them.
+    """
     done = make("publish", f"PYTHON={sys.executable}", "NEWTON=1.8.0")
     assert done.returncode == 2
     assert "make publish does not take NEWTON=: leave it out" in done.stderr

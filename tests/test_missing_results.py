@@ -1,4 +1,4 @@
-"""What a missing record, row or run changes: the sentences that read it, and no others."""
+"""Test that a missing record, row or run changes only the sentences that read it."""
 
 from collections.abc import Callable, Sequence
 from functools import cache
@@ -33,7 +33,7 @@ Pages = dict[str, tuple[dict[str, str], str]]
 def told(
     scenario: Scenario, releases: Sequence[str] = (OWN,), without: Place | None = None
 ) -> Pages:
-    """Return by release the outcomes of claims, and the text of all pages."""
+    """Return the outcomes of claims by release, and the text of all pages."""
     picture = ['<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 1 1"></svg>'] * 2
     undraw = mock.patch(
         "measured_report.parts.figures.draw_svgs", lambda *_, **__: picture
@@ -45,7 +45,7 @@ def told(
 
 
 def altered(section: str, change: Callable[[list[Row]], list[Row]]) -> Scenario:
-    """Return what is measured if the rows of a section are changed so."""
+    """Return the results in which a function changes the rows of a section."""
 
     def rows(records: Records, place: Place) -> list[Row]:
         found = as_measured(records, place)
@@ -125,7 +125,9 @@ def test_one_run_of_the_noise_that_fails_costs_nothing(whole):
 
 
 def test_a_run_that_failed_is_not_one_that_keeps_the_cube(whole):
-    """Whether MuJoCo alone loses the cube cannot be told without its run."""
+    """Test that the claim that only MuJoCo loses the cube is undecided without MuJoCo's
+    run.
+    """
 
     def fail(rows: list[Row]) -> list[Row]:
         runs = (row["case"].startswith("mujoco-c") for row in rows)

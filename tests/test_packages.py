@@ -1,4 +1,4 @@
-"""Builds the four packages and runs each one in a fresh environment.
+"""Build the four packages and run each one in a fresh environment.
 
 With WEEKLY=1 every supported Python that uv finds is used, with wheels and with sdists.
 """
@@ -200,7 +200,10 @@ def test_the_hook_fails_if_only_the_result_changed(project):
 
 
 def test_a_release_needs_a_tag_with_the_version_of_the_package(tmp_path, capfd):
-    """The programs that build and test are replaced by one that lists its arguments."""
+    """Test the tag of a release in the workflow.
+
+    A program that lists its arguments replaces python and uv.
+    """
     for name in ("python", "uv"):
         program = tmp_path / ".venv/bin" / name
         program.parent.mkdir(parents=True, exist_ok=True)

@@ -1,6 +1,7 @@
-"""Properties of the report over perturbed results, of a number or of a record: a file apart, for another process.
+"""Test properties of the report with perturbed results.
 
-No number in words could be anything, and what a damaged record has lost takes nothing else down.
+This is a separate file so that another process can run it. Each printed number depends
+on its test, and a damaged record only affects the sections that read the lost cells.
 """
 
 import random
@@ -25,7 +26,7 @@ pytestmark = [pytest.mark.words, pytest.mark.usefixtures("unchanged")]
 pytestmark += [pytest.mark.filterwarnings("error::RuntimeWarning")]
 NO_NUMBER = re.compile(r"\b(nan|inf)\b")
 UNNAMED = re.compile(rf'<(?:data|span)(?![^>]* title="[^"])[^>]*>{ABSENT}<')
-"""A number that is not there, without a reason."""
+"""Missing number without a reason."""
 OWN_AND_NEWEST = (own_release(), NEWEST)
 
 
@@ -40,7 +41,9 @@ def test_no_words_name_what_their_test_has_not_read(perturbation):
 
 @pytest.mark.slow
 def test_no_number_in_a_claim_or_a_passage_could_be_anything(perturbation):
-    """Zero, negated, a thousand times as large or as small, it changes the outcome or the words."""
+    """Test that a number which is zero, negated, or a thousand times as large or as
+    small changes the outcome or the words.
+    """
     found = [
         survey.inert()
         for survey in surveys(perturbation)
@@ -51,7 +54,7 @@ def test_no_number_in_a_claim_or_a_passage_could_be_anything(perturbation):
 
 
 def damaged(record: Record, chance: random.Random) -> Record:
-    """A record that lost a row or a cell, or holds something else in its place."""
+    """Test a record that lost a row or a cell, or has another object in its place."""
     rows = list(record.rows)
     index = chance.randrange(len(rows))
     if chance.random() < 0.2 and len(rows) > 1:
@@ -79,7 +82,9 @@ def damaged(record: Record, chance: random.Random) -> Record:
 
 
 def lost_pointers(results: Results, record: Record) -> set[str]:
-    """To the numbers that a damaged record has lost, where it has all rows."""
+    """Return pointers to the numbers that a damaged record has lost while all rows
+    remain.
+    """
     before, after = results.record.rows, record.rows
     return {
         f"{results.source}#/rows/{index}/{column}"

@@ -1,4 +1,6 @@
-"""The check of prose finds each phrase that its rules list, and the hook refuses long subjects."""
+"""Test that the check of prose finds each phrase of its rules, and that the hook
+refuses long subjects.
+"""
 
 import re
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""The README: what it says to type exists, and the section that it shows how to add works."""
+"""Test that the commands of the README exist, and that the section that it adds works."""
 
 import json
 import re
@@ -28,7 +28,7 @@ FILE = re.compile(
 
 @pytest.fixture(scope="module")
 def files() -> dict[str, str]:
-    """The files of the section that is added, by their folder."""
+    """Return the files of the section that the README adds, by folder."""
     return {
         path.partition("/")[0]: textwrap.dedent(text).strip() + "\n"
         for path, text in FILE.findall(README)
@@ -86,7 +86,9 @@ def test_numbers_that_have_a_mark_are_what_was_measured(monkeypatch, capsys):
 
 
 def test_the_noise_of_a_number_is_that_of_its_record(tmp_path, monkeypatch, capsys):
-    """As the slip of a run differs from one measurement to the next, which its file does not say."""
+    """Test that the noise comes from the record, because the tracked file itself does
+    not contain it.
+    """
     path = ROOT / "results/newton-1.4.0/cure.json"
     rows = json.loads(path.read_text(encoding="utf-8"))["rows"]
     index = [row["case"] for row in rows].index(

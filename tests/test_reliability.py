@@ -1,4 +1,6 @@
-"""Promises of docs/reliability.md and SECURITY.md: each names tests that there are, and counts what they try."""
+"""Test that docs/reliability.md and SECURITY.md name existing tests, and state how many
+cases these try.
+"""
 
 import re
 

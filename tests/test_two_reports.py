@@ -1,4 +1,6 @@
-"""Reports whose packages have the same names, built by one process in turn as by a process each."""
+"""Test that one process builds several reports with equal package names as separate
+processes do.
+"""
 
 import os
 import shutil
@@ -28,7 +30,7 @@ def pendulum(folder: Path) -> None:
 
 
 def built(folder: Path) -> dict[str, str]:
-    """The site that a process of its own makes."""
+    """Return the site that a separate process builds."""
     environment = {**os.environ, "PYTHONPATH": str(ROOT / "packages/measured-report")}
     subprocess.run(
         [sys.executable, "build.py", "report"],
@@ -41,7 +43,7 @@ def built(folder: Path) -> dict[str, str]:
 
 
 def built_here(project: Project, monkeypatch) -> dict[str, str]:
-    """The site that this process makes, which has kept nothing."""
+    """Return the site that this process builds without a cache."""
     shutil.rmtree(project.site, ignore_errors=True)
     monkeypatch.setenv(
         "XDG_CACHE_HOME", str(project.root / f"cache-{len([*project.root.iterdir()])}")
@@ -59,7 +61,11 @@ def project_in(folder: Path) -> Project:
 def test_one_process_builds_two_reports_as_a_process_each_does(
     toy, tmp_path, monkeypatch
 ):
-    """Besides theirs it has the modules and settings of this repository's own report, of which the toy is."""
+    """Test builds in turn.
+
+    This process also has the modules and settings of this repository's report, to which
+    the toy belongs.
+    """
     pendulum(second := tmp_path / "second")
     apart, own = built(second), built_here(toy.project, monkeypatch)
     assert built_here(project_in(second), monkeypatch) == apart

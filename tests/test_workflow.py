@@ -1,4 +1,6 @@
-"""The workflow of the alarm, as far as that goes without GitHub: its scripts, run as a runner runs them."""
+"""Test the workflow of the alarm without GitHub: its scripts are run as a runner runs
+them.
+"""
 
 import os
 import re
@@ -29,7 +31,7 @@ case "$1 $2" in
   "build.py upgrade") printf %s "$ANSWER"; echo "it took a while" >&2; exit "$STATUS";;
 esac
 """
-"""In place of ``gh`` and of Python."""
+"""Replaces ``gh`` and Python."""
 
 
 def run_script(
@@ -38,7 +40,9 @@ def run_script(
     workflow: Path = WORKFLOWS[0] / "upgrade.yml",
     **settings: str,
 ) -> subprocess.CompletedProcess:
-    """A script of the workflow as a runner runs it, in a folder with programs that note what they are called with."""
+    """Run a script of the workflow as a runner does, in a folder with programs that
+    record their arguments.
+    """
     for path in (
         folder / name
         for name in ("gh", ".venv/bin/python", "nvidia-smi")

@@ -1,4 +1,4 @@
-"""The tracked results with something missing: a few of the removals that tests.removals counts."""
+"""Test the tracked results with some of the removals that tests.removals lists."""
 
 import pytest
 
@@ -27,7 +27,7 @@ def world(editions) -> World:
 
 @pytest.fixture(scope="module")
 def removals(world) -> list[Removal]:
-    """Removals of all sections but that on noise, which every interval reads."""
+    """Removals from all sections except noise, which every interval reads."""
     noise = report().settings.noise_section
     return [each for each in removals_of(world, RELEASES) if each.section != noise]
 

@@ -1,4 +1,6 @@
-"""docs/your-own.md, line by line, with the generator's wheel alone: a page, a claim, a release, an alarm."""
+"""Test docs/your-own.md line by line with the generator's wheel only: a page, a claim,
+a release, an alarm.
+"""
 
 import os
 import re
@@ -78,7 +80,9 @@ def test_the_document_works_line_by_line(tmp_path):
 
 
 def test_the_tests_of_the_skeleton_are_not_collected_with_those_of_the_packages():
-    """They need the modules of a new report."""
+    """Test that these tests are not collected here, because they need the modules of a
+    new report.
+    """
     options = ["-c", "pyproject.toml", "--collect-only", "-n", "0"]
     folder = "packages/measured-report/measured_report"
     command = [sys.executable, "-m", "pytest", *options, folder]

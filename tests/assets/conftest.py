@@ -1,4 +1,4 @@
-"""A browser, where there is one."""
+"""Provide a browser if one is installed."""
 
 import shutil
 from collections.abc import Iterator

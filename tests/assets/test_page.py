@@ -1,4 +1,6 @@
-"""The site of the tracked results in a real browser: on a screen and on a phone, in both colour schemes."""
+"""Test the site of the tracked results in a real browser, on a screen and on a phone,
+in both colour schemes.
+"""
 
 import json
 import re
@@ -20,12 +22,12 @@ pytestmark = pytest.mark.words
 
 SCREENS = {"desk": (1280, 900), "phone": (390, 844)}
 JUDGED = ("index.html", "cause.html", "evidence.html", "lab.html", "replay.html")
-"""Pages that have between them all that pages are made of."""
+"""Pages that together contain every kind of element."""
 LEAST_TEXT_PX = 9.0
 MOST_STOPS = 85
 WORDLESS = re.compile(r"<(svg|script|math)\b.*?</\1>|<[^>]*>", re.DOTALL)
 OWN_PAGES = ("replay.html", "lab.html")
-"""Pages that have a program in them."""
+"""Pages that contain a program."""
 TOO_WIDE = """[...document.querySelectorAll("body *")].filter((element) =>
   !element.closest(".wide, pre, svg, .skip") && element.checkVisibility()
   && element.getBoundingClientRect().right > innerWidth + 1).map((element) => element.outerHTML.slice(0, 99))"""
@@ -49,7 +51,7 @@ PUT_IN = """drawings => {
     picture.replaceWith(drawing);
   }
 }"""
-"""Puts drawings into the page, to be looked at."""
+"""Inserts drawings into the page, so that their parts can be measured."""
 IN_PAGE = "test_every_page_fits_its_screen_and_can_be_read_by_all"
 STOPS = """[...document.querySelectorAll("a[href], button, summary, [tabindex], video[controls]")]
   .filter((element) => element.tabIndex >= 0 && element.checkVisibility()).length"""
@@ -57,7 +59,9 @@ STOPS = """[...document.querySelectorAll("a[href], button, summary, [tabindex], 
 
 @pytest.fixture
 def tab(browser, request) -> Iterator["sync_api.Page"]:
-    """A tab of the screen and the colour scheme that a test asks for, which must raise no error."""
+    """Return a tab with the screen and the colour scheme of the test, in which no error
+    may occur.
+    """
     screen, scheme = getattr(request, "param", ("desk", "light"))
     width, height = SCREENS[screen]
     context = browser.new_context(
@@ -91,7 +95,9 @@ def tab(browser, request) -> Iterator["sync_api.Page"]:
 
 
 def pages(site: Path) -> list[Path]:
-    """All of the release that is shown first, and the front page of the newest other one."""
+    """Return all pages of the release that is shown first, and the front page of the
+    newest other release.
+    """
     return [
         *sorted(site.glob("*.html")),
         *sorted(site.glob("newton-*/index.html"))[-1:],
@@ -151,7 +157,9 @@ def test_every_page_fits_its_screen_and_can_be_read_by_all(site, tab):
 
 
 def test_the_policy_of_no_page_blocks_anything(site, tab):
-    """The tab collects what the policy blocks, and what a script complains about."""
+    """Test that the tab collects requests that the policy blocks, and errors of
+    scripts.
+    """
     for path in pages(site):
         open_page(tab, path)
 
@@ -162,7 +170,9 @@ def test_the_policy_of_no_page_blocks_anything(site, tab):
     indirect=["tab"],
 )
 def test_answers_come_first(site, tab, screens):
-    """What, why, what to paste, and who needs it, on the first screen, or on three of a phone."""
+    """Test that problem, cause, fix and range of validity are on the first screen, or
+    on the first three screens of a phone.
+    """
     for path in site.glob("**/index.html"):
         open_page(tab, path)
         ends = {}
@@ -202,7 +212,7 @@ def test_the_replay_reads_out_what_was_kept_and_moves_when_asked_to(site, tab):
 
 
 def assert_drawn(tab) -> None:
-    """Each drawing that is a file is there once one comes to it."""
+    """Test that each drawing with a file of its own is loaded when it becomes visible."""
     images = tab.locator("main picture img")
     assert images.count() > 0
     for image in images.all():
@@ -213,7 +223,7 @@ def assert_drawn(tab) -> None:
 
 
 def test_no_markdown_is_left(site):
-    """The words of a claim are HTML."""
+    """Test that the words of a claim are HTML."""
     for path in site.rglob("*.html"):
         if path.name not in OWN_PAGES:
             page = re.sub(
@@ -280,7 +290,7 @@ SLIPS = 'tbody td data[data-src$="/slip_mm"]'
 
 
 def open_table(tab, site: Path):
-    """Open a page that has a table of slips in no order, and return that."""
+    """Open a page with an unsorted table of slips, and return the table."""
     for path in pages(site):
         open_page(tab, path)
         for table in tab.locator("main table").filter(has=tab.locator(SLIPS)).all():

@@ -1,4 +1,4 @@
-"""The law of the drift."""
+"""Test the law of the drift."""
 
 from dataclasses import replace
 
@@ -12,11 +12,11 @@ H = 1.0 / 960.0
 SLOPES = drift_law.Slopes(
     left_out=0.06, damping=-0.001, load=-0.002, depth_m=1.87e-3, inverse_mass_1_kg=1e-9
 )
-"""To reckon with by hand."""
+"""Simple numbers for calculations by hand."""
 
 
 NO_KF = {"pad_kf": -1.0}
-"""Where the release reads kf, the friction rows have a response of their own."""
+"""Test that the friction rows have a response of their own if the release reads kf."""
 
 
 def test_the_law_is_as_by_hand():

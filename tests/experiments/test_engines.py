@@ -1,4 +1,6 @@
-"""Other engines: rows of what an engine answers, an engine that is not there, and Newton's solvers."""
+"""Test rows from the results of other engines, an engine that is missing, and Newton's
+solvers.
+"""
 
 import math
 import sys
@@ -23,7 +25,9 @@ def shown(path) -> Trace:
 
 
 def test_rows_of_what_an_engine_answers():
-    """A box that grows by 1 %/s, a capsule that sinks by 2 mm/s, and what is lost, not finite or not run."""
+    """Test a box that grows by 1 %/s, a capsule that sinks by 2 mm/s, and runs that are
+    lost, not finite or missing.
+    """
     time_s = np.arange(41) * engines.SAMPLE_S
     walking = np.stack(
         [0.2 * np.exp(0.01 * time_s), 0.0 * time_s, 0.1 + 0.0 * time_s], axis=1
@@ -106,7 +110,9 @@ def test_a_scene_is_sampled_after_its_steps_and_what_goes_wrong_in_it_leaves_the
 def test_the_critical_friction_is_the_weight_over_what_the_fingers_press_with(
     monkeypatch,
 ):
-    """By hand: 350 N/m times half an edge are 7 N; an engine that cannot run it is a reason."""
+    """Test by hand that 350 N/m times half an edge are 7 N, and that an engine that
+    cannot run the scene gives a reason.
+    """
     row = published.hold(QUICK, published.in_c)
     assert row["critical_friction"] == pytest.approx(0.064 * 9.81 / 7.0, rel=0.01)
     monkeypatch.setattr(published, "run", lambda *_: ["offline"])
@@ -137,7 +143,9 @@ def test_a_robot_whose_engine_has_no_armature_gets_it_with_its_links(tmp_path):
 
 
 def test_rows_of_a_shake_that_an_engine_shows():
-    """A cube that moves by 1 mm/s in the tool, one that is lost, and an engine that fails."""
+    """Test a cube that moves by 1 mm/s in the tool, a cube that is lost, and an engine
+    that fails.
+    """
     poses = np.tile([0.0, 0.0, 0.3, 0.0, 0.0, 0.0, 1.0], (301, 2, 1))
     frames = FrameTrace(1 / 60, np.full(301, 4), poses, np.empty(0))
     own = robot.Reference(replace(robot.WEIGHTLESS, name="3cm"), frames, np.empty(0))

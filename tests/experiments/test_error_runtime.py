@@ -1,4 +1,4 @@
-"""Error against run time: the reference against the real scene."""
+"""Test the reference for error against run time with the real scene."""
 
 from dataclasses import replace
 
@@ -13,9 +13,9 @@ from experiments.facts.case import FIXED
 from experiments.simulation.reference import NativeShake, pilot_at_shake
 
 CASES = {pads: replace(base, cube_in_hand=True) for pads, base in PADS.items()}
-"""Where the shake begins early."""
+"""Cases whose shake begins early, because the cube starts in the hand."""
 FRAME_COUNT = 60
-"""Of the shake."""
+"""Number of frames of the shake."""
 
 
 @pytest.mark.parametrize("profile", ["full", "quick"])
@@ -27,7 +27,9 @@ def test_every_point_has_its_own_name_and_its_like_in_c(profile):
 
 @pytest.fixture(scope="module")
 def shakes():
-    """One setting of each pads in Warp, with its traces and the states from which C starts."""
+    """Return one setting for each kind of pads in Warp, with its traces and the states
+    from which C starts.
+    """
     pilot = pilot_at_shake(CASES.values(), wp.get_device("cpu"))
     points = [setting(case, pads, "newton", "substeps") for pads, case in CASES.items()]
     points = [

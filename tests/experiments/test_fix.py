@@ -1,4 +1,6 @@
-"""The fix as it is offered: the very files, run in processes of their own, and against the scene of this report."""
+"""Test the downloads of the fix: the published files run in separate processes and
+agree with the scene of this report.
+"""
 
 import html
 import json
@@ -28,14 +30,16 @@ from measured_report.files.root import ROOT
 
 OPTIONS = "--viewer null --test --quiet --backend mujoco --json summary.json".split()
 FRAME_COUNT, FEW = 360, 272
-"""Of what a script must repeat. As shipped it slips enough by then to fail its test; a second of the shake tells that
-it creeps as with stiff pads, a tenth as fast."""
+"""Number of frames that a script must repeat.
+
+With shipped pads the cube has then slipped far enough to fail the test; with stiff pads
+one second of shake shows that it creeps a tenth as fast.
+"""
 
 
 def run_script(text: str, folder: Path, frame_count: int = FEW) -> tuple[int, str]:
-    """Run a script alone in a folder and in a fork, which has the engine and its kernels; how it ends and what it says.
-
-    A scene goes through MuJoCo's C engine.
+    """Run a script in a folder of its own in a forked process, which has the engine and
+    its kernels. Return its exit status and output. A scene runs in MuJoCo's C engine.
     """
     (folder / "scene.py").write_text(text, encoding="utf-8")
     process = get_context("fork").Process(
@@ -57,7 +61,9 @@ def _be_the_script(folder: Path, frame_count: int) -> None:
 def assert_slip_is_tracked(
     folder: Path, case: str, within_mm: float, frame_count: int = FEW
 ) -> None:
-    """The tracked run of this case had come as far by then."""
+    """Assert that the cube has slipped as far as in the tracked run of this case after
+    as many frames.
+    """
     summary = json.loads((folder / "summary.json").read_text())
     expected = tracked_mm(ROOT / "results/newton-1.4.0", case, frame_count)
     assert summary["slip_mm"] == pytest.approx(expected, abs=within_mm)
@@ -86,11 +92,11 @@ def test_the_patch_makes_the_shipped_scene_the_fixed_one(tmp_path):
 
 CODE = re.compile(r"<pre[^>]*><code[^>]*>(.*?)</code></pre>", re.DOTALL)
 BEFORE = "    return robot\n"
-"""Where the robot of the scene is whole."""
+"""Folder with the complete robot of the scene."""
 
 
 def block_with(page: Path, word: str) -> str:
-    """The first lines to paste that have a word in them, as a page has them."""
+    """Return the first block of code on a page that contains a word."""
     blocks = (
         html.unescape(re.sub("<[^>]+>", "", code))
         for code in CODE.findall(page.read_text(encoding="utf-8"))
@@ -105,7 +111,7 @@ def fix_block(page: Path) -> str:
 @pytest.mark.slow
 @needs_boxes_in_c
 def test_the_lines_of_the_front_page_hold_the_cube_as_it_says(site, tmp_path):
-    """As the fixed scene does, which has the same two lines."""
+    """Test the lines of the front page, which the fixed scene contains as well."""
     scene = (site / "download/scene_as_shipped.py").read_text(encoding="utf-8")
     block = fix_block(site / "index.html")
     assert scene.count(BEFORE) == 1
@@ -130,7 +136,7 @@ URDF = """<robot name="hand"><link name="finger">
     "solref", ["", 'solref="0.02 1"', 'solref="-2500 -100"', "in URDF"]
 )
 def test_the_lines_of_the_front_page_reach_pads_that_were_imported(site, solref):
-    """A solref in MJCF is taken as it is, whatever ke and kd say, unless the lines take it away."""
+    """Test that a solref in MJCF overrides ke and kd unless the lines remove it."""
     builder = newton.ModelBuilder()
     newton.solvers.SolverMuJoCo.register_custom_attributes(builder)
     builder.add_urdf(URDF, floating=True) if solref == "in URDF" else builder.add_mjcf(
@@ -160,7 +166,9 @@ def test_the_lines_of_mjcf_say_of_pads_what_the_other_block_does(site):
 
 
 class Pasted(MuJoCoStepper):
-    """A stepper with the solver that a block makes, beside the scene's own options."""
+    """Return a stepper with the solver that a block of code creates, and the other
+    options of the scene.
+    """
 
     block = ""
 

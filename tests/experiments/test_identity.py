@@ -1,4 +1,4 @@
-"""Freshness of this report, which is the same in any Python."""
+"""Test that the freshness of this report does not depend on the version of Python."""
 
 import subprocess
 from pathlib import Path

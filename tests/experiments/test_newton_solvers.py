@@ -1,4 +1,6 @@
-"""Newton's solvers: which are measured, a box that creeps, and what is recorded of Steel's contacts."""
+"""Test which of Newton's solvers are measured, a box that creeps, and the recorded
+contacts of Steel.
+"""
 
 from types import SimpleNamespace
 
@@ -18,7 +20,9 @@ def array(values, dtype=int):
 
 
 def recorded(*forces_n, body: int = -1) -> dict[str, float]:
-    """What is recorded of one contact, 1 mm deep and with a margin, between the ground and a shape of world 0."""
+    """Record one contact between the ground and a shape of world 0, which is 1 mm deep
+    and has a margin.
+    """
     contacts = wp.zeros((1, 1, len(FRAME_COLUMNS)), dtype=float, device="cpu")
     pose = array(
         [wp.transform(wp.vec3(0.0, 0.0, 0.5), wp.quat_identity())], wp.transform

@@ -1,4 +1,4 @@
-"""What sections have measured, before any of it is."""
+"""Test the plans of sections before any batch is measured."""
 
 import inspect
 from importlib import import_module

@@ -1,4 +1,6 @@
-"""What sections work out of traces, paths and contacts: by hand, on runs that are made up."""
+"""Compare columns that sections compute from traces, paths and contacts with numbers
+computed by hand, on synthetic runs.
+"""
 
 from dataclasses import replace
 from types import SimpleNamespace
@@ -39,7 +41,10 @@ G = 9.81
 
 
 def trace_of(cube_m, setup: int = 0, **columns) -> Trace:
-    """A shake at 60 frames a second after some of set-up, with the cube at these places from a hand that is upright."""
+    """Return a shake at 60 frames a second after some frames of setup.
+
+    The hand is upright, and the cube is at these places relative to it.
+    """
     cube_m = np.asarray(cube_m, dtype=float)
     where = np.tile([0.0, 0.0, 0.5, 0.0, 0.0, 0.0, 1.0], (len(cube_m), 6, 1))
     where[:, metrics.CUBE, :3] += cube_m
@@ -58,7 +63,9 @@ def along(axis: int, values) -> np.ndarray:
 
 
 def test_a_cube_leaves_with_the_speed_that_its_way_and_its_height_show():
-    """Out of the ground, 2 mm deep in it: at 1.2 m/s up through contact; from the middle of a frame, √(v² + 2 g h)."""
+    """Test a body that starts 2 mm deep in the ground: contact accelerates it to 1.2
+    m/s upward. From the middle of a frame its speed is √(v² + 2 g h).
+    """
     case = replace(AS_SHIPPED, start_overlap_m=2e-3)
     rises = 0.018 + 0.02 * np.arange(
         1, 31
@@ -80,7 +87,10 @@ def test_a_cube_leaves_with_the_speed_that_its_way_and_its_height_show():
 
 
 def test_the_grip_is_that_at_the_end_of_the_hold_unless_the_cube_slides_out_of_it():
-    """91 frames of hold: the last but one and the nine before it count; the cube may move by 5 mm."""
+    """Test 91 frames of hold.
+
+    The last frame but one and the nine before it count, and the cube may move by 5 mm.
+    """
     force = np.where((np.arange(100) >= 80) & (np.arange(100) < 90), 24.0, 50.0)
     force[0], force[85] = 7.0, 99.0  # which the median leaves out
     for moved_m, grip_n in ((0.0049, 24.0), (0.0051, 7.0)):
@@ -96,7 +106,11 @@ def test_the_grip_is_that_at_the_end_of_the_hold_unless_the_cube_slides_out_of_i
 
 
 def test_a_long_run_creeps_by_so_much_a_cycle_in_its_first_and_its_last_tenth():
-    """42 s at 1 Hz: 21 pairs of cycles, of which the first is left out and a tenth are two; x = t³ mm of an hour."""
+    """Test 42 s at 1 Hz, which are 21 pairs of cycles.
+
+    The first pair is left out, and a tenth of the others are two pairs; x = t³ mm with
+    t in hours.
+    """
     time_s = np.arange(42 * FRAME_RATE + 1) / FRAME_RATE
     columns = stability.long_columns(
         trace_of(along(0, 1e-6 * time_s**3)), AS_SHIPPED, "creeping"
@@ -217,7 +231,9 @@ def test_rows_of_the_strongest_contact_are_in_millimetres():
 
 
 def test_the_term_predicts_a_slide_of_its_sum_over_b(monkeypatch):
-    """2 m/s² for 4 s after the set-up, over b = 2 / (0.95 · 20 ms)."""
+    """Test 2 m/s² for 4 s after the setup, multiplied by 1/b, with b = 2 / (0.95 · 20
+    ms).
+    """
     count, end = contacts.TWO_PERIODS_FRAME_COUNT, 241
     trace = trace_of(np.zeros((count, 3)), count - end, slide_m_s=0.1)
     monkeypatch.setattr(contacts, "_in_c", lambda _: SimpleNamespace(step=lambda: None))
@@ -229,7 +245,10 @@ def test_the_term_predicts_a_slide_of_its_sum_over_b(monkeypatch):
 
 
 def test_what_rows_leave_out_along_the_shake_is_the_mean_of_what_is_loaded(monkeypatch):
-    """2, -4 of a contact that has the cube first, and others that are idle, not in the solver, or not the cube's."""
+    """Test a mean of 2 and -4; in the second contact the cube is the first body.
+
+    Contacts that are idle, ignored by the solver or without the cube do not count.
+    """
     rows, geoms = (0, 2, 4, -1, 6), ((5, 7), (7, 5), (5, 7), (5, 7), (5, 6))
     found = [
         SimpleNamespace(efc_address=row, geom=geom)
@@ -292,7 +311,10 @@ def test_runs_are_apart_and_slip_by_so_much():
 
 
 def test_an_audit_counts_what_is_used():
-    """Room for 10 contacts and 40 rows a world; of these 4 and 30 at most, so three quarters of memory are used."""
+    """Test memory for 10 contacts and 40 rows in each world.
+
+    At most 4 and 30 of them are used, so three quarters of the memory are used.
+    """
     seen = Seen(
         contact_counts=[2, 4],
         loaded_counts=[1, 2],
@@ -390,7 +412,9 @@ def test_what_moves_along_an_arc_creeps_on_hinges_whether_it_turns_or_not_and_no
 
 
 def test_controls_creep_along_their_walls_and_turn_as_hard_as_the_shake(monkeypatch):
-    """0.03 m at 1 Hz are accelerated by up to 1.18 m/s², as is what turns at 2 rad/s, 0.296 m from the axis."""
+    """Test 0.03 m at 1 Hz, which has a peak acceleration of 1.18 m/s², as has a point
+    that turns at 2 rad/s, 0.296 m from the axis.
+    """
     turned_m_s2 = controls.PLACE_M * 2.0**2
     assert turned_m_s2 == pytest.approx(0.03 * (2.0 * np.pi) ** 2)
     time_s = 0.1 * np.arange(31)
@@ -422,7 +446,9 @@ def test_controls_creep_along_their_walls_and_turn_as_hard_as_the_shake(monkeypa
 def test_combinations_are_all_but_those_that_no_engine_has_and_kf_is_taken_out_in_contacts_of_newton(
     monkeypatch,
 ):
-    """2 pads, 3 shakes and 2 positions by 4 terms with Euler, implicit or not, and 2 with RK4, which has no centre."""
+    """Test 2 pads, 3 shakes and 2 positions with 4 terms for both Euler integrators,
+    and with 2 terms for RK4, which does not use the centre.
+    """
     monkeypatch.setattr(combinations, "kf_is_read", lambda: True)
     for quick, shakes in ((False, [0.0, 0.03, 0.1]), (True, [0.0, 0.03])):
         found = {
@@ -463,7 +489,9 @@ def test_the_arm_goes_from_pose_to_pose_and_drops_are_counted():
 
 
 def test_drops_are_counted_from_when_the_object_should_be_up(monkeypatch):
-    """Four objects: one never up, one that is dropped, one that is dropped and comes up again, and one that is held."""
+    """Test four objects: one never rises, one is dropped, one is dropped and rises
+    again, and one is held.
+    """
     heights = np.full((8, 4, 3), 0.2)
     heights[:, 0] = heights[4:, 1] = heights[6, 2] = 0.02
     shown = iter([*heights])
@@ -536,7 +564,10 @@ def test_a_box_walks_by_its_radius_or_creeps_by_its_way_along_a_table_that_stand
 
 
 def test_a_box_is_sampled_each_tenth_of_a_second_from_its_place_on(monkeypatch):
-    """By a solver that takes it 1 mm along the table in each step; contacts are found before each fourth of ten."""
+    """Test a solver that moves the box by 1 mm along the table in each step.
+
+    Contacts are computed before every fourth of ten steps.
+    """
     found = []
 
     def step(here, there, *_):
@@ -588,7 +619,11 @@ def test_gravity_leans_on_the_slope_by_a_tangent_of_035_and_arms_carry_their_wei
 
 
 def test_a_row_of_a_solver_has_the_means_of_the_shake():
-    """A cube that goes 1 mm/s, 30 N on pads of μ = 0.5 that carry 6 N: 0.4 of it; the hand goes 3 cm to each side."""
+    """Test a cube that moves at 1 mm/s.
+
+    Pads with μ = 0.5 press with 30 N and carry 6 N, which is 0.4 of their friction; the
+    hand moves 3 cm to each side.
+    """
     time_s = np.arange(301) / FRAME_RATE
     trace = trace_of(
         along(0, 1e-3 * time_s),
@@ -609,7 +644,7 @@ def test_a_row_of_a_solver_has_the_means_of_the_shake():
 
 
 def test_what_others_published_is_measured_over_its_own_times(monkeypatch):
-    """Down at 5 mm/s, and ten times as fast before a second is over."""
+    """Test a body that sinks at 5 mm/s, and ten times as fast in its first second."""
     speed_m_s = np.repeat([0.05, 0.005], [50, 100])
     height_m = np.cumsum([0.0, *(-0.02 * speed_m_s)])
     falling = Shown(np.outer(height_m, [0.0, 0.0, 1.0])[:, None])

@@ -1,4 +1,6 @@
-"""The scene as a Newton example: what its command line refuses, and what it writes."""
+"""Test the options that the scene refuses as a Newton example, and the files that it
+writes.
+"""
 
 import json
 import math

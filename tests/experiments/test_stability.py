@@ -1,4 +1,4 @@
-"""The limits by hand, and the extreme cases on the real engine."""
+"""Test the limits by hand, and the extreme cases with the real engine."""
 
 from dataclasses import replace
 
@@ -43,7 +43,9 @@ def test_the_limits_are_as_by_hand():
 
 @pytest.fixture(scope="module")
 def extremes() -> dict[str, tuple]:
-    """Very different cases as worlds of one batch, half a second of shake each."""
+    """Run very different cases as worlds of one batch, with half a second of shake
+    each.
+    """
     changes = {
         "stiff": {},
         "frictionless": {"pad_mu": 0.0},

@@ -69,7 +69,7 @@ PAIR = '<contact><pair geom1="{one}" geom2="box" {more}/></contact>'
 
 @dataclass(frozen=True)
 class Case:
-    """A kind of scene, and its differences from the usual settings."""
+    """Describes a kind of scene and its differences from the usual settings."""
 
     kind: str
     changes: tuple[tuple[str, object], ...]

@@ -149,7 +149,9 @@ def test_what_mujoco_refuses_is_refused_with_its_words(skin, rest, said, scene, 
 
 
 def test_places_are_those_of_the_files(scene, tmp_path, capsys):
-    """Findings are located in an included file, in a default, or at the geom itself."""
+    """Test that findings are located in an included file, in a default, or at the geom
+    itself.
+    """
     (tmp_path / "pads.xml").write_text(
         '<mujoco>\n<default>\n<geom priority="1"\n solref="0.001 1"/></default></mujoco>'
     )
@@ -230,7 +232,7 @@ def test_folders_and_several_files(scene, tmp_path, capsys):
 
 
 def test_installed_by_itself_it_needs_no_checkout(scene, tmp_path):
-    """The files of the wheel suffice, without the rest of the project."""
+    """Test that the files of the wheel suffice, without the rest of the project."""
     package = ROOT / "packages/newton-lint"
     project = read_toml(package / "pyproject.toml")
     for name in project["tool"]["hatch"]["build"]["targets"]["wheel"]["packages"]:

@@ -203,7 +203,7 @@ WELD = """<mujoco><worldbody><body name="a" pos="0 0 1"><geom size=".03"/></body
 
 
 def test_what_swings_is_read_where_it_comes_to_rest(tmp_path, capsys):
-    """The upper weld is 83 mm open after 0.2 s and 196 mm after 12 s.
+    """Test an upper weld that is 83 mm open after 0.2 s and 196 mm after 12 s.
 
     A weld that follows a mocap body is not reported.
     """

@@ -1,7 +1,6 @@
-"""Loads and creep of held bodies, computed by hand, and thresholds of grips.
-
-With a solimp of 0.9 at each depth, a box of mass m on four points creeps at
-g sin θ / 4 · (1 - d) timeconst / 2, because w is 1/m.
+"""Compare loads and creep of held bodies, and thresholds of grips, with numbers
+computed by hand. With a solimp of 0.9 at each depth, a box of mass m on four points
+creeps at g sin θ / 4 · (1 - d) timeconst / 2, because w is 1/m.
 """
 
 import math
@@ -80,7 +79,9 @@ def test_a_cone_is_used_by_the_length_of_friction_and_a_pyramid_by_the_sum_of_it
 
 
 def test_of_two_frictions_the_lower_gives_way_by_the_square():
-    """R along the second axis is (0.8 / 0.4)² times as large as along the first one."""
+    """Test that R along the second axis is (0.8 / 0.4)² times as large as along the
+    first one.
+    """
     rest = '<contact><pair geom1="floor" geom2="box" friction="0.8 0.4" {}/></contact>'.format(
         f'solimp="{FLAT}"'
     )
@@ -112,7 +113,7 @@ def test_what_turns_leaves_its_centripetal_acceleration_out():
 
 
 def test_what_turns_is_as_far_out_as_from_the_root_of_what_holds_it():
-    """An axis at 0.4 m leaves a radius of 0.6 m."""
+    """Test an axis at 0.4 m, which leaves a radius of 0.6 m."""
     text = Case("turn", (("solimp", FLAT),)).text.replace(
         '<body name="table">', '<body name="table" pos="0.4 0 0">'
     )
@@ -123,7 +124,9 @@ def test_what_turns_is_as_far_out_as_from_the_root_of_what_holds_it():
 
 
 def test_friction_is_what_acts_on_what_is_held_whichever_of_both_geoms_comes_first():
-    """A box precedes its support in the file, and is lifted with 2 g: 3 m g sin θ."""
+    """Test a box that precedes its support in the file and is lifted with 2 g: 3 m g
+    sin θ.
+    """
     text = Case("incline", (("solimp", FLAT),)).text
     floor = next(line for line in text.splitlines() if 'name="floor"' in line)
     below = f"<body>{floor.replace('plane', 'box')}</body>".replace(
@@ -138,7 +141,7 @@ def test_friction_is_what_acts_on_what_is_held_whichever_of_both_geoms_comes_fir
 
 
 def test_a_touch_counts_by_its_share_of_the_last_fifth():
-    """A body that falls for 0.45 s touches in the second half of 0.4 to 0.5 s."""
+    """Test a body that falls for 0.45 s and touches in the second half of 0.4 to 0.5 s."""
     fall = 0.5 * 9.81 * 0.45**2
     changes = {"slope": 0.0, "shape": "sphere", "solref": "0.02 3"}
     target = Case("incline", tuple(changes.items())).target
@@ -158,7 +161,7 @@ def test_a_touch_counts_by_its_share_of_the_last_fifth():
 def test_what_was_touched_within_a_tenth_or_a_hundredth_of_the_time_is_lost(
     above, speed, is_held
 ):
-    """The body touches 40 to 50 ms after the start, after 4 to 5 ms, or never."""
+    """Test a body that touches 40 to 50 ms after the start, after 4 to 5 ms, or never."""
     target = Case(
         "incline", (("slope", 0.0), ("shape", "sphere"), ("solref", "0.02 0.25"))
     ).target
@@ -195,7 +198,7 @@ def test_what_is_at_the_edge_of_its_cone_or_moves_much_faster_slides():
 
 
 def test_discrete_weighs_what_a_row_says_of_itself():
-    """The factor is 1 + b h + h² k d, with b = 2 / 18 ms and k = 1 / 18² ms²."""
+    """Test the factor 1 + b h + h² k d, with b = 2 / 18 ms and k = 1 / 18² ms²."""
     scene, _, hold = hold_of()
     discrete = replace(scene, model=changed(scene.model, integrator=DISCRETE))
     one, other = (

@@ -1,4 +1,6 @@
-"""Numbers of runs, computed by hand, and thresholds of findings and of harm."""
+"""Compare numbers of runs, and thresholds of findings and of harm, with numbers
+computed by hand.
+"""
 
 import math
 from dataclasses import dataclass, replace
@@ -75,9 +77,10 @@ def found_in(target: Target) -> dict[str, Finding]:
 
 @pytest.mark.parametrize("speed", [0.0, 1.5])
 def test_what_a_force_gives_a_body_is_energy_that_it_gained(speed):
-    """6 N on 2 kg for 0.2 s add 0.6 m/s, so the energy grows by (v + 0.6)²/2 - v²/2.
+    """Test 6 N on 2 kg for 0.2 s.
 
-    A falling body gains no energy.
+    They add 0.6 m/s, so the energy grows by (v + 0.6)²/2 - v²/2. A falling body gains
+    no energy.
     """
     seen = ran(of(), force=6.0, speed=(speed, 0, 0))
     assert seen.rise_m2_s2[0] == pytest.approx(
@@ -100,7 +103,9 @@ def test_what_a_force_gives_a_body_is_energy_that_it_gained(speed):
 
 
 def test_overlaps_count_from_the_margin_on_and_depths_do_not():
-    """At a height of 0.095 m, a ball of 0.1 m is 5 mm deep, or 15 mm with its margin."""
+    """Test a ball of 0.1 m at a height of 0.095 m, which is 5 mm deep, or 15 mm with
+    its margin.
+    """
     seen = ran(of(z=0.095, floor='margin="0.01"'), 0.002)
     assert (seen.first, seen.deepest_m) == (
         {(0, 1): pytest.approx(0.015)},
@@ -111,7 +116,7 @@ def test_overlaps_count_from_the_margin_on_and_depths_do_not():
 
 @pytest.mark.parametrize(("time_s", "late"), [(0.024, True), (0.045, False)])
 def test_late_is_after_the_first_third(time_s, late):
-    """From a depth of 10 mm, 1 m/s upward ends the contact within 8 to 15 ms."""
+    """Test that 1 m/s upward from a depth of 10 mm ends the contact within 8 to 15 ms."""
     seen = ran(of(z=0.09, floor='solref="1 1"'), time_s, speed=(0, 0, 1.0))
     assert seen.deepest_m == pytest.approx(0.01) and (seen.late_m > 0.0) == late
 
@@ -154,7 +159,7 @@ def test_an_overlap_is_a_warning_if_it_throws(depth, severity):
 
 @pytest.mark.parametrize(("depth_mm", "said"), [(0.9, False), (1.1, True), (5, True)])
 def test_what_lies_is_pressed_in_from_a_millimetre_on(depth_mm, said):
-    """A box of 0.1 m sinks by g (1 - d) timeconst² / 4.
+    """Test a box of 0.1 m that sinks by g (1 - d) timeconst² / 4.
 
     The recommended timeconst reduces this to a tenth, or to 0.3 mm.
     """
@@ -187,7 +192,7 @@ def test_what_flies_through_a_wall_is_followed_and_what_flies_past_is_not(
 
 @pytest.mark.parametrize(("timeconst", "said"), [(0.043, False), (0.047, True)])
 def test_a_weld_is_open_from_a_millimetre_on(timeconst, said):
-    """The gap is (1 - d) g timeconst², like the depth of a contact."""
+    """Test the gap (1 - d) g timeconst², which has the form of the depth of a contact."""
     weld = f'<equality><weld body1="ball" solref="{timeconst} 1" solimp="0.95 0.95 0.001"/></equality>'
     target = of(g=-9.81, rest=weld)
     found = found_in(target).get("equality")
@@ -214,9 +219,8 @@ ARM = """
     ],
 )
 def test_a_joint_sags_by_its_row_as_a_contact_creeps(timeconst, share, kind, said):
-    """The speed is R f / b = (1 - d)/d g dmax timeconst / 2, with d 0.9 and dmax 0.95.
-
-    A hinge turns at this speed over its arm of 0.3 m.
+    """Test the speed R f / b = (1 - d)/d g dmax timeconst / 2, with d 0.9 and dmax
+    0.95. A hinge turns at this speed over its arm of 0.3 m.
     """
     arm, axis = (0.3, "0 1 0") if kind == "hinge" else (0, "0 0 1")
     joint = f'type="{kind}" axis="{axis}"'

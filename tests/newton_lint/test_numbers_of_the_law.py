@@ -1,9 +1,9 @@
-"""Numbers of the law, computed by hand from MuJoCo's documentation.
+"""Compare numbers of the law with numbers computed by hand from MuJoCo's documentation.
 
-See "Modeling", solver parameters, and "Computation". A timeconst gives
-b = 2 / (dmax timeconst) and k = 1 / (dmax timeconst dampratio)². A direct solref gives
-b = damping / dmax and k = stiffness / dmax². R is (1 - d) / d · w / impratio. With
-``refsafe`` a timeconst is at least two steps.
+See "Modeling", solver parameters, and "Computation". A timeconst gives b = 2 / (dmax
+timeconst) and k = 1 / (dmax timeconst dampratio)². A direct solref gives b = damping /
+dmax and k = stiffness / dmax². R is (1 - d) / d · w / impratio. With ``refsafe`` a
+timeconst is at least two steps.
 """
 
 import math
@@ -22,7 +22,9 @@ from newton_lint.target import Target
 from tests.newton_lint.cases import Case
 
 CONTACT = Contact((0.02, 1.0), (0.9, 0.95, 0.001, 0.5, 2.0), 0.8, 2.0)
-"""1/b = 0.95 · 20 ms / 2 = 9.5 ms and R = 0.05 / 0.95 · 2 = 2/19 per kg give R/b = 1 mm/s/N."""
+"""Test that 1/b = 0.95 · 20 ms / 2 = 9.5 ms and R = 0.05 / 0.95 · 2 = 2/19 per kg give
+R/b = 1 mm/s/N.
+"""
 ELLIPTIC = Option(0.002, cone="elliptic")
 STEEP = 1.0 + 0.8**2
 """Factor of w for an edge of the pyramid."""
@@ -220,7 +222,9 @@ def test_a_pyramid_has_two_edges_for_each_axis_of_friction(condim, cone, edges):
 @pytest.mark.parametrize("slide", [0.001, 0.0015, 0.003, 0.008, 0.02])
 @pytest.mark.parametrize("edge_count", [4, 6])
 def test_a_pyramids_edges_bear_what_minimizes_their_energy(slide, edge_count):
-    """SciPy minimizes Σ R f²/2 - J f over non-negative forces, as in MuJoCo's dual."""
+    """Compare with SciPy, which minimizes Σ R f²/2 - J f over non-negative forces, as
+    in MuJoCo's dual.
+    """
     mu = 0.5
     normal = 10.0
     compliance = 0.001
@@ -413,7 +417,7 @@ FEW = """
     ],
 )
 def test_alike_pairs_are_predicted_together_the_free_and_the_fastest_first(load, order):
-    """A tenth of the mass creeps ten times as fast under a load.
+    """Test that a tenth of the mass creeps ten times as fast under a load.
 
     Under an acceleration only the timeconst matters.
     """

@@ -55,7 +55,7 @@ def found(rule: str, **changes) -> list[Finding]:
 
 
 def alone(solref: str, **more) -> dict:
-    """Return settings of a floor whose solref counts alone."""
+    """Return settings of a floor that give its solref the full weight."""
     return {"floor": f'priority="1" solref="{solref}"', **more}
 
 
@@ -315,13 +315,13 @@ def test_dmin_is_no_more_than_dmax_as_the_engine_clips_both():
 
 
 def test_a_pyramid_is_said_to_be_as_soft_as_it_is():
-    """(1 + μ²) μ² / 2 is 136 for a μ of 4."""
+    """Test (1 + μ²) μ² / 2, which is 136 for a μ of 4."""
     [finding] = found("pyramid", floor='friction="4"')
     assert "contacts 136 times softer" in finding.message
 
 
 def test_of_a_pair_whose_parameters_mix_the_stiffer_side_is_named():
-    """A solmix of 3 to 1 gives 0.75 · 2 ms + 0.25 · 8 ms."""
+    """Test a solmix of 3 to 1, which gives 0.75 · 2 ms + 0.25 · 8 ms."""
     floor = 'solref="0.008 1"'
     part = 'solref="0.002 1" solmix="3"'
     [finding] = found("timeconst", floor=floor, part=part)

@@ -1,9 +1,10 @@
 """Check that prose is plain: ``python tests/prose/check.py [FILE…]``.
 
-Docstrings, comments and messages of Python files, templates and documents are searched for
-the patterns of ``rules.toml``. With files as arguments this lists every finding in them.
-Without arguments it compares each room with its rate, lists the findings of those that
-exceed it, with file, line and a better form, and ends with status 1 if there are any.
+The check searches docstrings, comments and messages of Python files, templates and
+documents for the patterns of ``rules.toml``. With files as arguments this lists every
+finding in them. Without arguments it compares each folder with its rate, lists the
+findings of those that exceed it, with file, line and a better form, and exits with
+status 1 if there are any.
 """
 
 import ast

@@ -19,7 +19,7 @@ from measured_report.records.record import Record, load_record, write_record
 
 SECTIONS = ("contact_source", "noise", "reproduction", "upgrade")
 SHAKEN = "slip_mm drift_mm_s oscillation_mm wander_mm increment_mean_mm increment_last_mm cycle_count".split()
-"""Numbers that a run without finite poses does not have."""
+"""Numbers that are missing in a run without finite poses."""
 
 
 def broken(row: dict, frame: int) -> dict:
@@ -36,7 +36,7 @@ def broken(row: dict, frame: int) -> dict:
 
 
 def say(section: str, claim: Claim) -> str:
-    """Word it by its test alone."""
+    """Return words that repeat the test of the claim."""
     return f"{section}.{claim.name} {claim.outcome.answer}"
 
 
@@ -101,8 +101,8 @@ def rows_changed(
     ],
 )
 def test_what_is_not_a_number_is_named_first(measured, section, cases, frame):
-    """All runs fail in the first frame, as in Newton 1.3.0 with a later Warp, and one
-    run fails in frame 500.
+    """Test a release in which all runs fail in the first frame, as in Newton 1.3.0 with
+    a later Warp, and a release with one run that fails in frame 500.
     """
     found = changed(measured("1.9.0", rows_changed(section, cases, frame)))
     assert found.is_alarm

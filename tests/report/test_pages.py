@@ -82,14 +82,18 @@ def counts(site: Path) -> dict[str, int]:
 
 
 def test_no_paragraph_begins_with_a_mark_that_ends_a_sentence(site):
-    """A passage with line breaks would become a separate paragraph."""
+    """Test that no paragraph begins with punctuation.
+
+    A passage with line breaks would become a separate paragraph.
+    """
     for path in site.rglob("*.html"):
         assert re.findall(r"<p>\s*[,.;:]", path.read_text(encoding="utf-8")) == [], path
 
 
 def test_no_passage_within_a_line_begins_with_a_blank():
-    """The space would be removed, and two words would become one: write &nbsp; or a
-    comma.
+    """Test that no passage within a line begins with a space.
+
+    The space would be lost; write &nbsp; or a comma instead.
     """
     for path in sorted((ROOT / "templates").rglob("*.j2")):
         text = path.read_text(encoding="utf-8")

@@ -1,8 +1,7 @@
 """Test that repeated measurements do not raise an alarm, and that planted changes of
-packages do.
-
-``plants.tgz`` has the deciding sections of release 1.4.0 on an H200, with one change in the installed packages each,
-under the version of mujoco-warp that says which.
+packages do. ``plants.tgz`` contains the deciding sections of release 1.4.0 on an H200.
+Each set was measured with one change in the installed packages, which the version of
+mujoco-warp identifies.
 """
 
 import shutil
@@ -158,8 +157,9 @@ def test_a_planted_setting_rings_and_is_named_first(
     "plant", ["12", "13", "15"], ids=["armature +1 %", "gravity 9.80", "timeconst +3 %"]
 )
 def test_what_is_hidden_in_the_kernels_is_told_as_changed(measured_as, plants, plant):
-    """No setting shows this change. The slip is among the first three changes, even if
-    it does not matter.
+    """Test a change that no setting shows.
+
+    The slip is among the first three changes, even if it does not matter.
     """
     found = measured_as(plants[f"3.10.0.{plant}"])
     assert len(
@@ -189,7 +189,7 @@ def test_the_least_change_that_would_have_rung_is_that_which_rings(
 
 
 def test_a_replica_that_is_left_out_rings_nothing(edition, measured_as):
-    """The replica is one of the measurements that it is compared with."""
+    """Test a replica, which is one of the measurements that it is compared with."""
     tracked = {record.section: record for record in records_of(edition.project)}
     for path in replica_files(edition.project):
         records = alike(tracked, read_replica(path))

@@ -25,7 +25,9 @@ from measured_report.values.body import body_of
 from measured_report.values.evidence import Evidence, repeats_of, scatters
 
 STEP = 1 if IS_WEEKLY else 5
-"""The weekly workflow compares all measurements, and the suite compares some of them."""
+"""Step between the measurements that are compared: all of them in the weekly workflow,
+and each fifth in the suite.
+"""
 SIDES = [(1.05, True), (1.05, False), (1.2, True), (10.0, False)]
 """Factors, each with whether one measurement is compared or all of them."""
 pytestmark = pytest.mark.slow

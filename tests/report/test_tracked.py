@@ -56,8 +56,9 @@ def test_every_claim_table_and_figure_is_on_the_page_and_only_what_was_not_measu
 
 
 def test_every_outcome_of_every_claim_can_be_said(editions):
-    """A wording that names a missing number would otherwise fail only when the claim
-    flips.
+    """Test wordings that name a missing number.
+
+    Otherwise they would fail only when the claim flips.
     """
     chapters = {release: edition.chapters for release, edition in editions.items()}
     words = {

@@ -72,7 +72,10 @@ def test_a_release_that_was_not_measured_so_is_refused(edition):
 def test_two_runs_without_a_slip_agree_if_they_lack_it_for_the_same_reason(
     edition, tracked_reason, words, agrees
 ):
-    """Here the run breaks down. The tracked run breaks down as well, or its cube falls."""
+    """Test a run that breaks down on this machine.
+
+    The tracked run breaks down as well, or its cube falls.
+    """
     chapter = edition.chapters["reproduction"]
     rows = [
         {**row, "slip_mm": None, "slip_mm_reason": tracked_reason}

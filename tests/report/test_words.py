@@ -35,10 +35,8 @@ UNSHOWN = re.compile(
 
 def overstated(templates: Path) -> list[tuple[str, str]]:
     """List claims whose ``{% fails %}`` has a sentence without a number and without the
-    words "not shown".
-
-    A claim fails if it is not shown, and also if its opposite is shown, for which there
-    is ``{% opposite %}``.
+    words "not shown". A claim fails if it is not shown, and also if its opposite is
+    shown, for which there is ``{% opposite %}``.
     """
     found = []
     for path in sorted(templates.rglob("*.md.j2")):

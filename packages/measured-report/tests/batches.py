@@ -1,4 +1,7 @@
-"""Batches without physics, for the tests of measuring: each leaves a line of who measured it."""
+"""Provide batches without physics for the tests of measuring.
+
+Each batch writes a line with the process that measured it.
+"""
 
 import os
 import pickle
@@ -14,7 +17,9 @@ from measured_report.records.record import basis_of, load_record
 
 @dataclass(frozen=True)
 class Rows:
-    """What a section hands over, without the simulator that Measurement brings."""
+    """Stand in for the result of a section, without the simulator that Measurement
+    imports.
+    """
 
     rows: list
     traces: dict = field(default_factory=dict)
@@ -47,7 +52,7 @@ def fail(log: str) -> None:
 
 
 def die(log: str, times: int) -> dict:
-    """Killed so often, and then measured."""
+    """Kills its process this many times, and then measures."""
     note(log, "begin die")
     if Path(log).read_text(encoding="utf-8").count("begin die") <= times:
         os.kill(os.getpid(), signal.SIGKILL)
@@ -55,7 +60,10 @@ def die(log: str, times: int) -> dict:
 
 
 def die_after(log: str) -> None:
-    """Killed whenever it is measured, once ``die`` has begun: whoever breaks a pool takes along what has not begun."""
+    """Kills its process each time it is measured once ``die`` has begun.
+
+    A broken pool also loses the batches that have not begun.
+    """
     while "begin die" not in Path(log).read_text(encoding="utf-8"):
         time.sleep(0.01)
     os.kill(os.getpid(), signal.SIGKILL)
@@ -81,7 +89,9 @@ GARBAGE = (
 
 
 def garbage(batch: Batch, device: str) -> object:
-    """What a worker may return in the place of a result, as the batch's name says."""
+    """Results that a worker may return instead of a valid one, by the name of the
+    batch.
+    """
     return GARBAGE[int(batch.name)]
 
 
@@ -90,7 +100,9 @@ def double(rows: list) -> dict:
 
 
 def plan(log: str, names: str, seconds: float = 0.0, exclusive: str = "") -> Plan:
-    """A batch for each letter, those of ``exclusive`` by themselves, and one that needs them all."""
+    """Plan a batch for each letter, run those of ``exclusive`` one at a time, and add
+    one that needs all others.
+    """
     rows = yield [
         Batch(name, work, (log, name, seconds), exclusive=name in exclusive)
         for name in names
@@ -113,7 +125,7 @@ def section_of(toy, plan: Plan, name: str = "toy") -> Section:
 
 
 def begun(log: Path) -> list[str]:
-    """Names of the batches that were begun, in order."""
+    """Return the names of the batches that were begun, in order."""
     return [
         line.split()[1]
         for line in log.read_text().splitlines()
@@ -122,7 +134,7 @@ def begun(log: Path) -> list[str]:
 
 
 def spans(log: Path) -> dict[str, tuple[float, float]]:
-    """When each batch was last begun and ended."""
+    """Return when each batch last began and ended."""
     found: dict[str, list[float]] = {}
     for line in log.read_text().splitlines():
         found.setdefault(line.split()[1], []).append(float(line.split()[2]))
@@ -132,7 +144,7 @@ def spans(log: Path) -> dict[str, tuple[float, float]]:
 
 
 def running(log: Path) -> list[int]:
-    """Processes that have measured and are still there, a moment later."""
+    """Return the processes that measured and still exist a moment later."""
     numbers = {int(line.split()[-1]) for line in log.read_text().splitlines()}
     deadline = (
         time.monotonic() + 60.0

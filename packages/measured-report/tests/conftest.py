@@ -1,4 +1,4 @@
-"""The report of the tests is the toy, and what it measures on is this machine's processor."""
+"""Provide the toy as the report of the tests, measured on this machine's processor."""
 
 import shutil
 from collections.abc import Iterator
@@ -23,7 +23,7 @@ with suppress(ImportError):  # an extra
 
 @pytest.fixture(scope="session")
 def outside(tmp_path_factory) -> Path:
-    """A report that no test changes."""
+    """Return a report that no test changes."""
     lay_out(folder := tmp_path_factory.mktemp("outside"))
     return folder
 
@@ -48,7 +48,7 @@ def entered_toy(folder: Path) -> Iterator[Toy]:
 
 @pytest.fixture(scope="session")
 def model(tmp_path_factory) -> Toy:
-    """A toy that was built, of which others are copies."""
+    """Return a built toy, from which tests make copies."""
     with entered_toy(tmp_path_factory.mktemp("model") / "project") as toy:
         toy.build()
         return toy
@@ -56,7 +56,10 @@ def model(tmp_path_factory) -> Toy:
 
 @pytest.fixture
 def toy(tmp_path, model) -> Iterator[Toy]:
-    """A report that is current; what its model derived and drew is kept for its first build."""
+    """Return a fresh report.
+
+    The derived values and figures of its model are kept for its first build.
+    """
     with entered_toy(tmp_path / "project") as toy:
         shutil.copytree(
             Cache(model.project.root).folder, Cache(toy.project.root).folder
@@ -66,14 +69,14 @@ def toy(tmp_path, model) -> Iterator[Toy]:
 
 @pytest.fixture
 def built(toy, model) -> Toy:
-    """The project with its site."""
+    """Return the project with its site."""
     shutil.copytree(model.project.site, toy.project.site)
     return toy
 
 
 @pytest.fixture
 def log(tmp_path) -> Path:
-    """The log of the batches without physics."""
+    """Return the log of the batches without physics."""
     path = tmp_path / "log"
     path.touch()
     return path
@@ -81,7 +84,7 @@ def log(tmp_path) -> Path:
 
 @pytest.fixture
 def checkout(tmp_path) -> Path:
-    """A repository with a package newton."""
+    """Return a repository with a package newton."""
     folder = tmp_path / "newton"
     (folder / "newton").mkdir(parents=True)
     (folder / "newton/__init__.py").write_text("x = 1\n")

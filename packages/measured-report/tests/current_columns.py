@@ -1,4 +1,4 @@
-"""The columns of the current report, for tests."""
+"""Provide the columns of the current report to tests."""
 
 import re
 from collections.abc import Mapping, Sequence

@@ -1,4 +1,7 @@
-"""Ways to damage a record or a trace, by name; each must be found by whoever reads it."""
+"""List ways to damage a record or a trace, by name.
+
+Every reader must detect each of them.
+"""
 
 import ctypes
 import gzip
@@ -21,7 +24,7 @@ GONE = object()
 
 
 def _with(*path: str | int, value: Any = GONE) -> Change:
-    """A change of the one field at ``path``, which is taken out where it gets no value."""
+    """Change the field at ``path``, or remove it if no value is given."""
 
     def change(data: dict) -> None:
         *way, last = path
@@ -125,7 +128,7 @@ FIELDS: dict[str, Change] = {
     **{f"no {field} of measured": _with("measured", field) for field in ("date", "seconds", "command", "commit")},
     **{f"no {field} of machine": _with("machine", field) for field in ("device", "cpu", "gpu")},
 }  # fmt: skip
-"""Changes of what a record says, by name."""
+"""Changes of the fields of a record, by name."""
 
 TEXTS: dict[str, Callable[[str], str | bytes]] = {
     "nothing": lambda text: "",
@@ -191,7 +194,10 @@ TRACES: dict[str, Callable[[bytes], bytes]] = {
     "bytes": lambda content: gzip.compress(bytes(range(256))),
     "open quote": lambda content: _packed('time_s,x_mm\n0,"1\n'),
 }
-"""Changes of a trace's content, by name; each is found by its record's seal, and in itself."""
+"""Changes of a trace's content, by name.
+
+The seal of its record detects each of them, and so does the trace itself.
+"""
 
 
 PLACES: Mapping[str, Callable[[Path], object]] = {
@@ -201,7 +207,7 @@ PLACES: Mapping[str, Callable[[Path], object]] = {
     "a folder": Path.mkdir,
     "a terabyte": lambda path: (path.touch(), os.truncate(path, 1 << 40)),
 }
-"""What may be in the place of a record or a trace, by name."""
+"""Objects that may replace a record or a trace, by name."""
 
 
 def unsealed(text: str) -> str:
@@ -210,13 +216,15 @@ def unsealed(text: str) -> str:
 
 
 def resealed(text: str) -> str:
-    """Return the text of a record, sealed anew if it ends as one does."""
+    """Return the text of a record, sealed again if it ends with a seal."""
     whole = text.rstrip()
     return sealed(whole.removesuffix("}")) if whole.endswith("}") else text
 
 
 def damage(path: Path, name: str) -> None:
-    """Damage the record or trace at ``path`` in the way ``name``; a record is sealed anew."""
+    """Damage the record or trace at ``path`` in the way ``name``; a record is sealed
+    again.
+    """
     kind, _, way = name.partition(": ")
     if kind == "field":
         data = json.loads(unsealed(path.read_text(encoding="utf-8")))

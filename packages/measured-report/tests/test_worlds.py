@@ -1,6 +1,5 @@
-"""Whatever is missing, broken, equal, swapped or doubled costs exactly what reads it.
-
-A world is altered a few times over; WORLDS=1000 tries so many instead of a few.
+"""Test that missing, damaged, equal, swapped or doubled results affect only the
+sections that read them. The suite tries a few worlds; WORLDS=1000 tries a thousand.
 """
 
 import contextlib
@@ -50,7 +49,9 @@ many = settings(max_examples=COUNT or 15)
 
 @pytest.fixture(scope="module")
 def ground(tmp_path_factory) -> Iterator["Ground"]:
-    """A report without results, to which worlds are written one after the other."""
+    """Return a report without results, into which tests write worlds one after the
+    other.
+    """
     folder = tmp_path_factory.mktemp("worlds") / "project"
     lay_out(folder)
     lay_out_world(folder)
@@ -68,7 +69,7 @@ def ground(tmp_path_factory) -> Iterator["Ground"]:
 
 
 class Ground:
-    """The report of the worlds, and what it says of the first one."""
+    """Return the report of the worlds and its answers for the first one."""
 
     def __init__(self, toy: Toy, records: dict[tuple[str, str], Record]):
         self.toy = toy
@@ -81,7 +82,7 @@ class Ground:
         world.write(self.toy, self.records)
 
     def run(self, command: object) -> tuple[int, str]:
-        """Return the status of a command, and what it says on the error stream."""
+        """Return the status of a command and its text on the error stream."""
         asked = Namespace(
             release=release_of("1.4.0"), address="", format="text", strict=False
         )
@@ -226,7 +227,10 @@ SPOILS = [
 
 
 def world_after(*changes: tuple) -> World:
-    """Return the first world with some changes: a way, and the cells that it takes."""
+    """Return the first world with some changes.
+
+    A change consists of a kind and its cells.
+    """
     world = first_world()
     for way, *cells in changes:
         WAYS[way](world, *cells)
@@ -237,7 +241,7 @@ def world_after(*changes: tuple) -> World:
 ODD = world_after(
     ("drop", ("1.4.0", "", "pair"), 0, ()), ("enlarge", ("1.8.0", "", "toy"), 1, ())
 )
-"""A number that is below its noise, which only the page says."""
+"""World with a number below its noise, which only the page prints."""
 
 
 @few

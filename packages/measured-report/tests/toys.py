@@ -1,4 +1,6 @@
-"""A small report of its own: one section, measured by hand, in the three files that a section takes."""
+"""Build a small report with one section, which is measured by hand and has the three
+files of a section.
+"""
 
 import atexit
 import gc
@@ -44,7 +46,8 @@ os.environ["PYTHONPATH"] = (
     f"{GENERATOR}{os.pathsep}{HERE}"  # of the programs that the tests start
 )
 IS_WEEKLY = bool(os.environ.get("WORLDS"))
-"""Whether to try all that the suite tries a sample of, as the weekly workflow does."""
+"""Whether to test all cases instead of the suite's sample, as the weekly workflow does.
+"""
 CACHE = os.environ.get("XDG_CACHE_HOME") or str(Path.home() / ".cache")
 KEPT = Path(
     os.environ.setdefault("CACHE_OF_TESTS", CACHE)
@@ -62,7 +65,11 @@ if (
 
 
 class Compiled(jinja2.BytecodeCache):
-    """Keep each template compiled: the layout is the same in all tests, and a third of what a small site takes."""
+    """Cache the compiled templates.
+
+    All tests have the same layout, and compiling it takes a third of the time of a
+    small site.
+    """
 
     def __init__(self):
         self.buckets: dict[tuple, Bucket] = {}
@@ -78,7 +85,7 @@ class Compiled(jinja2.BytecodeCache):
         return self.buckets.setdefault(key, Bucket(environment, str(key), ""))
 
     def set_bucket(self, bucket: Bucket) -> None:
-        """Nothing: it is kept already."""
+        """Does nothing, because the template is cached already."""
 
 
 jinja2.Environment.__init__ = partialmethod(
@@ -100,7 +107,7 @@ BY_HAND = {
         "seconds": 1.5,
     },
 }
-"""What a record made here says of who measured it."""
+"""Machine and author of the records that are made here."""
 
 MODULE = """
 from measured_report.parts.claim import Claim, at_least
@@ -166,7 +173,10 @@ INSTALLED = {
     "mujoco-warp": "3.10.0.3",
     "mujoco": "3.10.0",
 }
-"""Packages that are told to be installed where the report is current, as its editions are of the first."""
+"""Packages that count as installed while the toy is the current report.
+
+An edition belongs to the first of them.
+"""
 CARDS = 'from measured_report.measuring.host import *\nKIND, NOUN = "cuda", "GPU"\n'
 SETTINGS = """
 edition = "newton"
@@ -206,7 +216,7 @@ with cached_sources():
     build(Project(sys.argv[2], root=Path(sys.argv[1]), own_release=own_release()))
 sys.exit(bool({"warp", "newton", "mujoco"} & set(sys.modules)))
 """
-"""Builds the site of a folder and a release; what builds it must not import the simulator."""
+"""Builds the site of a folder and a release, without importing the simulator."""
 EXPERIMENT = """from experiments.scene import slip
 
 
@@ -221,7 +231,7 @@ ROWS = (
 
 @dataclass(frozen=True)
 class Toy:
-    """The project and what the tests do with it."""
+    """Provides the project and the actions of the tests on it."""
 
     project: Project
 
@@ -235,7 +245,7 @@ class Toy:
 
     @property
     def page_path(self) -> Path:
-        """The page of its section; the front page where that is left out."""
+        """Return the page of its section, or the front page if no section is given."""
         path = self.project.site / "cause.html"
         return path if path.is_file() else self.project.site / "index.html"
 
@@ -276,7 +286,7 @@ class Toy:
         )
 
     def of(self, release: str) -> "Toy":
-        """The same project with another Newton release."""
+        """Return the same project with another Newton release."""
         return replace(self, project=self.project.of(release))
 
     def build(self) -> None:
@@ -284,7 +294,7 @@ class Toy:
 
 
 def forget_sections() -> None:
-    """Let the modules of sections be imported anew."""
+    """Remove the modules of sections, so that they are imported again."""
     for name in [name for name in sys.modules if name.startswith("report.sections.")]:
         del sys.modules[name]
     importlib.invalidate_caches()
@@ -336,7 +346,9 @@ def lay_out(folder: Path) -> None:
 def made_once(
     factory: pytest.TempPathFactory, name: str, make: Callable[[Path], None]
 ) -> Path:
-    """The folder ``name`` that ``make`` fills, for all processes of this run of the tests together."""
+    """Return the folder ``name``, which ``make`` fills once for all processes of this
+    run of the tests.
+    """
     own = factory.getbasetemp()
     base = own.parent if "PYTEST_XDIST_WORKER" in os.environ else own
     (base / f"{name}.lock").mkdir(exist_ok=True)
@@ -354,7 +366,7 @@ def made_once(
 def program(
     *arguments: str | Path, cwd: Path | None = None, **environment: str
 ) -> subprocess.CompletedProcess:
-    """What a program in Python says, and how it ends."""
+    """Return the output of a Python program and its exit status."""
     command, environment = [sys.executable, *arguments], {**os.environ, **environment}
     folder = cwd or report().root
     return subprocess.run(
@@ -368,7 +380,7 @@ def program(
 
 
 def link(root: Path, *names: str) -> None:
-    """Give a folder what the checkout has of these names."""
+    """Copy entries of the checkout with these names into a folder."""
     for name in names:
         (root / name).symlink_to(report().root / name)
 
@@ -376,7 +388,9 @@ def link(root: Path, *names: str) -> None:
 def killed_at(
     stop: int, changes: Callable[[str, tuple], bool], work: Callable[[], object]
 ) -> int:
-    """Do something in a process that is killed before one of its steps that change something; how it ended."""
+    """Run a function in a process that is killed before one of its steps that change a
+    file. Return how the process ended.
+    """
     child = os.fork()
     if not child:
         steps = iter(range(stop))

@@ -1,8 +1,7 @@
-"""Small worlds: the results of three releases of a toy report, and ways to alter them.
-
-Three sections: runs of one case, which say how numbers scatter; the toy, which reads
-them; and one that compares releases. A story of the front page reads all of them. Some
-of the releases were measured again.
+"""Make small worlds, which are the results of three releases of a toy report, and alter
+them. There are three sections: repeated runs of one case, which show how numbers
+scatter; the toy, which reads them; and one that compares releases. A story of the front
+page reads all of them. Some of the releases were measured again.
 """
 
 from collections.abc import Callable, Mapping
@@ -153,19 +152,19 @@ def lay_out_world(folder: Path) -> None:
 
 @dataclass
 class World:
-    """The rows of all records and replicas, and which files are spoiled."""
+    """Holds the rows of all records and replicas, and the names of damaged files."""
 
     rows: dict[Place, list[Row]]
     spoiled: dict[str, Callable[[Path], object]] = field(default_factory=dict)
-    """How to spoil a file or folder, by its name below ``results``."""
+    """Kinds of damage to a file or folder, by its name below ``results``."""
     log: list[str] = field(default_factory=list)  # what was altered, in words
 
     def _repr_pretty_(self, printer: Any, _: bool) -> None:
-        """Write what was altered, as Hypothesis shows an example that fails."""
+        """Print the changes, as Hypothesis shows a failing example."""
         printer.text("; ".join(self.log))
 
     def write(self, toy: Toy, records: Mapping[tuple[str, str], Record]) -> None:
-        """Write all results, of which there are none yet."""
+        """Write all results into a report that has none yet."""
         replicas: dict[tuple[str, str], list[Record]] = {}
         for (release, replica, section), rows in self.rows.items():
             units = {"slip_mm": "mm"}
@@ -215,7 +214,7 @@ def pointers(release: str, section: str) -> set[str]:
 
 
 def first_world() -> World:
-    """Return the world that is altered: nothing is wrong in it."""
+    """Return the undamaged world that tests alter."""
     rows: dict[Place, list[Row]] = {}
     for index, release in enumerate(RELEASES):
         factor = 1.0 + 0.01 * index
@@ -241,7 +240,7 @@ def first_world() -> World:
 
 @dataclass(frozen=True)
 class Said:
-    """What a claim says: its text, its answer, its numbers, and what it reads."""
+    """Holds the text of a claim, its outcome, its numbers, and the cells that it reads."""
 
     text: str
     answer: str
@@ -250,7 +249,7 @@ class Said:
 
 
 def said_of(editions: Mapping[str, Edition]) -> dict[tuple[str, str, str], Said]:
-    """Return what all claims say, by release, section or text, and name."""
+    """Return the texts of all claims by release, section or text, and name."""
     templates = Templates(next(iter(editions.values())).project.templates)
     give_words(editions, templates)
     releases = {release: edition.chapters for release, edition in editions.items()}

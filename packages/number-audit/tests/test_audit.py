@@ -450,7 +450,7 @@ def test_a_chain_of_names_is_as_long_as_it_is(audit):
 
 
 def test_a_fix_never_overwrites_what_was_saved_in_the_meantime(audit, monkeypatch):
-    """An editor may save the file between its reading and the fix."""
+    """Test that an editor may save the file after it was read and before it is fixed."""
     edited = "a new sentence"
 
     def edit_and_copy(path, temporary, copymode=shutil.copymode):

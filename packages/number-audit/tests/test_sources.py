@@ -142,7 +142,7 @@ def test_a_column_is_found_without_its_unit_and_in_small_letters():
 
 
 def test_repeated_files_give_a_mean_and_the_noise_of_their_scatter():
-    """The mean of 1, 2 and 3 is 2 ± 4.303 / √3."""
+    """Test the mean of 1, 2 and 3, which is 2 ± 4.303 / √3."""
     runs = [source(f"{n}.json", {"a_ms": float(n)}) for n in (1, 2, 3)]
     quantity = Repeats("*.json", runs).quantity("/a_ms")
     assert (quantity.value, quantity.unit) == (2.0, "ms")

@@ -83,7 +83,9 @@ def test_a_cell_with_a_mark_of_its_own_is_audited_by_that_one(audit):
 
 
 def test_a_table_is_marked_by_the_names_of_its_rows_and_columns(audit):
-    """Its stale number then has a mark, although it is in no result."""
+    """Test a stale number that has a mark after the fix, although no result contains
+    it.
+    """
     right = TABLE.format("99.9").replace("a [1/2]", "`a [1/2]`")
     unmarked = right.partition("\n<!--")[0]
     status, [line], marked = audit(unmarked, "--suggest", "r.json")

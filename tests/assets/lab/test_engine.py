@@ -1,4 +1,6 @@
-"""The page's own engine in Node: it says what the tracked runs say, and ends whatever it is asked."""
+"""Test that the page's own engine agrees with the tracked runs in Node, and that every
+run ends.
+"""
 
 import json
 import os
@@ -26,11 +28,12 @@ QUERIES = {
     "stiff-pads-10cm": "ke=250000&kd=1000&amplitude_mm=100",
     "cone-pyramidal": "cone=pyramidal",
 }
-"""What the page's address says for each tracked case."""
+"""Text after the page's address for each tracked case."""
 WHOLE = "stiff-pads-10cm"
-"""Run to its end; the one as shipped is in the page, by ``test_lab_page.py``."""
+"""Cases that run to the end. ``test_lab_page.py`` runs the case as shipped on the page.
+"""
 RANDOM_COUNT = int(os.environ.get("LAB_RANDOM", "3"))
-"""Settings that are tried; 1000 take some minutes."""
+"""Number of settings to try; 1000 take some minutes."""
 NUMBERS = {
     "ke": (1e2, 1e7),
     "kd": (5, 1e5),
@@ -66,7 +69,7 @@ def rows_in_node(queries, shake_frame_count, **env):
 
 @pytest.mark.slow
 def test_it_slips_as_the_tracked_runs_and_ends_in_their_class():
-    """Two cycles of each, and what they end in of two."""
+    """Test two cycles of each setting, and the results of two settings."""
     for case, row in zip(QUERIES, rows_in_node([*QUERIES.values()], 121), strict=True):
         moved = load_trace(trace_path(RECORD, case))[["x_mm", "y_mm", "z_mm"]].iloc[120]
         assert row["slip_mm"] == pytest.approx(

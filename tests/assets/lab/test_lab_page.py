@@ -1,4 +1,4 @@
-"""The page that measures, in a real browser and from a real server."""
+"""Test the page that measures, in a real browser and with a real server."""
 
 import threading
 from collections.abc import Iterator
@@ -16,7 +16,9 @@ axe_core = pytest.importorskip(
 )
 
 FRONT_BYTES = 10_000
-"""Most that the front page may fetch for the trial before Run is pressed."""
+"""Largest size of the files that the front page may fetch for the trial before Run is
+pressed.
+"""
 
 
 class Quiet(SimpleHTTPRequestHandler):
@@ -34,7 +36,7 @@ def address(site: Path) -> Iterator[str]:
 
 @pytest.fixture
 def tab(browser, address, request) -> Iterator["sync_api.Page"]:
-    """A tab that raises no error and asks no other server."""
+    """Yield a tab that must not raise an error or ask another server."""
     tab = browser.new_page(**getattr(request, "param", {}))
     problems: list[str] = []
     tab.on("pageerror", lambda error: problems.append(str(error)))
@@ -134,7 +136,9 @@ def test_the_front_page_tries_it_and_is_hardly_heavier_for_it(tab, address):
 
 
 def test_the_slider_tells_what_the_law_makes_of_it(tab, address):
-    """At the shipped kd that is what the tracked run slips, and it falls until a timeconst is two steps."""
+    """Test that the slip at the shipped kd agrees with the tracked run, and that it
+    decreases until the timeconst is two steps.
+    """
     tab.goto(f"{address}index.html")
     assert "kd = 100, by the law 6.36 mm" in tab.inner_text("#try")
     tab.locator("#try-kd").press("End")

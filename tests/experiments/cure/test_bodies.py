@@ -1,4 +1,4 @@
-"""Other bodies and contacts than a grasp."""
+"""Test bodies and contacts that differ from a grasp."""
 
 import pytest
 
@@ -9,7 +9,9 @@ GRAVITY_M_S2 = 9.81
 
 
 def moved(name: str, body: str, variant: str, engine: str = "c") -> list[float]:
-    """Say how far a body goes in half a second on the plane [m]: along, sideways and up."""
+    """Return how far a body moves on the plane in half a second [m]: along the motion,
+    sideways and up.
+    """
     motion = next(
         each for each in bodies.MOTIONS if (each.name, each.body) == (name, body)
     )

@@ -1,4 +1,4 @@
-"""The box on the turntable."""
+"""Test the box on the turntable."""
 
 import numpy as np
 import pytest

@@ -1,4 +1,4 @@
-"""MJCF in several engines: runs that blow up."""
+"""Test runs of MJCF scenes that blow up in several engines."""
 
 import math
 
@@ -11,7 +11,7 @@ from experiments.simulation.c_warnings import RunFailed
 
 @pytest.mark.parametrize("name", ["c", "warp"])
 def test_a_run_that_blows_up_fails(name, tmp_path, monkeypatch):
-    """MuJoCo's C engine would go on from the beginning."""
+    """Test that a run fails instead of continuing. MuJoCo's C engine would restart it."""
     monkeypatch.chdir(tmp_path)  # where it keeps a log of it
     engine = ENGINES[name](BALL, 1, "cpu")
     engine.advance()

@@ -1,4 +1,6 @@
-"""What the named cases are, from the laws that they are named after, and which numbers make no case."""
+"""Test the named cases by the laws that they are named after, and numbers that do not
+define a case.
+"""
 
 import ast
 import re
@@ -27,7 +29,9 @@ from experiments.simulation import scene, stepper_c, task
 from measured_report.files.root import ROOT
 
 SHIPPED = (ROOT / FIXED_SCENE).read_text(encoding="utf-8")
-"""The scene in one file, which is offered and imports nothing from here."""
+"""Source of the scene in one file, a download that does not import any module of this
+project.
+"""
 
 
 def test_the_scene_has_the_numbers_of_the_file_that_is_offered():

@@ -1,4 +1,6 @@
-"""The classifier on hand-made traces: each class, each border between two, and the order of the tests."""
+"""Test the classifier on handmade traces: each class, each border between two classes,
+and the order of the tests.
+"""
 
 from dataclasses import replace
 
@@ -18,17 +20,19 @@ from experiments.facts.trace import FRAME_COLUMNS, Failure, Trace
 
 FRAME_DT = 1.0 / 60.0
 FRAME_COUNT = 241
-"""Four seconds: two periods of the shake, and the frame that they begin with."""
+"""Times of four seconds: two periods of the shake, and the frame before them [s]."""
 TIME_S = np.arange(FRAME_COUNT) * FRAME_DT
 TOOL_DOWN = (1.0, 0.0, 0.0, 0.0)
 HAND = np.array([0.0, -0.44, 0.22])
 FLOOR_MM_S = 0.01
 DRIVE_PEAK_M_S = 0.03 * 2.0 * np.pi * np.sqrt(1.0 + 1.3**2 + 0.525**2)
-"""Peak of the shake as shipped, worked out from its three axes."""
+"""Peak acceleration of the shake as shipped, computed from its three axes."""
 
 
 def make_trace(cube_in_world_m, failure=None) -> Trace:
-    """A shake with the hand still, and the cube at these places less HAND [m], shape [frames, 3]."""
+    """Return a shake with the hand still and the cube at these places relative to HAND
+    [m], shape [frames, 3].
+    """
     poses = np.zeros((len(cube_in_world_m), 6, 7))
     poses[:, :, 3:] = TOOL_DOWN
     poses[:, :, :3] = HAND
@@ -50,22 +54,28 @@ def creeping_at(rate_mm_s: float) -> np.ndarray:
 
 
 def kicked_at(speed_m_s: float) -> np.ndarray:
-    """Still, but for one frame in which it moves at that speed, there and back."""
+    """Return places that are constant except in one frame, in which the cube moves away
+    and back at this speed.
+    """
     values = np.zeros(FRAME_COUNT)
     values[100] = speed_m_s * FRAME_DT
     return along(0, values)
 
 
 def swinging(before_m: float, after_m: float) -> np.ndarray:
-    """At 5 Hz, with one amplitude in the last but one second and another in the last."""
+    """Return a swing at 5 Hz with one amplitude in the last second but one, and another
+    in the last second.
+    """
     amplitude = np.where(TIME_S < 3.0, before_m, after_m)
     return along(0, amplitude * np.sin(2.0 * np.pi * 5.0 * TIME_S))
 
 
 SPEED = 2.0 * np.sin(np.pi * 5.0 / 60.0) / np.sqrt(2.0) / FRAME_DT
-"""Root mean square of what frames show of the speed of that swing, by its amplitude [1/s]."""
+"""Root mean square of the speed of a swing at the frames, divided by its amplitude
+[1/s].
+"""
 BRISK_M = 0.1 * DRIVE_PEAK_M_S / SPEED
-"""Amplitude of a swing that is a tenth as fast as the drive."""
+"""Amplitude of a swing with a tenth of the speed of the drive."""
 
 
 def outcome(place, failure=None, case=AS_SHIPPED) -> str:
@@ -150,7 +160,7 @@ def test_creep_is_the_change_over_the_last_period_or_all_of_a_short_shake():
 
 @pytest.mark.parametrize(("amplitude_m", "frequency_hz"), [(0.03, 1.0), (0.1, 2.5)])
 def test_the_drive_is_never_faster_than_its_peak(amplitude_m, frequency_hz):
-    """The target's way, differenced over two periods."""
+    """Compare the peak with the differentiated path of the target over two periods."""
     time_s = np.linspace(-1.0 / frequency_hz, 1.0 / frequency_hz, 200_001)
     angle = 2.0 * np.pi * frequency_hz * time_s
     target = amplitude_m * np.stack(
@@ -171,7 +181,9 @@ def test_the_drive_is_never_faster_than_its_peak(amplitude_m, frequency_hz):
     "start", [(0.0, 0.0, 0.0), (3.0, 0.0, 0.0), (0.0, 4.0, -1.0), (0.0, 0.0, 2.0)]
 )
 def test_what_falls_keeps_the_energy_that_it_began_with(gravity, start):
-    """Thrown with a velocity: v²/2 as long as gravity speeds it up; as it slows, its kinetic energy alone."""
+    """Test a thrown cube: its energy is v²/2 while gravity accelerates it, and only its
+    kinetic energy while it slows down.
+    """
     dt = 1e-3
     time_s = dt * np.arange(101)[:, None]
     place = 5.0 + time_s * start - 0.5 * gravity * time_s**2 * (0.0, 0.0, 1.0)

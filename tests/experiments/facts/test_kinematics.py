@@ -1,4 +1,6 @@
-"""Forward kinematics against SciPy's rotations, and what a kept run says of its cube."""
+"""Compare forward kinematics with SciPy's rotations, and test the poses of the cube in
+a kept run.
+"""
 
 import numpy as np
 import pandas as pd
@@ -61,7 +63,9 @@ def test_poses_of_quaternions_are_scipys():
 
 
 def test_a_kept_run_knows_when_the_shake_began_and_where_the_cube_would_be_had_it_not_moved():
-    """Frames 30 to 33 of 60 in a second, the shake from 31.5 on; its cube is turned a quarter about z."""
+    """Test frames 30 to 33 at 60 frames a second, with a shake that begins at frame
+    31.5. The cube is turned by 90° about z.
+    """
     frames = pd.DataFrame(
         {"frame": [30, 31, 32, 33], **{name: [0.0] * 4 for name in kept.JOINTS}}
     )

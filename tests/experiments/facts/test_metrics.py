@@ -1,4 +1,4 @@
-"""Metrics on hand-made traces: the numbers on the right are done by hand."""
+"""Test metrics on handmade traces; the expected numbers are computed by hand."""
 
 import numpy as np
 import pytest
@@ -20,7 +20,9 @@ SETUP_FRAME_COUNT = 3
 
 
 def make_trace(cube_in_tcp, tcp_position=(0.1, -0.4, 0.2)) -> Trace:
-    """A trace whose cube is at ``cube_in_tcp`` [m], shape [frames, 3], with the tool pointing down."""
+    """Return a trace with the cube at ``cube_in_tcp`` [m], shape [frames, 3], and the
+    tool pointing down.
+    """
     cube_in_tcp = np.asarray(cube_in_tcp, dtype=float)
     frame_count = SETUP_FRAME_COUNT + len(cube_in_tcp)
     poses = np.zeros((frame_count, 6, 7), dtype=np.float32)
@@ -166,7 +168,9 @@ def test_lines_are_fitted_as_scipy_fits_them():
 def test_the_drift_of_a_cycle_is_that_of_whole_pairs_after_the_first(
     cycles, frequency_hz
 ):
-    """5 mm a cycle, with a swing that a pair takes back, a jump in the first cycle, and one after the last pair."""
+    """Test 5 mm a cycle, with a swing that cancels in each pair, a jump in the first
+    cycle, and one after the last pair.
+    """
     time_s = np.linspace(0.0, cycles / frequency_hz, 2001)
     cycle, end = time_s * frequency_hz, {3: 3, 4: 3, 5: 5, 6: 5}[int(cycles)]
     along = np.outer(5.0 * cycle, (0.6, 0.8, 0.0)) + np.outer(
@@ -223,7 +227,9 @@ def test_frame_statistics_count_in_the_shake_alone():
 
 
 def test_a_grasp_is_summed_up_over_what_is_loaded_with_the_parameters_of_the_strongest():
-    """Of four contacts the first presses nothing; the third presses most, the second is nearest to sliding."""
+    """Test four contacts: the first has no force, the third has the largest force, and
+    the second is nearest to sliding.
+    """
     force = np.array(
         [(0.0, 9.0, 9.0), (2.0, 0.6, 0.8), (10.0, 3.0, -4.0), (4.0, 0.0, 0.0)]
     )

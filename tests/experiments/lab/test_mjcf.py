@@ -1,4 +1,4 @@
-"""The scene as MJCF is the engine's own model, number by number."""
+"""Compare the scene as MJCF with the engine's own model, number by number."""
 
 from dataclasses import replace
 
@@ -11,7 +11,9 @@ from experiments.lab import scene_mjcf
 from experiments.simulation.simulation import Simulation
 
 UNREAD = "_sizes names name_ nbuffer nnames signature geom_rgba bvh_ jnt_range actfrcrange".split()
-"""What no step reads: names, colours, the midphase's boxes, and ranges of joints that have no limit."""
+"""Arrays that no step reads: names, colours, boxes of the midphase, and ranges of
+joints without a limit.
+"""
 
 
 def test_compiled_it_is_the_model_that_newton_makes():

@@ -1,4 +1,4 @@
-"""The clips: what they read out is what was kept, and what they show is where it was."""
+"""Test that clips show and print the kept runs."""
 
 import re
 import shutil
@@ -69,7 +69,7 @@ CLIP_DAMAGES = {
 
 @pytest.fixture
 def project(tmp_path) -> Project:
-    """A project with copies of the clips."""
+    """Return a project with copies of the clips."""
     if not OWN.record_path(CLIPS).exists():
         pytest.skip("no clips were made yet")
     link(tmp_path, "experiments", "report", "assets", "pyproject.toml")

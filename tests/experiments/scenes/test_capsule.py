@@ -1,4 +1,4 @@
-"""A pinched capsule: what is set up, and the laws that it is held against."""
+"""Test the setup of a pinched capsule, and the laws with which it is compared."""
 
 from dataclasses import replace
 

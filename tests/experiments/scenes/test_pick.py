@@ -1,4 +1,4 @@
-"""A Panda's shake, and a box on a slope: what is set up, what is counted, and the law."""
+"""Test a Panda's shake and a box on a slope: the setup, the counts and the law."""
 
 from dataclasses import replace
 

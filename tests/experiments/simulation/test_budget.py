@@ -1,4 +1,4 @@
-"""The parts of the slip, predicted and measured."""
+"""Compare the predicted parts of the slip with the measured ones."""
 
 from dataclasses import replace
 from types import SimpleNamespace
@@ -28,7 +28,7 @@ from experiments.simulation.budget import (
 from experiments.simulation.simulation import simulate
 
 SHORT = replace(AS_SHIPPED, cube_in_hand=True, frame_count=150)
-"""The lift's time in the hand and 1 s of shake."""
+"""Duration of the lift, in which the cube is in the hand, and of 1 s of shake."""
 H = 1.0 / 960.0
 MOTION = Motion(
     bias_m_s=np.array([1.0, 0.5, -0.5]),
@@ -38,7 +38,7 @@ MOTION = Motion(
     rounding_m=np.array([0.0, 0.0, 1e-4]),
     inverse_mass_1_kg=20.0,
 )
-"""Numbers to reckon with by hand."""
+"""Simple numbers for calculations by hand."""
 
 
 def test_the_parts_add_up_to_the_slip_through_c():
@@ -80,7 +80,9 @@ def test_the_parts_are_as_by_hand_and_each_remedy_takes_its_own():
 
 
 def on_the_plane(case: Case) -> Contacts:
-    """Four feet of a box that rest on a plane in MuJoCo's C engine, in the material of a case's pads."""
+    """Return a model of MuJoCo's C engine: a box that rests on a plane on four feet, in
+    the material of a case's pads.
+    """
     timeconst_s, dampratio = 2.0 / case.pad_kd, case.pad_kd / 2.0 / np.sqrt(case.pad_ke)
     solimp = numbers([0.7, case.pad_dmax, 1e-4, 0.5, 2.0])
     material = f'solref="{timeconst_s} {dampratio}" solimp="{solimp}" friction="{case.pad_mu} 0 0"'
@@ -104,7 +106,9 @@ def on_the_plane(case: Case) -> Contacts:
     ids=lambda changes: "-".join(map(str, changes.values())),
 )
 def test_softness_is_the_engines_own_where_a_box_rests(changes):
-    """R of MuJoCo's rows, as ``mj_makeImpedance`` makes it, of one case over another's."""
+    """Return R of MuJoCo's rows, as ``mj_makeImpedance`` computes it, of one case
+    divided by R of another.
+    """
     other, case = (
         replace(AS_SHIPPED, pad_mu=changes.get("pad_mu", 1.0)),
         replace(AS_SHIPPED, **changes),
@@ -119,7 +123,9 @@ def test_softness_is_the_engines_own_where_a_box_rests(changes):
 
 
 def test_a_depth_balances_the_pull():
-    """d(r) r = p (1 - d) / d, solved by SciPy with d of a parabola from 0.7 to 0.95 over 0.1 mm."""
+    """Solve d(r) r = p (1 - d) / d with SciPy, for d on a parabola from 0.7 to 0.95
+    over 0.1 mm.
+    """
 
     def impedance(depth_m: float) -> float:
         x = min(depth_m / 1e-4, 1.0)
@@ -137,7 +143,10 @@ def test_a_depth_balances_the_pull():
 
 
 def test_friction_rows_have_a_timeconst_of_their_own_where_kf_is_read(monkeypatch):
-    """1 / (kf w s) twice, with w = 20 1/kg and the share s = 0.05 / 50 + 0.95; no less than two steps."""
+    """Test twice 1 / (kf w s), with w = 20 1/kg and the share s = 0.05 / 50 + 0.95.
+
+    The result is at least two steps.
+    """
     monkeypatch.setattr(budget, "kf_is_read", lambda: True)
     case = replace(AS_SHIPPED, pad_kf=0.5)
     assert friction_timeconst_s(case, 20.0) == pytest.approx(2.0 / (0.5 * 20.0 * 0.951))
@@ -156,10 +165,10 @@ def test_friction_rows_have_a_timeconst_of_their_own_where_kf_is_read(monkeypatc
 
 
 def test_a_step_adds_what_a_turning_hand_leaves_out_and_what_damping_in_the_step_takes():
-    """A cube at rest, 0.5 m along x from a hinge with I = 2 kg m² and c = 4 N m s that turns at 3 rad/s; h = 10 ms.
-
-    Less the hand the cube has J̇ q̇ = ω² r along x and goes at -ω r along y. The joint's q̈ is -c ω / I, but with the
-    damping in the inertia it moves by -c ω / (I + h c).
+    """Test a cube at rest, 0.5 m along x from a hinge with I = 2 kg m² and c = 4 N m s
+    that turns at 3 rad/s; h = 10 ms. Relative to the hand the cube has J̇ q̇ = ω² r
+    along x and the velocity -ω r along y. The acceleration of the joint is -c ω / I,
+    but with the damping in the inertia it is -c ω / (I + h c).
     """
     model = mujoco.MjModel.from_xml_string("""<mujoco>
       <option timestep="0.01" integrator="implicitfast" gravity="0 0 0"/><worldbody>
@@ -186,7 +195,10 @@ def test_a_step_adds_what_a_turning_hand_leaves_out_and_what_damping_in_the_step
 
 
 def test_the_load_is_the_mean_of_what_rows_yield_to_the_cube():
-    """R f of 2 · (3, 1) and 2 · (1, -1) along y and z, of which the second contact has the cube first; one is idle."""
+    """Test R f of 2 · (3, 1) and 2 · (1, -1) along y and z.
+
+    In the second contact the cube is the first body, and a third contact is idle.
+    """
     frame = np.eye(3).ravel()
     contacts = [(0, (5, 7)), (3, (7, 5)), (6, (5, 7)), (0, (5, 6)), (-1, (5, 7))]
     force, run = (
@@ -214,7 +226,9 @@ def test_the_load_is_the_mean_of_what_rows_yield_to_the_cube():
 
 
 class Sums(SimpleNamespace):
-    """What ``Watched`` leaves of 2 frames before the shake and 61 of it, with the hand turned a quarter about z."""
+    """Return the sums of ``Watched`` for 2 frames before the shake and 61 frames of it,
+    with the hand turned by 90° about z.
+    """
 
     def __init__(self, _):
         poses = np.zeros((63, 2, 7))
@@ -234,7 +248,9 @@ class Sums(SimpleNamespace):
 
 
 def test_sums_count_from_the_end_of_the_first_frame_of_the_shake(monkeypatch):
-    """60 frames of 1/60 s each: 1, 2, 3 and 4 m/s along the hand's -y, and as slopes along the world's x."""
+    """Test 60 frames of 1/60 s each with 1, 2, 3 and 4 m/s along the hand's -y, and as
+    slopes along the world's x.
+    """
     monkeypatch.setattr(budget, "Watched", Sums)
     monkeypatch.setattr(drift_law, "Watched", Sums)
     motion = measure_motion(AS_SHIPPED)

@@ -1,4 +1,6 @@
-"""What times, contacts and rows become as numbers of a record: by hand, without a simulation."""
+"""Test by hand how times, contacts and rows become numbers of a record, without a
+simulation.
+"""
 
 from dataclasses import replace
 from types import SimpleNamespace
@@ -26,7 +28,7 @@ from experiments.simulation.paired_timing import PairedTimes
 from experiments.simulation.task import SHAKE
 
 TIMES = PairedTimes(np.arange(101.0), 1.0 + 0.01 * np.arange(101.0), 1.4, 0.02)
-"""Percentiles of 0, 1, …, 100 are those numbers."""
+"""Test that the percentiles of 0, 1, …, 100 are these numbers."""
 HELD = Trace(
     1.0 / 60.0,
     np.full(1, 4),
@@ -152,7 +154,9 @@ def test_quick_runs_are_cut_and_three_looks_are_a_quarter_of_a_cycle_apart():
 
 
 def test_a_shake_is_summed_up_by_cycle():
-    """2 mm/s along x and 1 mm/s² from 0 on: 2.5, 3.5 and 4.5 mm in whole cycles of a second."""
+    """Test 2 mm/s along x with 1 mm/s² from the start: 2.5, 3.5 and 4.5 mm in whole
+    cycles of a second.
+    """
     time_s = np.arange(200) / 60.0
     poses = np.tile([0.0, 0.0, 0.3, 0.0, 0.0, 0.0, 1.0], (210, 2, 1))
     poses[10:, metrics.CUBE, 0] = 1e-3 * (2.0 * time_s + 0.5 * time_s**2)
@@ -176,7 +180,9 @@ def test_a_shake_is_summed_up_by_cycle():
 
 @pytest.mark.parametrize("cone", ["elliptic", "pyramidal"])
 def test_contacts_act_together_as_springs_side_by_side(cone):
-    """Three contacts: one out of the solver, two that press with 3 and 5 N, whose friction rows have D of 2 and 6."""
+    """Test three contacts: one that the solver ignores, and two with forces of 3 and 5
+    N, whose friction rows have a D of 2 and 6.
+    """
     option = SimpleNamespace(
         cone=int(cone == "elliptic"), timestep=0.002, disableflags=0
     )
@@ -205,7 +211,11 @@ def test_contacts_act_together_as_springs_side_by_side(cone):
 
 
 def rows_of(cone: str, geoms: tuple[int, int]) -> ContactRows:
-    """Two contacts, the first without a row; of the second normal 6 N, tangential 0.8 and −0.6 N, 0.2 and −0.1 m/s."""
+    """Test two contacts.
+
+    The first has no row; the second has 6 N along its normal and 0.8 and −0.6 N, 0.2
+    and −0.1 m/s along its tangents.
+    """
     axes = np.array([[(0.0, 0.0, 1.0), (0.6, 0.8, 0.0), (-0.8, 0.6, 0.0)]] * 2)
     field = {
         "frame": axes.reshape(2, 9),
@@ -269,7 +279,9 @@ def test_rows_are_taken_apart_and_summed_up(cone):
 @pytest.mark.parametrize("cone", ["elliptic", "pyramidal"])
 @pytest.mark.parametrize("geoms", [(0, 1), (1, 0)])
 def test_the_device_adds_up_what_the_host_does(cone, geoms):
-    """The same contact twice, of two worlds the second one's, and one that is not in the solver."""
+    """Test the same contact in two worlds, only the second of which counts, and a
+    contact that the solver ignores.
+    """
 
     def array(values, dtype=float):
         return wp.array(values, dtype=dtype, device="cpu")

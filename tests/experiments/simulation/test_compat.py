@@ -1,4 +1,4 @@
-"""What differs between releases, on the one that is installed."""
+"""Test differences between releases in the release that is installed."""
 
 from dataclasses import replace
 
@@ -15,7 +15,9 @@ GRASPED = 20
 
 @pytest.fixture(scope="module")
 def rows() -> dict[str, dict[str, object]]:
-    """Live contact rows of the grasp, as the release makes them and with the timeconst of the friction rows set."""
+    """Return the live contact rows of the grasp as the release computes them, and with
+    a given timeconst of the friction rows.
+    """
     short = replace(AS_SHIPPED, cube_in_hand=True, frame_count=GRASPED + 1)
     cases = [
         short,
@@ -34,7 +36,9 @@ def rows() -> dict[str, dict[str, object]]:
 
 
 def damping_per_s(timeconst_s: float) -> float:
-    """b = 2 / (dmax timeconst): MuJoCo documentation, "Computation", solver parameters."""
+    """Compare with b = 2 / (dmax timeconst) from MuJoCo's documentation, "Computation",
+    solver parameters.
+    """
     return 2.0 / (0.95 * timeconst_s)
 
 

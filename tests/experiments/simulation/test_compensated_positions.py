@@ -1,4 +1,4 @@
-"""Positions that rounding does not stop."""
+"""Test positions whose motion is not lost to rounding."""
 
 import mujoco
 import numpy as np
@@ -9,14 +9,18 @@ from stepping import BALL, in_two_worlds, take_steps
 from experiments.simulation import compensated_positions
 
 VELOCITY = 1e-5
-"""A hundredth of what moves a position of 1 m to the next number in a time step [m/s]."""
+"""Speed that moves a position of 1 m in one time step by a hundredth of the distance to
+the next number [m/s].
+"""
 STEP_COUNT = 300
 PLACES = [0, 1, 2, 7]
-"""Of a body that is free, and of one on a slide."""
+"""Indices of the positions of a free body and of a body on a slide."""
 
 
 class Solver:
-    """What ``install`` asks of a solver, in two worlds that start at 1 m."""
+    """Provides the parts of a solver that ``install`` uses, with two worlds that start
+    at 1 m.
+    """
 
     def __init__(self, integrator: str):
         model = mujoco.MjModel.from_xml_string(BALL.replace("implicitfast", integrator))
@@ -27,7 +31,7 @@ class Solver:
         self.mjw_model, self.mjw_data = in_two_worlds(model, data)
 
     def moved(self) -> np.ndarray:
-        """Positions less 1 m after STEP_COUNT steps, shape [worlds, 4]."""
+        """Return positions minus 1 m after STEP_COUNT steps, shape [worlds, 4]."""
         take_steps(self.mjw_model, self.mjw_data, STEP_COUNT)
         return self.mjw_data.qpos.numpy()[:, PLACES].astype(float) - 1.0
 
@@ -77,7 +81,9 @@ def test_the_stages_of_a_step_of_rk4_weigh_as_simpsons_rule_has_it():
 
 
 def test_sums_keep_what_rounding_takes_joint_by_joint():
-    """A free joint's three places, a ball's none, a hinge's one; in single precision against a sum in double."""
+    """Test three positions of a free joint, none of a ball joint and one of a hinge:
+    single precision with compensation agrees with double precision.
+    """
     random = np.random.default_rng(0)
     velocity = random.normal(0.0, 1e-4, (1, 10)).astype(np.float32)
     start = np.float32(1.0) + random.uniform(0.0, 1.0, (1, 12)).astype(np.float32)

@@ -1,4 +1,6 @@
-"""The term that friction rows leave out, in the scene: worlds of one batch, and MuJoCo's C engine."""
+"""Test the scene with the term that friction rows leave out, in worlds of one batch and
+in MuJoCo's C engine.
+"""
 
 from dataclasses import replace
 
@@ -11,13 +13,15 @@ from experiments.simulation.reference import ENGINES_AGREE
 from experiments.simulation.simulation import simulate
 
 SHORT = replace(LEAN, cube_in_hand=True, frame_count=180, **ENGINES_AGREE)
-"""The lift's time in the hand and 1.5 s of shake."""
+"""Duration of the lift, in which the cube is in the hand, and of 1.5 s of shake."""
 BIAS = replace(SHORT, name="term", contact_bias=True)
 
 
 @pytest.fixture(scope="module")
 def slips() -> dict[str, np.ndarray]:
-    """What the cube moved in the TCP frame [mm], in worlds of one batch and through C."""
+    """Return the motion of the cube in the TCP frame [mm] in worlds of one batch and in
+    C.
+    """
     cases = [SHORT, BIAS, replace(BIAS, name="centred", bias_centred=True)]
     cases += [
         replace(case, name=f"{case.name}-c", backend="mujoco") for case in (SHORT, BIAS)

@@ -1,4 +1,7 @@
-"""A time counts only where the run did what its case says: on the real scene, made to fail."""
+"""Test that a time counts only if the run did what its case requires.
+
+The real scene is made to fail.
+"""
 
 import gc
 from dataclasses import replace
@@ -56,7 +59,7 @@ def test_a_variant_whose_buffers_overflow_has_no_time_and_no_memory():
 
 
 def refusing(error: Exception, most: int = 0) -> type[Simulation]:
-    """A simulation that has no more than so many worlds."""
+    """Stands for a simulation with a limited number of worlds."""
 
     class Refusing(Simulation):
         def __init__(self, cases: list[Case], device: wp.Device, **ways):

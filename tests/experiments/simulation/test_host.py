@@ -1,4 +1,4 @@
-"""Tests of what the simulator does with the machine that it measures on."""
+"""Test how the simulator uses the machine on which it measures."""
 
 import pytest
 from toys import program
@@ -20,7 +20,9 @@ class Told:
 sys.meta_path.insert(0, Told)
 from experiments.simulation import host
 """
-"""Ends where the first module with kernels is imported, which takes the setting over."""
+"""Program that stops at the import of the first module with kernels, which reads the
+setting.
+"""
 
 
 def test_what_measures_compiles_no_gradients():

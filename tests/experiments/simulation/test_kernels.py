@@ -1,4 +1,4 @@
-"""Kernels that are compiled before they are launched."""
+"""Test kernels that are compiled before they are launched."""
 
 from itertools import chain
 
@@ -15,7 +15,9 @@ def doubled(values: wp.array(dtype=float)):
 
 
 def test_what_would_be_launched_is_known_and_not_launched():
-    """What fails on the way, since nothing was computed, costs what comes after it alone."""
+    """Test that an error while kernels are listed has no effect on the values, because
+    no kernel was launched.
+    """
     values = wp.array([1.0], dtype=float, device="cpu")
 
     def run():
@@ -31,7 +33,9 @@ def test_what_would_be_launched_is_known_and_not_launched():
 
 
 def test_all_that_a_frame_launches_is_known_without_a_launch_with_the_types_that_it_is_launched_with():
-    """So nothing that is compiled waits for what comes before it, and nothing is compiled once more."""
+    """Test that all kernels of a frame are known with their types, so that they can be
+    compiled at once and only once.
+    """
     launched = [*chain(*scene_kernels("cpu").values())]
     assert "end_frame" in {kernel.key for kernel in launched}
     generic = [kernel for kernel in launched if kernel.is_generic]
@@ -50,7 +54,9 @@ print(has_begun(), wp.config.kernel_cache_dir)
 def test_whether_a_machine_is_bare_is_known_before_warp_begins_which_then_keeps_its_kernels_where_it_would(
     tmp_path,
 ):
-    """So forks can compile for it."""
+    """Test that an empty cache is detected before Warp starts, so that forked processes
+    can compile the kernels.
+    """
     lines = program("-c", LOOK, WARP_CACHE_PATH=str(tmp_path)).stdout.splitlines()
     assert (lines[0], lines[-1]) == (
         "True False",

@@ -1,4 +1,6 @@
-"""What theory says of runs: by hand, and from accelerations differenced from the target's and the hand's own ways."""
+"""Compare the theory of runs with numbers computed by hand, and with accelerations that
+are differences of the motion of target and hand.
+"""
 
 from dataclasses import replace
 
@@ -34,7 +36,10 @@ def test_the_demand_is_the_largest_acceleration_of_the_target_along_the_pads(
 
 @pytest.mark.parametrize(("turn", "expected"), [(0.0, np.hypot(4.0, G)), (90.0, G)])
 def test_the_demand_of_a_hand_leaves_out_what_its_pads_press(turn, expected):
-    """It goes to and fro at 4 m/s² along x, in whose line the pads press where it is turned; before it was wilder."""
+    """Test a motion of 4 m/s² along x after a larger one.
+
+    In the turned hand x is the direction in which the pads press.
+    """
     dt, rate = 1e-3, 2.0 * np.pi
     time_s = dt * np.arange(5001)
     poses = np.zeros((len(time_s), 2, 7))
@@ -82,7 +87,10 @@ def test_loads_and_exits_are_as_by_hand():
 
 
 def test_families_ask_for_the_forces_that_their_names_say():
-    """A finger's drive has 400 N/m; grips press twice over two pads with what m |a| / μ asks."""
+    """Test a finger's drive of 400 N/m.
+
+    The grip must press with twice m |a| / μ because it has two pads.
+    """
     demand = limits.target_demand_m_s2(AS_SHIPPED)
     needed_n = 0.032 * demand / 0.1 / 2.0
     press_n = {

@@ -1,4 +1,4 @@
-"""The rule by which comparisons of times stop: on made-up times whose ratio is known."""
+"""Test the rule that ends comparisons of times, on synthetic times with a known ratio."""
 
 from collections.abc import Callable, Iterator
 
@@ -22,7 +22,9 @@ RATIO = 1.02
 def noises(
     correlation: float, share: float, drift: float, seed: int
 ) -> Iterator[float]:
-    """Logarithms of made-up times: noise that each block has in part from the one before, on a steady drift."""
+    """Return logarithms of synthetic times: each block shares noise with the previous
+    one, and the mean drifts steadily.
+    """
     generator = np.random.default_rng(seed)
     state, count = generator.normal(), 0
     while True:
@@ -79,7 +81,10 @@ def test_the_quantiles_are_students():
 def replayed(
     ratios, cap_s: float, seconds_a_round: float = 1.0
 ) -> tuple[list[PairedTimes], list[tuple[int, int]]]:
-    """The reference takes 10 ms and one other these times as long, and a round so many seconds; and what ran when."""
+    """Return the comparison of synthetic times, and the order in which cases ran.
+
+    The reference takes 10 ms, and the other case takes these ratios of it.
+    """
     ran: list[tuple[int, int]] = []
 
     def block(index: int, times) -> Callable[[int], float]:
@@ -94,7 +99,9 @@ def replayed(
 
 @pytest.mark.parametrize(("look", "states"), [(0, 1), (1, 4), (2, 2), (3, 1), (4, 1)])
 def test_the_interval_is_students_about_the_mean_of_each_state(look, states):
-    """So many rounds as the cap leaves, in 8 batches; those that start from the same states are compared."""
+    """Test that the cap determines the number of rounds in 8 batches, and that only
+    blocks with the same start states are compared.
+    """
     count = 8 << look
     ratios = np.exp(np.random.default_rng(look).normal(0.3, 1.0, 128))
     found, _ = replayed(ratios, cap_s=2.0 * count - 1.0 if look < 4 else 1e9)

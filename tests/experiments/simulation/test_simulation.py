@@ -1,4 +1,4 @@
-"""The real scene on the real engine: calibration, batching, and what happens when a run goes wrong."""
+"""Test calibration, batches and failing runs with the real scene and the real engine."""
 
 from dataclasses import replace
 
@@ -15,12 +15,12 @@ from measured_report.files.root import ROOT
 from newton_lint.newton_models.compat import kf_is_read
 
 FRAME_COUNT = 272
-"""The set-up and 1 s of shake."""
+"""Duration of the setup and 1 s of shake."""
 
 
 @pytest.fixture(scope="module")
 def batch() -> dict[str, tuple[Case, object]]:
-    """Different cases as worlds of one batch on Warp's CPU device."""
+    """Run different cases as worlds of one batch on Warp's CPU device."""
     other = replace(
         AS_SHIPPED,
         name="other",

@@ -1,4 +1,4 @@
-"""Where the task wants hand and fingers, phase by phase, from its kernels alone."""
+"""Test the targets of hand and fingers in each phase by means of the task's kernels."""
 
 import numpy as np
 import pytest
@@ -22,7 +22,9 @@ def pose(place, turn=DOWN) -> wp.transform:
 
 
 def planned(phase: int, time_s: float, in_hand: bool = False):
-    """Target's place, its rotation and the fingers' in the frame that ends at this time of a phase."""
+    """Return position and rotation of the target, and the fingers' target, in the frame
+    that ends at this time of a phase.
+    """
     place, turn, finger = (
         array([(0.0, 0.0, 0.0)], wp.vec3),
         array([(0.0,) * 4], wp.vec4),
@@ -64,7 +66,7 @@ def planned(phase: int, time_s: float, in_hand: bool = False):
 def test_each_phase_goes_to_its_goal_along_a_smooth_step(
     phase, goal, end, fingers, share
 ):
-    """3 s² − 2 s³ of the time s of the phase that is over; at 1.4 it is over."""
+    """Test 3 s² − 2 s³ of the time s in a phase. At s = 1.4 the phase is over."""
     place, turn, finger, found = planned(phase, share * SECONDS[phase])
     s = np.polyval((-2.0, 3.0, 0.0, 0.0), min(share, 1.0))
     np.testing.assert_allclose(found, goal, atol=1e-6)
@@ -105,7 +107,10 @@ def test_a_cube_in_the_hand_is_not_lifted_and_the_shake_is_three_sines_of_its_ow
 def test_a_phase_ends_when_its_time_is_up_and_the_hand_is_there(
     off_m, turned_deg, time_s, in_hand, ends
 ):
-    """Within 5 mm and 2°; what is held in the hand from the start waits for nothing."""
+    """Test the limits of 5 mm and 2°.
+
+    A cube that is in the hand from the start does not wait for them.
+    """
     reached = pose(
         CUBE + (off_m, 0.0, 0.0),
         Rotation.from_euler("y", turned_deg, degrees=True) * DOWN,

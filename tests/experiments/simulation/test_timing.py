@@ -1,4 +1,6 @@
-"""A state is handed on whole, and a time counts only where nothing went wrong."""
+"""Test that a state is passed on completely, and that a time counts only if no error
+occurred.
+"""
 
 from dataclasses import replace
 
@@ -12,7 +14,7 @@ from experiments.simulation.timing import put_in_state_of, run_frames
 
 FRAME_COUNT = 10
 SHAKING = 100
-"""Frames after which a cube that starts in the hand is shaken."""
+"""Number of frames after which a cube that starts in the hand is shaken."""
 VARIED = {
     "ik_iterations": 24,
     "ik_beside": False,

@@ -1,4 +1,6 @@
-"""A model worked out from few worlds is the one that Newton builds, and runs as it does."""
+"""Test that a model expanded from a few worlds equals the model that Newton builds, and
+runs in the same way.
+"""
 
 from dataclasses import replace
 
@@ -19,7 +21,7 @@ CASES = {
 
 
 def arrays(part: object, name: str = "") -> dict[str, np.ndarray]:
-    """Every array and number of a model, by name; pointers left out."""
+    """Return every array and number of a model by name, except pointers."""
     if isinstance(part, wp.array):
         return {} if part.dtype is wp.uint64 else {name: part.numpy()}
     if isinstance(part, (np.ndarray, int, list)):

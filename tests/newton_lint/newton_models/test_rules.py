@@ -204,7 +204,7 @@ def test_models_without_shapes_or_the_solvers_attributes():
 
 
 def test_the_contacts_are_those_that_the_solver_has():
-    """The cube and the ground have the same priority, so their parameters are mixed."""
+    """Test a cube and a ground with the same priority, whose parameters are mixed."""
     simulation = Simulation([AS_SHIPPED], wp.get_device("cpu"))
     simulation.frame()
     scene = Shapes.of(simulation.model, Engine())

@@ -14,8 +14,8 @@ from report.sections.engines import published
 
 @pytest.mark.words
 def test_each_solver_of_a_release_has_numbers_or_an_excuse(editions):
-    """An engine that a release adds, and that cannot run the scenes of this report, has
-    neither.
+    """Test that each solver has results or a reason for their absence, also a solver
+    that a release adds.
     """
     for release, edition in editions.items():
         if "newton_solvers" not in edition.chapters:

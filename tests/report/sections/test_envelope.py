@@ -14,7 +14,7 @@ MAP = {
     "dropped": [False, False, False, True] + 4 * [False],
     "cube_height_m": [0.2, 0.16, 0.2, 0.01] + 4 * [0.2],
 }
-"""Each side has four cells, and shipped pads drop the cube in one of them."""
+"""Test four cells on each side; shipped pads drop the cube in one of them."""
 
 
 @pytest.mark.parametrize(

@@ -11,7 +11,7 @@ from experiments.facts.metrics import SHAKE
 
 
 def test_a_hand_that_swings_about_the_base_moves_on_an_arc_about_it():
-    """The hand swings by 0.02 rad, twice in a second, about a vertical axis."""
+    """Test a hand that swings by 0.02 rad, twice in a second, about a vertical axis."""
     swing, turn = 0.02, 2 * np.pi * 2.0
     time_s = np.arange(304) / 50.0
     run = pd.DataFrame(0.0, index=range(len(time_s)), columns=list(JOINTS))

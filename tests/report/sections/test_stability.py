@@ -56,7 +56,7 @@ JUDGED = {
         ],
     ),
 }
-"""The columns of each family, and for each set of cells whether the run passes."""
+"""Columns of each family, and whether the run passes for each set of cells."""
 
 
 @pytest.mark.parametrize("family", JUDGED)
@@ -80,7 +80,7 @@ def test_what_passes(toy, family):
 
 
 def test_curves_of_the_maps_are_where_their_conditions_begin(monkeypatch):
-    """2 / kd is 2 dt if kd is 2 √ke, and dt² ke + 2 dt kd is then 4."""
+    """Test that 2 / kd is 2 dt if kd is 2 √ke; dt² ke + 2 dt kd is then 4."""
     path, drawn = Project("1.4.0").record_path("stability"), []
     monkeypatch.setattr(stability, "draw_maps", drawn.extend)
     results = Results(load_record(path), path)

@@ -72,8 +72,9 @@ def test_time_step_follows_from_its_cells(cells, expected):
 
 
 def test_the_law_is_half_of_the_left_out_acceleration_times_response_minus_step():
-    """With ⟨J̇q̇⟩ = 50 mm/s², dmax 0.95, timeconst 20 ms, a step of 1 ms and a shake of 10 s
-    the drift is 25 · (0.019 − 0.001) = 0.45 mm/s, and the slip is 4.5 mm.
+    """Test a drift of 25 · (0.019 − 0.001) = 0.45 mm/s and a slip of 4.5 mm, with
+    ⟨J̇q̇⟩ = 50 mm/s², dmax 0.95, a timeconst of 20 ms, a step of 1 ms and a shake of 10
+    s.
     """
     case = "newton-elliptic/shipped/substeps-16"
     cells = {

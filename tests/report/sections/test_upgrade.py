@@ -74,7 +74,7 @@ def measure_upgrade(toy: Toy, ends: dict[str, str]) -> None:
 
 @pytest.fixture
 def upgraded(toy) -> Toy:
-    """The real section on releases, and one that provides the noise."""
+    """Return the real section on releases, and one that provides the noise."""
     shutil.copytree(
         ROOT / "report/sections/upgrade", toy.project.root / "report/sections/upgrade"
     )
@@ -151,7 +151,7 @@ OLD = {
     "solver": {"cone-pyramidal": {"slip_mm": 6}},
     "reproduction": {"as-shipped-mujoco-c": {"slip_mm": 6}},
 }
-"""A release in which the cube slips 6 mm."""
+"""Rows of a release in which the cube slips 6 mm."""
 CHANGES = {
     "upgrade": {
         "as-shipped": {"slip_mm": 0.3, "friction_timeconst_s": 0.002},
@@ -268,8 +268,8 @@ def test_what_changed_follows_from_the_cells_of_two_releases(changes, expected):
 
 
 def test_a_release_that_changes_nothing_is_said_to_be_the_same_and_within_what():
-    """No number is more precise than 0.05 %, and no difference of two numbers is more
-    precise than √2 times that. The time of a frame that was measured once differs
+    """Test that no number is more precise than 0.05 %, and no difference of two numbers
+    more precise than √2 times that. The time of a frame that was measured once differs
     between hosts by more than the bound.
     """
     same = [OLD, {"upgrade": {"as-shipped": {"slip_mm": 6.0}}}]

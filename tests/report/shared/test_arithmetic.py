@@ -96,5 +96,7 @@ def test_true_flags_stand_together_or_not():
 
 
 def test_the_frame_rate_is_that_of_the_measured_task():
-    """The report cannot import the simulator, so it types the rate again."""
+    """Test the frame rate, which the report repeats because it cannot import the
+    simulator.
+    """
     assert arithmetic.FRAME_RATE == FRAME_RATE

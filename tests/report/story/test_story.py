@@ -370,8 +370,8 @@ def test_the_advice_follows_the_slips(slips, said):
 
 
 def test_a_run_that_failed_is_not_one_that_was_not_measured(editions):
-    """The claim cannot tell which releases need the fix, and the table shows that the
-    run failed.
+    """Test that the claim cannot tell which releases need the fix, and that the table
+    shows the failed run.
     """
     lost = Quantity(
         None,

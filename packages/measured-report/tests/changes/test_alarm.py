@@ -1,4 +1,6 @@
-"""The alarm: what can't be trusted is named first and is status 1, and what can't be compared is no flip."""
+"""Test that the alarm lists untrusted numbers first with status 1, and that numbers
+without a counterpart are not flips.
+"""
 
 import re
 from argparse import Namespace
@@ -25,7 +27,7 @@ SOFT, STIFF = ROWS
 
 
 def say(section: str, claim: Claim) -> str:
-    """Words it by nothing but its test."""
+    """Return a text for a claim that consists of its name and outcome."""
     return f"{section}.{claim.name} {claim.outcome.answer}"
 
 

@@ -1,4 +1,6 @@
-"""Answers of editions: which end one is nearer to, how one after another is marked, and when a threshold is blind."""
+"""Test which end an answer is nearer to, how a sequence of answers is marked, and when
+a threshold cannot detect a change.
+"""
 
 import random
 from types import SimpleNamespace
@@ -16,7 +18,7 @@ from measured_report.values.quantities import Quantity
 
 
 def chapters(value=None, noise=None, outcome=None):
-    """What an edition has of one section: a value and a claim."""
+    """Return the chapter of one section: a value and a claim."""
     slip = Quantity(
         value,
         "mm",

@@ -1,4 +1,4 @@
-"""Bisect and history: on records that are there already, and on a small repository."""
+"""Test bisect and history on existing records and in a small repository."""
 
 import shutil
 from argparse import Namespace
@@ -20,7 +20,7 @@ from measured_report.records.record import write_record
 
 SOFT, STIFF = ROWS
 WORSE = ({**SOFT, "slip_mm": 0.4}, STIFF)
-"""With these rows the toy's claim fails."""
+"""Rows with which the toy's claim fails."""
 OLD = {"warp-lang": "1.15.0", "mujoco-warp": "3.10.0", "mujoco": "3.10.0"}
 NEW = {"warp-lang": "1.16.0", "mujoco-warp": "3.11.0", "mujoco": "3.11.0"}
 
@@ -36,7 +36,7 @@ def test_the_first_change_is_found_wherever_it_is_and_what_cannot_tell_is_passed
 
 
 def keep(toy: Toy, release: str, rows, packages: dict[str, str]) -> None:
-    """What a release gave, as if it had been measured."""
+    """Record the result of a release as if it had been measured."""
     side = toy.of(release)
     newton = release.partition("+")[0]
     record = side.record(rows)
@@ -49,7 +49,10 @@ MIDDLE = ("1.5.9", "1.6.9", "1.7.9")
 
 @pytest.fixture
 def search(toy, monkeypatch) -> Bisection:
-    """The toy's claim holds up to 1.5.9 and fails from 1.6.9 on. Nobody can have installed one of these."""
+    """Test that the toy's claim holds up to 1.5.9 and fails from 1.6.9 on.
+
+    These releases cannot be installed.
+    """
     monkeypatch.setattr(
         module, "releases_between", lambda first, last: [*map(release_of, MIDDLE)]
     )
@@ -80,7 +83,7 @@ def test_the_release_and_then_newton_itself(toy, search, capsys):
 def test_what_cannot_be_measured_is_passed_over_and_an_end_ends_the_search_as_ends_that_agree_do(
     search, monkeypatch
 ):
-    """And does not begin one with full runs, which take hours."""
+    """Test that bisect does not begin with full runs, which take hours."""
 
     def fail(project, release, *others):
         raise ReportError("measuring ended")
@@ -146,7 +149,7 @@ def test_between_two_commits_of_one_repository_its_commits_are_searched(toy, che
 
 @pytest.fixture
 def told(search, toy):
-    """What all editions of the toy have, as a history takes it."""
+    """Return the answers of all editions of the toy in the form that a history reads."""
     editions = editions_of(toy.project)
     return {release: edition.uncompared for release, edition in editions.items()}
 

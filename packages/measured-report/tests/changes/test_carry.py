@@ -1,4 +1,6 @@
-"""Records over a change of code: carried if quick runs of both codes cover it, refused if they do not."""
+"""Test that records are carried over a change of code if quick runs of both codes cover
+it, and refused otherwise.
+"""
 
 import os
 import subprocess
@@ -201,7 +203,9 @@ REFUSED = {  # the code before, the code after, and the reason
     ),
 }
 ALIKE = () if IS_WEEKLY else ("seed", "full_seed", "field")
-"""Changes that number, full_constant and table stand for; the weekly workflow tries them."""
+"""Changes that the suite does not try because number, full_constant and table are of
+the same kind. The weekly workflow tries them.
+"""
 REFUSED = {name: each for name, each in REFUSED.items() if name not in ALIKE}
 CARRIED = {
     "renamed_function": (
@@ -240,7 +244,7 @@ PLANTED = {**{name: pair[:2] for name, pair in REFUSED.items()}, **CARRIED}
 
 @contextmanager
 def measured(root: Path, sections: dict[str, str]) -> Iterator[Project]:
-    """A report whose sections were measured by the code of its first commit."""
+    """Return a report whose sections were measured by the code of its first commit."""
     for name, text in sections.items():
         put(root, f"experiments/{name}.py", START + "\n" + text)
         put(root, f"report/sections/{name}.py", SECTION)
@@ -288,7 +292,9 @@ def carry_all(project: Project, *names: str) -> dict[str, str]:
 
 @pytest.fixture(scope="module")
 def answers(tmp_path_factory):
-    """Of all planted changes why each is refused, and the record before and after."""
+    """Return for each planted change why it is refused, and the record before and
+    after.
+    """
     with measured(
         tmp_path_factory.mktemp("carry") / "project",
         {name: old for name, (old, _) in PLANTED.items()},
@@ -363,7 +369,7 @@ def test_comments_and_formatting_need_no_carrying_and_changes_without_a_commit_a
 
 
 def while_it_runs(monkeypatch, event) -> None:
-    """Let something happen once both codes have run."""
+    """Call a function after both codes have run."""
     compare = carry.first_difference
 
     def happened(*runs) -> str:

@@ -1,4 +1,6 @@
-"""Several releases: judged, shown and compared without any of them being installed."""
+"""Test that several releases are derived, shown and compared although none of them is
+installed.
+"""
 
 import math
 from argparse import Namespace
@@ -34,7 +36,7 @@ from measured_report.values.results import Results
 
 SOFT, STIFF = ROWS
 BETTER = ({**SOFT, "slip_mm": 0.4}, STIFF)
-"""A release in which the stiff case gains nothing."""
+"""Release in which stiffer pads do not help."""
 
 
 @pytest.fixture
@@ -211,7 +213,9 @@ def side(
     host: float = 0.03,
     **cells: object,
 ) -> Chapter:
-    """Return an edition with these numbers by case, whose measurements scatter so."""
+    """Return an edition with these numbers by case and this scatter of its
+    measurements.
+    """
     rows = [{"case": case, column: value, **cells} for case, value in numbers.items()]
     columns = chapter.results.columns
     keys = [key_of(row, columns) for row in rows]
@@ -240,7 +244,9 @@ def cases(count: int, value: float = 10.0) -> dict[str, float]:
 
 @pytest.mark.parametrize(("before", "after"), [(1, 1), (4, 1), (4, 8)])
 def test_the_chance_of_a_change_is_that_of_student_s_t(chapter, before, after):
-    """The variance of a mean is that of one measurement over their number."""
+    """Test that the variance of a mean is the variance of one measurement divided by
+    their number.
+    """
     old = side(chapter, {"a": 2.0}, count=before)
     new = side(chapter, {"a": 2.3}, count=after)
     [move] = moves_between(old, new)
@@ -273,7 +279,9 @@ def test_a_change_that_nobody_knows_the_noise_of_has_to_exceed_a_tenth(chapter):
 
 
 def test_false_changes_are_bounded_within_a_section(chapter):
-    """Of 40 chances the limit is that of Benjamini and Hochberg, or 1 % of one number."""
+    """Test the limit of 40 chances by Benjamini and Hochberg, and the limit of 1 % for
+    one number.
+    """
     chance = np.random.default_rng(1)
     shifts = np.where(np.arange(40) < 10, 0.65, 0.0) + chance.normal(0, 0.1, 40)
     after = {f"c{index}": 10.0 + float(shift) for index, shift in enumerate(shifts)}
@@ -293,7 +301,7 @@ def test_false_changes_are_bounded_within_a_section(chapter):
 def test_single_runs_count_if_more_end_otherwise_than_chance_explains(
     chapter, odd_rows, wild, listed
 ):
-    """By Poisson, of a row in a hundred, one in two, and eight usual ones."""
+    """Test Poisson's chances for a row in a hundred, one in two, and eight usual ones."""
     after = cases(40) | cases(wild, 30.0)
     once = side(chapter, cases(40), odd_rows=odd_rows / 2)
     again = side(chapter, after, odd_rows=odd_rows / 2)
@@ -318,7 +326,9 @@ def test_a_number_that_is_named_counts_even_if_its_run_may_be_odd(chapter, monke
 
 
 def test_times_that_move_together_are_told_beside_the_scatter_of_hosts(chapter):
-    """Each row is known to 30 %, all of nine to 3 % of their host."""
+    """Test nine rows with a noise of 30 % each, whose common shift is known to 3 %, the
+    noise of their host.
+    """
     noisy = {"column": TIME, "deviation": 3.0}
     old = side(chapter, cases(9), **noisy)
     slower = side(chapter, cases(9, 13.0), **noisy)
@@ -357,7 +367,9 @@ def test_a_number_close_to_zero_changed_by_a_share_of_its_column(chapter):
 def test_a_section_is_blind_if_its_noise_exceeds_its_own_threshold(
     chapter, column, deviation, is_blind
 ):
-    """The t of 20 degrees at 99 % is 2.845, so 0.3 of 10 gives 12 %, and 0.48 gives 19 %."""
+    """Test the t of 2.845 for 20 degrees at 99 %: 0.3 of 10 gives 12 %, and 0.48 gives
+    19 %.
+    """
     noisy = {"column": column, "deviation": deviation}
     moves = moves_between(
         side(chapter, cases(9), **noisy), side(chapter, cases(9), **noisy)
@@ -388,7 +400,9 @@ def test_thresholds_are_10_percent_and_20_percent_of_times(
 
 
 def test_a_share_is_sure_beyond_its_noise_whichever_way_it_moves_and_two_of_three_comparisons_tell_a_change():
-    """2.5758 deviations are 99 % of a normal distribution: of a fall by 1, 0.05 and 0.25758 are none."""
+    """Test a change by 1 with a noise of 0.25758, which is 2.5758 standard errors of
+    0.1 and contains 99 % of a normal distribution, and a threshold of 0.05.
+    """
     load, value = (report().columns[name] for name in ("load", "value"))
     falls, grows = (
         Move(load, *ends, chance=0.0, error=0.1, least=0.05)

@@ -1,4 +1,6 @@
-"""Names in report.toml: one of nothing is refused in one line, before anything is built."""
+"""Test that a name without a match in report.toml is refused in one line before the
+build.
+"""
 
 from dataclasses import replace
 
@@ -21,7 +23,7 @@ RULES = Changes(
 
 @pytest.fixture
 def settle(toy, monkeypatch):
-    """Gives the toy's report other settings."""
+    """Gives other settings to the toy report."""
 
     def settle(rules: Changes = RULES, **settings) -> None:
         columns = [
@@ -109,7 +111,7 @@ def test_a_section_of_two_modules_stops_the_build(toy, file, text, said):
 
 
 def gaps_of(toy) -> list[str]:
-    """What a build says of the toy's results; no settings."""
+    """Return the output of a build from the toy's results, without settings."""
     _, notes = build(toy.project)
     return [note for note in notes if note.startswith("toy")]
 

@@ -1,4 +1,6 @@
-"""Measuring for an upgrade: what it is held against, and where progress is said."""
+"""Test the comparison of a measurement for an upgrade, and where its progress is
+printed.
+"""
 
 import os
 import subprocess
@@ -96,7 +98,10 @@ def test_an_edition_is_never_compared_with_itself(toy):
 def test_the_variable_of_make_is_the_package_s_own_whatever_is_in_its_name(
     tmp_path, edition
 ):
-    """And reaches the command as the edition, or nothing would be measured and all be green."""
+    """Test that the edition reaches the command.
+
+    Otherwise it would measure nothing and report success.
+    """
     (tmp_path / "report.toml").write_text(f'edition = "{edition}"\n')
     (tmp_path / "pyproject.toml").write_text(
         f'[project]\ndependencies = ["{edition}==1.4.0"]\n'
@@ -145,7 +150,9 @@ def test_an_upgrade_says_first_what_it_measures_of_both(toy, monkeypatch, capsys
 def test_releases_are_timed_until_a_change_of_the_threshold_would_show(
     toy, monkeypatch, deviation, slower, passes, is_listed
 ):
-    """Times of one machine differ by 0.1 or 2 % from pass to pass; the threshold is 5 %."""
+    """Test times of one machine that differ by 0.1 or 2 % between passes, with a
+    threshold of 5 %.
+    """
     chance = np.random.default_rng(1)
     count = Counter()
 

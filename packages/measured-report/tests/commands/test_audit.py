@@ -1,4 +1,6 @@
-"""The command ``measured-report audit``: number-audit with the noise of this report's records."""
+"""Test the command ``measured-report audit``: number-audit with the noise of this
+report's records.
+"""
 
 import sys
 

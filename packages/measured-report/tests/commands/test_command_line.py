@@ -1,4 +1,6 @@
-"""The command line: what it refuses, what it must not import."""
+"""Test the inputs that the command line refuses, and the modules that it must not
+import.
+"""
 
 import signal
 import subprocess
@@ -12,12 +14,12 @@ from measured_report.commands.command_line import main
 
 STOPPED = "stopped: measurements that were completed are kept"
 NO_GPU = {"PATH": "/nowhere"}
-"""Without nvidia-smi on it every machine has no GPU."""
+"""Environment without nvidia-smi, as on a machine without a GPU."""
 
 
 @pytest.fixture
 def command(monkeypatch) -> Iterator[None]:
-    """What ``command_line.main`` sets in its process, as it was before."""
+    """Restore the state of the process that ``command_line.main`` changes."""
     stops = {stop: signal.getsignal(stop) for stop in (signal.SIGINT, signal.SIGTERM)}
     monkeypatch.setenv("PATH", NO_GPU["PATH"])
     monkeypatch.setattr("sys.unraisablehook", sys.unraisablehook)

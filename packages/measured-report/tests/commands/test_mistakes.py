@@ -1,4 +1,6 @@
-"""A mistake in a new report: one line that says where and what, and what to do; or it works."""
+"""Test mistakes in a new report: each of them is reported in one line with its place
+and a remedy, or has no effect.
+"""
 
 import os
 import re

@@ -1,4 +1,6 @@
-"""A new report: it is named after its folder, and nothing that is there is overwritten."""
+"""Test that a new report is named after its folder and does not overwrite an existing
+file.
+"""
 
 import os
 

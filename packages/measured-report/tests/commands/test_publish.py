@@ -1,4 +1,6 @@
-"""Publishing: into a folder, onto a branch; whole, or not at all, and nothing else is touched."""
+"""Test that a site is published completely or not at all, into a folder or onto a
+branch, and that no other file changes.
+"""
 
 import os
 import re
@@ -23,7 +25,7 @@ pytestmark = pytest.mark.usefixtures("built")
 
 @pytest.fixture
 def place(toy, tmp_path) -> Path:
-    """Where the site was published."""
+    """Return the folder with the published site."""
     publish(toy.project.site, f"dir:{tmp_path / 'www'}")
     return tmp_path / "www"
 
@@ -64,7 +66,7 @@ def test_what_changed_since_is_built_before_it_is_published(toy, tmp_path, capsy
 
 
 def test_publishing_keeps_the_address_that_the_site_was_built_with(toy, tmp_path):
-    """The workflow publishes without naming the address again."""
+    """Test that the workflow publishes without repeating the address."""
     address = "https://example.org/a&b/"
     build(toy.project, address)
     asked = Namespace(target=f"dir:{tmp_path / 'www'}", address="")
@@ -120,7 +122,7 @@ def test_an_empty_folder_may_become_the_site_and_what_is_published_can_be_read_b
 
 
 def spoil(site: Path, more: bytes = b'<a href="x">x</a>') -> None:
-    """Let a page lead nowhere, as if it had been built so."""
+    """Add a broken link to a page, as if the build had written it."""
     index = site / "index.html"
     index.write_bytes(index.read_bytes() + more)
     (site / SUMS).write_text(
@@ -160,7 +162,7 @@ def test_only_what_the_build_made_and_the_check_passes_is_published(toy, place, 
 
 @pytest.fixture
 def remote(toy, tmp_path) -> Path:
-    """A bare repository, which is the origin of the one that the project is in."""
+    """Return a bare repository that is the origin of the project's repository."""
     bare = tmp_path / "bare.git"
     bare.mkdir()
     git(bare, "init", "--quiet", "--bare")
@@ -256,7 +258,7 @@ def test_the_site_is_not_published_into_itself(toy, tmp_path, name):
 
 @pytest.fixture(params=["worktree", "shallow"])
 def clone(request, toy, remote, tmp_path) -> Path:
-    """A copy of the project, with its site, as git makes copies."""
+    """Return a copy of the project and its site, made as git makes copies."""
     root, there = toy.project.root, tmp_path / "copy"
     git(root, "push", "--quiet", "origin", "HEAD:refs/heads/main")
     git(remote, "symbolic-ref", "HEAD", "refs/heads/main")

@@ -1,4 +1,6 @@
-"""The reference has every setting, and every name that the document and a new report take from the generator."""
+"""Test that the reference lists every setting, and every name of the generator that the
+document and a new report use.
+"""
 
 import re
 from dataclasses import fields

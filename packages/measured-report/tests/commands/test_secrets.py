@@ -1,4 +1,6 @@
-"""Who measures: nothing that commands write or print says it, nor what opens an address."""
+"""Test that neither written nor printed text reveals who measured, or how to open an
+address.
+"""
 
 import gzip
 import shutil
@@ -21,7 +23,7 @@ def measure(conditions):
 
 
 def written(folder: Path) -> dict[str, bytes]:
-    """Files below a folder, unpacked, but for those of a clone's own git."""
+    """Yield the files below a folder, unpacked, except those of the clone's own git."""
     files = {
         str(path): path.read_bytes()
         for path in folder.rglob("*")

@@ -1,4 +1,4 @@
-"""Serving: what changes is built again, and what is asked for answered."""
+"""Test that the server rebuilds changed files and answers requests."""
 
 import os
 import shutil

@@ -1,4 +1,4 @@
-"""The provenance of a number, from the page back to rows, cases and command."""
+"""Test the provenance of a number, from the page back to rows, cases and command."""
 
 from measured_report.commands.trace import provenance
 from measured_report.findings.editions import editions_of

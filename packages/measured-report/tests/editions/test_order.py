@@ -1,4 +1,6 @@
-"""The order of releases: by number and not by letter, and what an index says of them."""
+"""Test that releases are sorted by number and not by letter, and how an index describes
+them.
+"""
 
 import io
 import json

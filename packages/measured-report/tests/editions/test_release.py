@@ -1,6 +1,6 @@
-"""Releases: what NEWTON and WITH mean, what it is called, and that what is installed is what was asked for.
-
-Packaging alone: a small repository that is named newton stands for a checkout, and nothing is simulated.
+"""Test the meaning of NEWTON and WITH, the labels of releases, and that the installed
+release is the requested one. A small repository named newton stands for a checkout, and
+no test simulates.
 """
 
 import hashlib
@@ -141,7 +141,9 @@ def test_with_names_packages(tmp_path):
 def test_nothing_of_the_generator_is_installed_beside_what_is_measured_and_all_of_it_measures(
     tmp_path,
 ):
-    """So that an edition of any day can be measured, and weighs no more than it must."""
+    """Test that an environment without the generator's other dependencies can measure
+    any edition.
+    """
     environment._make(
         folder := tmp_path / ".venv-numpy-1.26.4",
         "NUMPY=1.26.4",

@@ -1,4 +1,4 @@
-"""What ``make status`` says of sections that are stale."""
+"""Test the report of ``make status`` about stale sections."""
 
 from measured_report.commands.status import changes_text
 from measured_report.editions.status import State

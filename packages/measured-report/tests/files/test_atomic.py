@@ -1,4 +1,4 @@
-"""What goes wrong outside: damage, kills, hostile text."""
+"""Test damage, killed processes and hostile text."""
 
 import json
 import os
@@ -235,7 +235,7 @@ def test_only_plain_versions_of_the_simulator_are_installed(toy, name):
 def test_a_kill_while_a_record_is_written_leaves_a_whole_one_or_one_that_is_named(
     toy, stop
 ):
-    """The process is killed before each of the steps in turn that change what lies in the folder."""
+    """Test a process that is killed before each step that changes the folder."""
     before = [row["slip_mm"] for row in load_record(toy.record_path).rows]
     rows = [{**row, "slip_mm": 2.0} for row in ROWS]
     traces = {

@@ -1,4 +1,6 @@
-"""What report.toml may say: a slip of it is one line that says what to do, wherever it is met."""
+"""Test that each mistake in report.toml is reported in one line with a remedy, wherever
+it is detected.
+"""
 
 import subprocess
 import sys
@@ -143,7 +145,9 @@ print(module.name)
 
 
 def test_no_module_reads_it_while_it_is_imported(tmp_path):
-    """Or a process would be of one report for good."""
+    """Test that no module reads report.toml during its import, so that a process can
+    change its report.
+    """
     (tmp_path / "report.toml").write_text("no TOML")
     done = subprocess.run(
         [sys.executable, "-c", EVERY_MODULE],

@@ -1,4 +1,4 @@
-"""Git and files: asked and written in one place each."""
+"""Test that files are written and git is started in one place each."""
 
 import ast
 from pathlib import Path
@@ -12,11 +12,12 @@ from measured_report.files.git import environment, git, run_git
 
 WRITING = {"write_text", "write_bytes"}
 PLACES = ("files/", "commands/audit.py", "changes/executed.py", "skeleton/")
-"""Who writes and asks, and programs that stand alone."""
+"""Modules that write files or start git, and programs that run without the generator.
+"""
 
 
 def other_ways(path: Path) -> list[str]:
-    """Lines of a module that write a file or start git by themselves."""
+    """Return the lines of a module that write a file or start git directly."""
     found = []
     for node in ast.walk(ast.parse(path.read_bytes())):
         if isinstance(node, ast.Call):

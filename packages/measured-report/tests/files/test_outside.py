@@ -1,4 +1,6 @@
-"""What comes from outside: records, manifests, traces and half-finished work that somebody else may have written."""
+"""Test external input: records, manifests, traces and partial work that somebody else
+may have written.
+"""
 
 import gzip
 import json

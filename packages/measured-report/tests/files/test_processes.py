@@ -1,4 +1,4 @@
-"""Processes: forks share a piece of work."""
+"""Test that forked processes share a piece of work."""
 
 import os
 import re

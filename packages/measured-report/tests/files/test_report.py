@@ -1,4 +1,6 @@
-"""Reports whose packages have the same names: what is current is one's own."""
+"""Test that each of several reports finds its own packages if these have the same
+names.
+"""
 
 import sys
 

@@ -1,4 +1,6 @@
-"""Building again: what was made before is made again when anything that it was made from has changed, and else not."""
+"""Test that a part of the site is made again if one of its sources changed, and only
+then.
+"""
 
 import pickle
 import shutil
@@ -46,7 +48,7 @@ def files(site: Path) -> dict[str, bytes]:
 
 
 def from_nothing(toy: Toy) -> dict[str, bytes]:
-    """Build the site where nothing was kept."""
+    """Build the site without kept results."""
     shutil.rmtree(Cache(toy.project.root).folder)
     shutil.rmtree(toy.project.site)
     toy.build()
@@ -54,7 +56,7 @@ def from_nothing(toy: Toy) -> dict[str, bytes]:
 
 
 def rewritten(old: str, new: str) -> Callable[[Toy], None]:
-    """A change of the toy's template or module."""
+    """Changes the template or the module of the toy."""
     assert old in TEMPLATE + MODULE
 
     def change(toy: Toy) -> None:
@@ -109,7 +111,7 @@ def test_a_module_that_the_section_imports_counts(toy):
 
 @pytest.mark.parametrize("name", ["body.py", "scatter.py", "replicas.py"])
 def test_the_code_that_evaluates_all_measurements_counts(toy, monkeypatch, name):
-    """No section imports it, and each of their claims depends on it."""
+    """Test modules that no section imports although all claims depend on them."""
 
     def key() -> str:
         return derive_edition(toy.project).chapters["toy"].key
@@ -131,7 +133,7 @@ def test_what_is_installed_counts(monkeypatch):
 
 
 def with_readers(toy: Toy, order: int = 2) -> Path:
-    """Write both; returns where they say that they are derived."""
+    """Write both modules, and return where each one records that it was derived."""
     log = toy.project.root / "log"
     for name, reads in READS.items():
         toy.write(f"experiments/{name}.py", "def measure(conditions): ...\n")
@@ -159,7 +161,7 @@ def measure(toy: Toy, name: str, slip_mm: float = 1.0) -> None:
 
 
 def test_a_change_of_any_record_derives_again_whatever_has_numbers(toy):
-    """Each record shows how the numbers of all of them scatter."""
+    """Test that each record shows the scatter of all records."""
     log = with_readers(toy)
 
     def derived() -> list[str]:
@@ -299,7 +301,9 @@ def test_compiled_templates_are_kept_in_the_cache_and_not_where_others_may_write
 
 @pytest.mark.slow
 def test_the_same_commit_gives_the_same_bytes_anywhere(toy, tmp_path):
-    """In two folders, languages, time zones, and orders of what has none; and in a process that had other reports."""
+    """Test builds in two folders, languages, time zones and orders of unordered files,
+    and in a process that had other reports.
+    """
     toy.build()
     sites = [files(toy.project.site)]
     shutil.rmtree(toy.project.site)

@@ -1,4 +1,4 @@
-"""Whoever measures on this machine is not waited for."""
+"""Skip the wait for other processes that measure on this machine."""
 
 import gc
 

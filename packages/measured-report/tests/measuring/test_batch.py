@@ -1,4 +1,4 @@
-"""The lock that keeps times from being spoilt by other processes of this host."""
+"""Test the lock that keeps other processes of this host from disturbing timed runs."""
 
 import multiprocessing
 import os
@@ -22,7 +22,9 @@ def hold(exclusive: bool, pipe: int, end) -> None:
 
 @pytest.mark.parametrize(("first", "count"), [(True, 1), (False, 2)])
 def test_what_measures_times_has_nothing_beside_it(tmp_path, monkeypatch, first, count):
-    """It waits for what is shared, and what is shared for it; two that are shared are there together."""
+    """Test that exclusive batches wait for shared ones and the other way round, and
+    that two shared ones run together.
+    """
     monkeypatch.setattr(batch, "LOCK", tmp_path / "lock")
     context = multiprocessing.get_context("fork")
     read, write = os.pipe()

@@ -1,4 +1,6 @@
-"""Sections measured by a cluster's workers, which are killed, are unfit and have other code."""
+"""Test sections that a cluster measures although its workers are killed, are unfit or
+have other code.
+"""
 
 import gc
 import os
@@ -44,7 +46,9 @@ if __name__ == "__main__":
 
 @pytest.fixture(scope="module", autouse=True)
 def tidy():
-    """What Dask leaves says so when it is collected, which breaks whatever Python is compiling just then."""
+    """Collect Dask's remaining objects at the end, because their warnings would disturb
+    a later compilation.
+    """
     yield
     gc.collect()
 
@@ -62,7 +66,9 @@ def started(outside: Path, count: int, protocol: str = "tcp") -> subprocess.Pope
 
 @pytest.fixture(scope="module")
 def certificates(tmp_path_factory) -> Iterator[None]:
-    """What Dask's configuration names here and in programs: an authority of one's own, a key and its certificate."""
+    """Write a certificate authority, a certificate and its key, and set the variables
+    with which Dask and programs find them.
+    """
     folder, made = tmp_path_factory.mktemp("tls"), Security.temporary()
     texts = {
         "ca-file": made.tls_ca_file,
@@ -93,7 +99,9 @@ def certificates(tmp_path_factory) -> Iterator[None]:
 
 @pytest.fixture(scope="module")
 def address(outside, certificates):
-    """Address of a cluster of a worker for what is shared and one for the rest, as somebody may have started it."""
+    """Yield the address of a cluster with one worker for shared batches and one for all
+    others.
+    """
     with started(outside, 2, "tls") as process:
         yield process.stdout.readline().strip()
         process.communicate()
@@ -101,7 +109,10 @@ def address(outside, certificates):
 
 @pytest.fixture
 def scheduler(address) -> str:
-    """The same address, once all workers are there: those that a test killed take a while to come back."""
+    """Return the same address after all workers have joined.
+
+    Workers that a test killed need a while to return.
+    """
     with Client(address) as client:
         client.wait_for_workers(2)
     return address

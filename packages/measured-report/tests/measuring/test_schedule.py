@@ -1,4 +1,6 @@
-"""The schedule: how many batches run at once, what is alone, and what a record says of the time that they took."""
+"""Test how many batches run at once, which of them run by themselves, and how a record
+describes their times.
+"""
 
 import os
 import pickle
@@ -30,7 +32,7 @@ MACHINE = {
 
 
 class Pool:
-    """Runs nothing by itself."""
+    """Stands for a pool that does not start batches by itself."""
 
     killed = BrokenPipeError
 
@@ -50,13 +52,13 @@ def begin(toy, names: str, count: int, exclusive: str = "") -> Loop:
 
 
 def running(loop: Loop) -> str:
-    """Submit what can be, and name what runs."""
+    """Submit every batch that can run, and return the names of those that run."""
     loop._submit()
     return "".join(each.name for _, each in loop.running.values())
 
 
 def end(loop: Loop, name: str, start: int = 0, seconds: float = 1.0, **other) -> None:
-    """Let a batch that runs end."""
+    """End a running batch."""
     future = next(
         future for future, (_, each) in loop.running.items() if each.name == name
     )

@@ -1,4 +1,6 @@
-"""The loop: sections in batches, measured by processes of this host, and what may go wrong meanwhile."""
+"""Test the loop that measures sections in batches in processes of this host, and its
+failures.
+"""
 
 import importlib
 import os
@@ -27,7 +29,7 @@ from measured_report.records.record import load_record
 
 
 def fails(*sections, count: int = 1) -> bool:
-    """Measure sections; whether one fails."""
+    """Measure sections, and return whether one of them failed."""
     with host_pools([{}] * count, {}) as pools:
         return Loop(sections, *pools).run()
 
@@ -81,7 +83,7 @@ def test_a_batch_that_fails_names_itself_and_costs_no_other_section(toy, log, ca
 
 
 class Clock(datetime):
-    """Says what it was told to, one after the other."""
+    """Prints the given texts one after the other."""
 
     @classmethod
     def now(cls, zone):
@@ -193,7 +195,7 @@ def test_rows_that_are_yielded_are_no_batches(toy, capsys):
 
 
 def handed(returned) -> Plan:
-    """A section that measures nothing and hands this over."""
+    """Stands for a section that does not measure anything and returns this."""
     yield [Batch("a", os.getpid)]
     return returned
 

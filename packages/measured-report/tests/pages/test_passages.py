@@ -1,4 +1,6 @@
-"""Passages: paragraphs stand only while the claims that they rest on do, with numbers of these alone."""
+"""Test that a paragraph is shown only while its claims hold, and that it prints numbers
+of these claims only.
+"""
 
 import pytest
 from toys import MODULE
@@ -16,7 +18,7 @@ OTHER_DATA = "was written for other data"
 
 
 def built(toy, passage: str, *, falls: bool = False, before: str = "# A report") -> str:
-    """The front page with a passage on it."""
+    """Return the front page with a passage on it."""
     if falls:
         toy.measure(
             [{"case": case, "slip_mm": slip, "dropped": False} for case, slip in FALLEN]

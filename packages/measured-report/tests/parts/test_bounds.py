@@ -25,7 +25,7 @@ def mm(value, noise=0.0, source="a.json#/rows/0/slip_mm", **others) -> Quantity:
 
 
 def said(outcome: Outcome) -> str:
-    """Say one of four, and of what cannot tell whether it may once it is measured again."""
+    """Return the outcome as a word; ``near`` if another measurement may decide it."""
     return "near" if outcome.is_inconclusive else outcome.answer
 
 

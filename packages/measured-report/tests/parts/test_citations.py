@@ -1,4 +1,4 @@
-"""Statements that are cited."""
+"""Test statements that are cited."""
 
 import pytest
 from toys import TEMPLATE

@@ -1,4 +1,4 @@
-"""Values and claims: numbers that say where they come from, and sentences that follow the data."""
+"""Test that each value has a source, and that sentences follow the outcomes of claims."""
 
 import math
 

@@ -1,4 +1,4 @@
-"""Places: points of a table's column below each other, and ticks, sizes and marks of figures."""
+"""Test the alignment of a table's columns, and the ticks, sizes and marks of figures."""
 
 import re
 
@@ -24,7 +24,7 @@ def mm(
 
 
 def cells(*column) -> list[tuple[str, str]]:
-    """Return what each cell of a column is filled with, and says."""
+    """Return the fill and the text of each cell in a column."""
     html = Table(pd.DataFrame({"a": pd.Series(column, dtype=object)})).rendered().frame
     cells = re.findall(
         r'<td(?: class="number")? data-head="[^"]*"(?: data-fill="([^"]*)")?>(.*?)</td>',

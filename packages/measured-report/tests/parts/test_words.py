@@ -1,4 +1,6 @@
-"""Words: what a template says of claims, figures and tables is found before anything is rendered."""
+"""Test that words of a template about claims, figures and tables are found before the
+page is rendered.
+"""
 
 import pytest
 from toys import MODULE, TEMPLATE

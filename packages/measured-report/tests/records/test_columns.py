@@ -1,4 +1,6 @@
-"""Columns and cells: units, ranges and words, what no record may hold, and what is a replica of a record."""
+"""Test units, ranges and words of columns, cells that a record must not contain, and
+the replicas of a record.
+"""
 
 from dataclasses import MISSING, replace
 

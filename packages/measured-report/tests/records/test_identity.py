@@ -1,4 +1,4 @@
-"""Freshness: what makes a record stale, and what does not."""
+"""Test which changes make a record stale and which do not."""
 
 import ast
 import shutil
@@ -54,7 +54,7 @@ def scaled(run):
 
 @pytest.fixture
 def chain(toy):
-    """The toy with a section that is measured through two other modules."""
+    """Return the toy with a section that is measured by means of two other modules."""
     for name, text in SOURCES.items():
         toy.write(name, text)
     toy.measure()
@@ -62,7 +62,7 @@ def chain(toy):
 
 
 def replace_in(toy, old: str, new: str) -> None:
-    """Replace a text wherever the experiments have it."""
+    """Replace a text in all files of the experiments."""
     paths = [
         path
         for path in (toy.project.root / "experiments").rglob("*.py")

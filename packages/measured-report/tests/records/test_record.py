@@ -1,4 +1,4 @@
-"""Records and traces: kept whole, or refused."""
+"""Test that records and traces are read completely or refused."""
 
 import json
 from dataclasses import replace

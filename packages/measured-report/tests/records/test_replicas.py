@@ -1,4 +1,6 @@
-"""Replicas: one sealed file of records, taken in only where it is of the same code and packages, and whole."""
+"""Test that a sealed file of replicas is accepted only if it is complete and has the
+same code and packages.
+"""
 
 import bz2
 import gzip
@@ -30,7 +32,7 @@ GPU = {**BY_HAND["machine"], "device": "cuda", "gpu": "A GPU"}
 
 @pytest.fixture
 def project(toy):
-    """A project with records of some sections."""
+    """Return a project with records of some sections."""
     rows = [
         {"case": f"run-{n}", "slip_mm": 1 + n / 7, "dropped": False} for n in range(333)
     ]
@@ -142,7 +144,7 @@ DAMAGES = {
 def headed(
     name: bytes = b"x", size: bytes = b"0", kind: bytes = b"0", real_size: bytes = b""
 ) -> bytes:
-    """A header of tar, of a file without content."""
+    """Return a tar header for a file without content."""
     header = bytearray(tarfile.TarInfo("x").tobuf())
     header[156:157] = kind
     for start, field in (
@@ -158,7 +160,7 @@ def headed(
 
 
 def extended(**fields: str) -> bytes:
-    """A plain file with a header of PAX before its own."""
+    """Return a plain file with a PAX header before its own header."""
     file = tarfile.TarInfo("x")
     file.pax_headers = {f"GNU.sparse.{name}": text for name, text in fields.items()}
     return file.tobuf(tarfile.PAX_FORMAT)

@@ -1,4 +1,4 @@
-"""The site: built from results made by hand, checked, and published in one step."""
+"""Test that a site is built from handmade results, checked, and published in one step."""
 
 import json
 import os
@@ -111,7 +111,7 @@ def test_a_site_whose_address_is_known_has_a_feed_and_each_page_says_what_it_tel
 
 
 def test_results_that_nothing_reads_are_named(toy):
-    """A section was renamed, or a folder has a typing error."""
+    """Test a renamed section and a misspelt folder."""
     toy.build()
     results = toy.project.results
     shutil.copy(toy.record_path, results / "toyy.json")

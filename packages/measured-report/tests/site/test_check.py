@@ -1,4 +1,4 @@
-"""The check of a site: what it finds in pages, numbers and links."""
+"""Test that the check of a site finds errors of pages, numbers and links."""
 
 from measured_report.site.check import check_site
 

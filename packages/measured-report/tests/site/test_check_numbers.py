@@ -1,4 +1,4 @@
-"""Numbers on a page against their sources: written and rounded."""
+"""Test that the numbers on a page agree with their sources to the printed digits."""
 
 import json
 
@@ -65,7 +65,7 @@ def test_a_number_is_written_as_its_source_and_noise_have_it(tmp_path, html, sai
     [(None, "0.31"), (0.004, "0.312"), (0.1, "0.3"), (0.0, "0.3124")],
 )
 def test_a_cell_is_written_as_its_noise_has_it(toy, noise, right):
-    """The noise comes from all measurements and stands beside the values."""
+    """Test that the noise comes from all measurements and is stored with the values."""
     data = Data(toy.record_path.parents[1], report())
     source = "newton-1.4.0/toy.json#/rows/1/slip_mm"
     (data.folder / "newton-1.4.0/noise.json").write_text(json.dumps({source: noise}))

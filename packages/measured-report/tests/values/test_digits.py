@@ -1,4 +1,6 @@
-"""Digits of numbers, worked by hand: what is rounded where, what is a bound, and what a figure has room for."""
+"""Test digits computed by hand: the rounding of numbers, bounds, and numbers that fit
+into a figure.
+"""
 
 from decimal import Decimal
 

@@ -1,4 +1,6 @@
-"""Evidence: what measurements say of a number, drawn from a truth with errors of hosts and runs."""
+"""Test evidence with measurements that are drawn from known truths with errors of hosts
+and runs.
+"""
 
 from dataclasses import replace
 
@@ -40,7 +42,7 @@ columns = [
 
 @pytest.fixture(scope="module", autouse=True)
 def columns(entered, tmp_path_factory):
-    """Enter a report in which columns say how their numbers scatter."""
+    """Enter a report whose columns define how their numbers scatter."""
     lay_out(folder := tmp_path_factory.mktemp("columns"))
     (folder / "report.toml").write_text(SETTINGS)
     with report_in(folder):
@@ -48,7 +50,7 @@ def columns(entered, tmp_path_factory):
 
 
 def body(**editions: list[Record | None]) -> Body:
-    """Return what the measurements of one section say, by edition."""
+    """Return the measured numbers of one section by edition."""
     measured = {(edition, "toy"): records for edition, records in editions.items()}
     return body_of(measured, report().columns)
 
@@ -83,7 +85,10 @@ def measured(
     column: str = DRIFT,
     host: float = 0.0,
 ) -> list[Record]:
-    """Draw so many measurements; all numbers of one share the relative error of its host."""
+    """Draw this many measurements.
+
+    The numbers of one measurement share the relative error of its host.
+    """
     records = []
     for _ in range(count):
         numbers = chance.normal(truths, deviations) * (1 + chance.normal(0, host))
@@ -98,9 +103,9 @@ def measured(
 def drawn(
     seed: int, *counts: int, column: str = DRIFT, host: float = 0.0
 ) -> tuple[list[np.ndarray], list[list[Record]]]:
-    """Return truths and measurements of editions that were measured so often.
+    """Return truths and measurements of editions that were measured this many times.
 
-    The rows scatter alike in all editions, and each has a deviation of its own.
+    The rows scatter equally in all editions, and each has its own deviation.
     """
     chance = np.random.default_rng(seed)
     deviations = 0.01 * np.sqrt(8.0 / chance.chisquare(8.0, ROWS))
@@ -115,7 +120,7 @@ def drawn(
 def known(
     of: Evidence, shown: Record, column: str = DRIFT
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Return the values that are printed, and how far the truth may be from each."""
+    """Return the printed values, and their distances from the truth."""
     estimates = [estimate(of, column, row) for row in shown.rows]
     values = np.array([each.value for each in estimates])
     return values, np.array([each.noise for each in estimates])
@@ -143,7 +148,9 @@ def test_the_truth_is_within_the_noise_as_often_as_it_says(counts):
 
 @pytest.mark.parametrize("host", [0.0, 0.02, 0.05])
 def test_left_out_times_lie_within_the_noise_of_the_others(host):
-    """The calibration that the site prints, of times whose hosts differ by so much."""
+    """Return the calibration that the site prints for times whose hosts differ by this
+    much.
+    """
     inside = 0
     total = 0
     for seed in range(30):
@@ -158,7 +165,9 @@ def test_left_out_times_lie_within_the_noise_of_the_others(host):
 
 
 def test_the_interval_of_a_time_measured_once_includes_the_host():
-    """Runs scatter by 1 % and hosts by 3 %, which one measurement does not show."""
+    """Test runs that scatter by 1 % and hosts that differ by 3 %, which one measurement
+    cannot show.
+    """
     inside = []
     noises = []
     for seed in range(60):
@@ -282,7 +291,9 @@ def test_measurements_left_out_say_how_often_a_change_is_listed_by_mistake():
 
 
 def test_calibration_counts_what_lies_within_the_noise_of_the_others():
-    """Of three rows that agree within 1 %, one measurement is ten times as large."""
+    """Test three rows that agree within 1 %, and then one measurement that is ten times
+    as large.
+    """
     rows = [[1.0, 1.01, 0.99, 1.0], [2.0, 2.02, 1.98, 2.0], [3.0, 3.03, 2.97, 3.0]]
 
     def calibration(column: str) -> dict[str, tuple[int, int]]:
@@ -305,7 +316,10 @@ def test_calibration_counts_what_lies_within_the_noise_of_the_others():
 
 
 def test_the_scatter_between_hosts_is_that_of_all_times_together():
-    """Hosts 3 % below and above weigh one degree of freedom, and the usual 3 % four."""
+    """Test two hosts, 3 % below and above the mean.
+
+    Their variance has one degree of freedom, and the usual one of 3 % has four.
+    """
     sides = [
         record([{"case": f"c{row}", TIME: scale * (row + 1)} for row in range(9)])
         for scale in (9.7, 10.3)
@@ -319,7 +333,9 @@ def test_the_scatter_between_hosts_is_that_of_all_times_together():
 
 
 def test_columns_measured_more_often_elsewhere_count_for_the_scatter_of_hosts():
-    """One column of four was measured six times in another edition, and never shifts."""
+    """Test one column of four that was measured six times in another edition and never
+    shifts.
+    """
     columns = [TIME, "frame_ms_p25", "frame_ms_p50", "frame_ms_p75"]
 
     def with_shift(scale: float) -> Record:
@@ -339,7 +355,7 @@ def test_columns_measured_more_often_elsewhere_count_for_the_scatter_of_hosts():
 
 
 def test_rows_of_a_case_are_compared_one_by_one_outside_the_section_on_noise():
-    """There `of` may name the solver or the case that a row belongs to."""
+    """Test that `of` may name the solver or the case of a row."""
     _, [records] = drawn(5, 4)
     named = [
         replace(each, rows=[{**row, "of": "a solver"} for row in each.rows])
@@ -360,13 +376,15 @@ def test_the_noise_of_trials_is_theirs_alone():
 
 
 def test_a_change_that_is_certain_counts_as_a_false_alarm():
-    """A chance of 0 is the smallest that a number can have."""
+    """Test that a chance of 0 becomes the smallest possible number."""
     chances = [((row,), np.array([0.0 if row < 3 else 0.5])) for row in range(12)]
     assert _changed(chances, 0.02) == [(12, 3)]
 
 
 def test_runs_of_one_case_are_compared_by_their_mean():
-    """The means of three measurements are known by how they scatter."""
+    """Test that the scatter of three measurements determines the precision of their
+    means.
+    """
     chance = np.random.default_rng(3)
     again = []
     for _ in range(3):
@@ -390,7 +408,9 @@ def test_runs_of_one_case_are_compared_by_their_mean():
 
 
 def test_what_repeats_does_so_whatever_its_unit_and_a_cost_does_not():
-    """A limit in ms that an engine computes is no time that was taken: its kind says so, not its unit."""
+    """Test that a limit in ms that an engine computes does not count as a measured
+    time. Its kind decides this, not its unit.
+    """
     runs = [
         {"case": f"r{n}", "of": "a", "limit_ms": 2.0 + n, "frame_ms": 2.0 + n}
         for n in range(9)
@@ -408,7 +428,11 @@ def test_what_repeats_does_so_whatever_its_unit_and_a_cost_does_not():
 
 
 def test_what_was_measured_once_has_the_noise_of_the_runs_of_one_case_and_larger_numbers_more():
-    """Eight runs with a deviation of 0.1: t of 2.3646 makes ±0.236 of a run of that size; of five times that ±1.18."""
+    """Test eight runs with a deviation of 0.1.
+
+    With t = 2.3646 the noise of one such run is ±0.236, and that of a run five times as
+    large ±1.18.
+    """
     runs = [
         {
             "of": "c",
@@ -451,7 +475,9 @@ def test_runs_part_as_they_go_on():
 
 
 def test_a_row_itself_says_how_well_a_time_a_ratio_and_a_count_are_known():
-    """Half of a normal distribution's 90 % is 1.645 deviations; a median of 25 is known to √(π/2)/5 of one."""
+    """Test that 90 % of a normal distribution is within 1.645 deviations, and that a
+    median of 25 has √(π/2)/5 of one deviation.
+    """
     row = {
         "case": "x",
         "frame_ms": 8.0,

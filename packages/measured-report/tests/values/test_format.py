@@ -1,4 +1,6 @@
-"""Numbers as people write them: the digits that their noise carries and never more, and what was chosen as it was."""
+"""Test that numbers are printed with the digits that their noise permits, and chosen
+numbers as they were chosen.
+"""
 
 import math
 from decimal import Decimal
@@ -23,7 +25,10 @@ VALUES = st.builds(math.copysign, SIZES, st.sampled_from((1.0, -1.0)))
 
 
 def last_place(text: str) -> Decimal:
-    """What one more of the last digit would be worth; zeros at the end of a whole number may be no digits."""
+    """Test the size of the last digit.
+
+    Zeros at the end of a whole number may not be significant.
+    """
     number = read(text)
     return Decimal(1).scaleb(
         number.as_tuple().exponent

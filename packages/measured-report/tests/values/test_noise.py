@@ -1,4 +1,6 @@
-"""Noise: intervals and tests whose numbers are from tables, from SciPy, or worked by hand."""
+"""Test intervals and statistical tests with numbers from tables, from SciPy or computed
+by hand.
+"""
 
 import math
 import operator
@@ -61,7 +63,10 @@ def test_a_chance_is_of_the_difference_in_standard_errors():
 
 
 def test_the_chances_that_count_are_those_of_benjamini_and_hochberg():
-    """Of ten the third may be 0.003 at 1 %, and the fourth 0.004: a smaller one behind a larger counts as well."""
+    """Test ten chances at 1 %: the third may be 0.003 and the fourth 0.004.
+
+    A smaller chance after a larger one also counts.
+    """
     chances = [0.0005, 0.0021, 0.0029, 0.02, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0]
     assert discoveries(chances) == 0.0029 and discoveries(chances[::-1]) == 0.0029
     adjusted = stats.false_discovery_control(chances)
@@ -76,7 +81,10 @@ def test_the_chances_that_count_are_those_of_benjamini_and_hochberg():
 
 
 def test_an_outlier_is_moved_to_five_deviations_of_the_middle_half():
-    """Of 1 to 7 and 100 the median is 4.5, and half are within 2 of it: five times 1.4826 times 2 is 14.826."""
+    """Test the median 4.5 of 1 to 7 and 100.
+
+    Half of the numbers are within 2 of it, and five times 1.4826 times 2 is 14.826.
+    """
     assert fenced([1, 2, 3, 4, 5, 6, 7, 100]) == pytest.approx(
         [1, 2, 3, 4, 5, 6, 7, 4.5 + 14.826]
     )
@@ -110,13 +118,18 @@ def test_a_count_of_rare_events_is_held_against_poisson_and_binomial():
     ],
 )
 def test_the_noise_of_a_share_is_of_wilson_s_interval(successes, trials, end):
-    """Ends from Newcombe (1998), Statistics in Medicine 17, 857-872, table I, method 3; the last by symmetry."""
+    """Compare with Newcombe (1998), Statistics in Medicine 17, 857-872, table I, method
+    3; the last interval follows by symmetry.
+    """
     share = successes / trials
     assert binomial_noise(share, trials) == pytest.approx(abs(end - share), abs=5e-5)
 
 
 def test_the_noise_of_a_mean_is_its_confidence_interval():
-    """Three costs of 23.3, 22.6 and 23.3 % have a deviation of 0.404 %: t of 4.303 makes ±1.00 % of their mean."""
+    """Test costs of 23.3, 22.6 and 23.3 %.
+
+    Their deviation is 0.404 %, and with t = 4.303 the noise of their mean is ±1.00 %.
+    """
     costs = [23.3, 22.6, 23.3]
     noise = Estimate(fmean(costs), variance_of(costs), freedom=2.0, count=3.0).noise
     assert noise == pytest.approx(stats.t.ppf(0.975, 2) * stats.sem(costs), rel=0.01)
@@ -157,7 +170,7 @@ def test_a_ratio_carries_the_noise_of_both_parts(above, below, share, other):
 
 
 def times(*samples: float | None, noise: float = 1.0) -> Quantity:
-    """Return a time that several measurements have taken."""
+    """Return a time from several measurements."""
     value = fmean(sample for sample in samples if sample is not None)
     return Quantity(value, "ms", "a", noise=noise, samples=samples, is_shared=True)
 
@@ -183,7 +196,9 @@ def test_a_difference_of_times_has_the_interval_of_paired_measurements():
 
 
 def test_a_number_measured_once_adds_its_own_noise_to_that_of_times():
-    """Half of it is exact in each measurement: 3 ± 0.4 and a paired difference."""
+    """Test a number with one exact half in each measurement: 3 ± 0.4 and a paired
+    difference.
+    """
     alone = Quantity(3.0, "ms", "b", noise=0.4)
     paired = (SLOW - UNLIKE).noise
     assert (SLOW - UNLIKE - alone).noise == pytest.approx(math.hypot(paired, 0.4))
@@ -226,7 +241,9 @@ def test_a_value_says_what_each_of_its_measurements_gave():
 
 
 def test_the_interval_of_an_extreme_holds_for_each_that_may_be_it():
-    """Five errors stay below 2.319 deviations in 95 % of all cases: 0.9898 to the fifth."""
+    """Test that five errors stay below 2.319 deviations in 95 % of all cases, because
+    0.9898⁵ = 0.95.
+    """
     five = extreme_noise(max, [1.0] * 5, [0.2] * 5)
     assert five == pytest.approx(0.2 * 2.319 / 1.96, rel=1e-3)
     assert stats.norm.cdf(2.319) ** 5 == pytest.approx(0.95, abs=1e-4)

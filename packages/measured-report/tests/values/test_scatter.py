@@ -1,4 +1,4 @@
-"""Scatter: what the variances of a column show, and which rows keep their own."""
+"""Test the variances of a column, and which rows keep their own variance."""
 
 import math
 
@@ -26,14 +26,14 @@ ROUNDING = (1e-6) ** 2 / 12
 def variances(
     freedom: int, strength: float, count: int = 4000, level: float = 2.0
 ) -> np.ndarray:
-    """Draw sample variances whose truth is level · strength / χ², as Smyth has it."""
+    """Draw sample variances whose truth is level · strength / χ², as in Smyth's model."""
     chance = np.random.default_rng(7)
     true = level * strength / chance.chisquare(strength, count)
     return true * chance.chisquare(freedom, count) / freedom
 
 
 def drawn(deviations: np.ndarray, count: int, seed: int = 1) -> np.ndarray:
-    """Draw so many measurements of numbers that are all 1."""
+    """Draw this many measurements of numbers that are all 1."""
     chance = np.random.default_rng(seed)
     return chance.normal(1.0, deviations[:, None], (len(deviations), count))
 
@@ -49,7 +49,9 @@ def test_the_strength_and_the_level_of_a_column_are_found(freedom, strength):
 
 
 def test_the_estimate_is_that_of_smyth():
-    """Formulas of section 6.2, with 8 more rows of the usual strength of 4."""
+    """Compare with the formulas of section 6.2, with 8 more rows that have the usual
+    strength of 4.
+    """
     sample = variances(3, 6.0, 200)
     prior = prior_of(sample, np.full(200, 3.0), np.ones(200))
     logs = np.log(sample) - special.digamma(1.5) + np.log(1.5)
@@ -65,7 +67,9 @@ def test_the_estimate_is_that_of_smyth():
 
 
 def test_a_column_of_few_rows_is_taken_to_be_as_unlike_as_usual():
-    """Three variances alike weigh 2 of 10, and rows of the usual strength the rest."""
+    """Test three equal variances, which have a weight of 2 in 10; rows of the usual
+    strength have the rest.
+    """
     few = prior_of(np.full(3, 2.0), np.full(3, 5.0), np.ones(3))
     by_chance = special.polygamma(1, 2.5)
     unlike = 8 / 10 * (by_chance + special.polygamma(1, 2.0)) - by_chance
@@ -76,7 +80,7 @@ def test_a_column_of_few_rows_is_taken_to_be_as_unlike_as_usual():
 
 @pytest.mark.parametrize("slope", [0.0, 1.0, 2.0])
 def test_variances_grow_with_the_number_as_the_column_shows(slope):
-    """1 µs and 62 µs in one column do not have one noise."""
+    """Test that 1 µs and 62 µs in one column have different noise."""
     sizes = np.tile([1.0, 62.0], 200)
     sample = variances(4, 50.0, 400) * sizes**slope
     prior = prior_of(sample, np.full(400, 4.0), sizes)
@@ -88,7 +92,7 @@ def test_variances_grow_with_the_number_as_the_column_shows(slope):
 
 
 def test_a_row_and_its_column_count_by_their_degrees_of_freedom():
-    """The measurements of a row in several editions count together."""
+    """Test that the measurements of a row in several editions are counted together."""
     samples = drawn(np.full(60, 0.1), 4)
     rows = [f"row {index % 30}" for index in range(60)]
     scatter = fit_of(samples, rows).scatter
@@ -123,7 +127,9 @@ def test_a_wild_row_keeps_its_own_variance_and_changes_no_other():
 
 
 def test_an_outlier_is_moved_to_five_deviations_of_its_row():
-    """The median of 1 to 7 and 100 is 4.5, and its deviation 1.4826 times 2."""
+    """Test the numbers 1 to 7 and 100, whose median is 4.5 and whose deviation is
+    1.4826 times 2.
+    """
     samples = np.array([[1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 100.0]])
     fit = fit_of(samples, ["a"], Scatter(1e-9, 0.0, 4.0))
     assert fit.values[0] == pytest.approx((28 + 4.5 + 14.826) / 8)
@@ -143,7 +149,9 @@ def test_numbers_that_agree_to_the_last_bit_have_the_noise_of_rounding():
 
 
 def test_two_rows_that_scatter_count_unless_most_others_repeat():
-    """Of ten rows two scatter, which is a fifth; of 30 it is less than a tenth."""
+    """Test two rows that scatter: they are a fifth of ten rows, and less than a tenth
+    of 30 rows.
+    """
     noisy = drawn(np.full(2, 0.1), 3)
     some = fit_of(np.vstack([np.full((8, 3), 5.0), noisy]), range(10)).scatter
     assert 1e-4 < some.level < 0.1
@@ -152,7 +160,7 @@ def test_two_rows_that_scatter_count_unless_most_others_repeat():
 
 
 def test_a_number_close_to_zero_does_not_make_its_row_noisy_elsewhere():
-    """The last row is about 1e-6 in one edition and 1.0 in another."""
+    """Test a last row of about 1e-6 in one edition and 1.0 in another."""
     samples = drawn(np.full(60, 0.01), 4)
     samples[59] = [1e-6, 2e-6, -1e-6, 3e-6]
     scatter = fit_of(samples, [*range(59), 58]).scatter
@@ -164,7 +172,7 @@ def test_a_number_close_to_zero_does_not_make_its_row_noisy_elsewhere():
 
 
 def test_a_small_number_of_a_column_with_large_ones_scatters_like_itself():
-    """Errors of 1 and of 1e-5 in one column, both known to 1 %."""
+    """Test errors of 1 and of 1e-5 in one column. Both have a noise of 1 %."""
     chance = np.random.default_rng(3)
     sizes = np.repeat([1.0, 1e-5], 30)
     samples = sizes[:, None] * chance.normal(1.0, 0.01, (60, 4))
@@ -191,9 +199,10 @@ def test_a_column_with_two_rows_scatters_as_it_does_elsewhere():
 
 @pytest.mark.parametrize(("lent", "level"), [(6.0, 9.0), (0.0, 0.0)])
 def test_each_measurement_is_predicted_by_the_others(lent, level):
-    """Of 1, 2, 3 and 10 the last is 8 from the mean of the others.
+    """Test 1, 2, 3 and 10: the last is 8 from the mean of the others.
 
-    Their squares are 2, and those of all four 50; the column lends its own.
+    The squares of the first three add up to 2, and those of all four to 50; the
+    column's deviation applies.
     """
     samples = np.array([[1.0, 2.0, 3.0, 10.0]])
     with_row = (lent * level + 50) / (lent + 3)
@@ -215,7 +224,7 @@ def test_nothing_is_predicted_without_a_second_measurement():
 
 @pytest.mark.parametrize("count", [2, 3, 5, 8])
 def test_intervals_cover_the_truth_and_what_is_left_out(count):
-    """Rows have deviations of their own, as unlike as those of a real column."""
+    """Draw rows whose deviations differ as much as those of a real column."""
     covered = []
     predicted = []
     for seed in range(12):

@@ -8,10 +8,8 @@ from experiments.pendulum import START_RAD, swing
 
 
 def test_the_energy_at_the_start_is_that_of_the_height_and_is_kept():
-    """The initial energy is m g l/2 (1 - cos θ) above the lowest point.
-
-    The mass is 1 kg and the length 0.5 m.
-
+    """Compute the initial energy: m g l/2 (1 - cos θ) above the lowest point, with a
+    mass of 1 kg and a length of 0.5 m.
     """
     times, energies = swing("RK4", START_RAD, 0.1)
     assert energies[0] == pytest.approx(
