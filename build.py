@@ -1,4 +1,4 @@
-"""The command line that make calls; ``make help`` says what there is."""
+"""Run the command line that make calls; ``make help`` lists the commands."""
 
 import signal
 import sys

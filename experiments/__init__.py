@@ -1,6 +1,4 @@
-"""Measure the sections: each section is a module or a folder here, and the other
-folders are shared.
-"""
+"""Contain one module or folder for each measured section; other folders are shared."""
 
 import sys
 from pathlib import Path

@@ -110,7 +110,7 @@ def constraint_rows(case: str, contacts: ContactRows) -> list[dict[str, object]]
 
 
 def contact_table(contacts: ContactRows) -> dict[str, np.ndarray]:
-    """Return a table with a row for each live contact of a frame."""
+    """Return a table with a row for each live contact in a frame."""
     return {
         "geom_1": contacts.geom[:, 0],
         "geom_2": contacts.geom[:, 1],
@@ -189,9 +189,8 @@ def _motion(trace: Trace) -> dict[str, object]:
 
 
 def mean_along_shake_m_s2(simulation: Simulation) -> float:
-    """Return J̇ q̇ of the cube against the pads along the shake's main axis [m/s²].
-
-    This is the mean over the loaded contacts.
+    """Return J̇ q̇ of the cube relative to the pads along the main axis of the shake
+    [m/s²]. This is the mean over the loaded contacts.
     """
     engine, data = simulation.solver.mj_model, simulation.solver.mj_data
     cube, now = simulation.recorder.cube_geom, _at_end_of_step(engine, data)

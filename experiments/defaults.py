@@ -18,7 +18,7 @@ from experiments.simulation.measurement import (
 )
 
 NEEDS_GPU = False
-"""This tells ``measured_report.measuring.machine`` that a GPU is not needed.
+"""Tells ``measured_report.measuring.machine`` that a GPU is not needed.
 
 The options are the same on every machine, and the case runs on the CPU.
 """

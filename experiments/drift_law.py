@@ -1,10 +1,10 @@
-"""Predict the drift of each run of section stiffness from the arm's motion alone.
+"""Predict the drift of each run of section stiffness only from the motion of the arm.
 
-The parts are those of ``budget``. Each part is the slope of its sum over the shake,
-just as the drift is the slope of the cube's displacement. They are measured in one run
-of the shake in MuJoCo's C engine with the term restored, so that they do not contain
-any slide. No parameter is fitted. The prediction does not include the rounding of
-positions, which is avoided in the compared runs.
+The parts are the same as in ``budget``. Each part is the slope of its sum over the
+shake, as the drift is the slope of the cube's displacement. They are measured in one
+run of the shake in MuJoCo's C engine with the term restored, so that they do not
+contain any slide. No parameter is fitted. The prediction does not include the rounding
+of positions, which is avoided in the compared runs.
 """
 
 from dataclasses import dataclass, replace

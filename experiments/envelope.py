@@ -42,7 +42,7 @@ def measure(conditions: Conditions) -> Plan:
 
 
 def map_cells(sides: Mapping[str, Case], size: int) -> list[Case]:
-    """Return all cells of a map, one side after the other.
+    """Return all cells of a map, first one side and then the other.
 
     Each side has ``size`` amplitudes and ``size`` frequencies.
     """
@@ -59,9 +59,9 @@ def map_cells(sides: Mapping[str, Case], size: int) -> list[Case]:
 
 
 def measure_round(conditions: Conditions) -> list[dict]:
-    """Return a row for each shake with round numbers, including the scene's own.
+    """Return a row for each shake with round numbers, including the scene's own shake.
 
-    The runs are as long as the runs of the map.
+    These runs are as long as the runs of the map.
     """
     cases = [
         shaken(case, f"{side}-{100 * a:g}cm-{f:g}hz", a, f)

@@ -36,7 +36,7 @@ def measure(conditions: Conditions) -> Measurement:
 def try_script(
     row: dict[str, object], device: str, frame_count: int
 ) -> dict[str, object]:
-    """Return a row with the numbers and the test result of its script.
+    """Return a row with the numbers and the test result of a script.
 
     The script runs in an empty folder.
     """

@@ -39,7 +39,9 @@ CASES = (
 )
 CREEP_COLUMNS = ("creep_z_mm_s", "increment_final_mm")
 SETTLE_FRAME_COUNT = SETUP_FRAME_COUNT + 5 * FRAME_RATE
-"""Frames before the measurement: the set-up, and the time until the arm is at rest."""
+"""Frames before the measurement, which are the setup and the time until the arm is at
+rest.
+"""
 SECONDS = {"full": 4, "quick": 1}
 
 

@@ -1,4 +1,4 @@
-"""Run the same cases many times, in one batch and alone (an A/A test).
+"""Run the same cases many times, in one batch and one at a time (an A/A test).
 
 The scatter is the noise floor of the report.
 """

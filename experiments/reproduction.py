@@ -50,10 +50,9 @@ def measure_runs(conditions: Conditions) -> Measurement:
 
 
 def batch_rows(conditions: Conditions) -> list[dict[str, object]]:
-    """Return the wall time of the same case alone and in every world of a batch.
-
-    On the CPU, it is also measured without graphs. Launching kernels then takes longer
-    than computing, and a batch shares the launches.
+    """Return the wall time of one case in a batch of one and in every world of a larger
+    batch. On the CPU, it is also measured without graphs. Launching kernels then takes
+    longer than computing, and a batch shares the launches.
     """
     kind = "cuda" if conditions.is_cuda else "cpu"
     case = replace(

@@ -44,7 +44,7 @@ def measure(conditions: Conditions) -> Plan:
 def measure_worlds(conditions: Conditions, world_count: int) -> list[dict[str, object]]:
     """Return a row for each setting and number of substeps.
 
-    The scene as shipped comes first, because all others are compared with it.
+    The scene as shipped comes first, because all other settings are compared with it.
     """
     cases = [AS_SHIPPED]
     cases += [

@@ -88,7 +88,7 @@ def measure_in_c(conditions: Conditions) -> list[dict]:
 
 
 def columns_of(case: Case) -> dict[str, object]:
-    """Return what every row states, even if it equals the scene as shipped."""
+    """Return the values that every row states, even if they equal the scene as shipped."""
     setting, pads, _ = case.name.split("/")
     return {
         "setting": setting,

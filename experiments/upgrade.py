@@ -81,8 +81,8 @@ def row_columns(contacts: ContactRows) -> dict[str, object]:
     """Return the live contacts of a frame: their count, and the strongest one.
 
     ``friction_damping_per_s`` describes the behaviour of the friction rows instead of
-    their parameters. They aim at the acceleration -b v, and this is b of the faster of
-    the two rows.
+    their parameters. They are set to the acceleration -b v, and this is the b of the
+    faster row.
     """
     strongest = int(contacts.force_n[:, 0].argmax())
     velocity, reference = (

@@ -57,7 +57,7 @@ def measure(conditions: Conditions) -> Plan:
 
 
 def measure_held(conditions: Conditions) -> list[dict]:
-    """Return a row for each minute with the arm held still, and its final creep.
+    """Return a row for each minute with the arm held still, with the final creep.
 
     The creep is measured in the last second.
     """

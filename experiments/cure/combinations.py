@@ -52,7 +52,8 @@ SETTINGS = {
 }
 """Integrators and values of impratio for each source of contacts.
 
-Each pair needs a separate simulation. All other parameters vary between its worlds.
+Each pair needs a separate simulation. All other parameters vary between the worlds of a
+simulation.
 """
 
 
@@ -163,10 +164,10 @@ def row_of(case: Case, trace: Trace, motion: Motion) -> dict[str, object]:
 
 
 def along(name: str, vector: np.ndarray) -> list[tuple[str, float]]:
-    """Return the columns of a vector [mm] in the TCP frame, shape [3]."""
+    """Return the columns for a vector [mm] in the TCP frame, shape [3]."""
     return [(f"{name}_{axis}_mm", float(vector[at])) for axis, at in ALONG.items()]
 
 
 def cells(columns: dict[str, object], reason: str | None) -> dict[str, object]:
-    """Return the columns. They do not have values if there is a ``reason``."""
+    """Return the columns. They have no values if there is a ``reason``."""
     return absent(columns, reason) if reason else columns

@@ -72,7 +72,7 @@ STARTS = {  # at rest at an end of the shake, rotating, or in the middle of the 
 
 
 def walls(motion: str) -> str:
-    """Return the scene: walls on joints, and between them a cube without gravity."""
+    """Return the scene: walls on joints, and a cube between them without gravity."""
     place_m = 0.0 if motion == "straight" else PLACE_M
     feet = "".join(
         f'<geom type="sphere" size="0.01" pos="{x} {y} {z}" mass="0"/>'

@@ -38,7 +38,7 @@ def probes(profile: str) -> list[Probe]:
 
 
 def measure(conditions: Conditions) -> list[dict]:
-    """Return a row for each run and variant with the class of its end."""
+    """Return a row for each run and variant with the class in which it ends."""
     frame_count = HOLD_FRAME_COUNT + SHAKE_FRAME_COUNT[conditions.profile]
     runs = [
         (probe, variant)

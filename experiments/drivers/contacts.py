@@ -70,7 +70,7 @@ class Contacts:
     def creep_m_s(self, load_n: float) -> float:
         """Return the predicted creep of a held body under a constant load [m/s].
 
-        Each row yields R f = b v.
+        The prediction follows from R f = b v for each row.
         """
         return load_n * self.softness_1_kg / self.damping_per_s
 

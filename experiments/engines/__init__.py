@@ -1,8 +1,8 @@
 """Measure the box on the turntable, the capsule and the shake in other engines.
 
-The capsule ends between the pads, so that the balls at its ends hold it. The SimReady
-test FET028 of NVIDIA (2 cm at 2 Hz for 2 s, slip below 3 cm) is done with the shake of
-this report.
+The capsule ends between the pads, so that the balls at its ends hold it. NVIDIA's
+SimReady test FET028 (2 cm at 2 Hz for 2 s, slip below 3 cm) uses the shake of this
+report.
 """
 
 from collections.abc import Mapping, Sequence
@@ -174,7 +174,7 @@ def columns(name: str, trace: Trace | str) -> dict[str, object]:
 
 
 def shake_rows(conditions: Conditions) -> Sequence[Mapping[str, object]]:
-    """Return the rows of the shake of FET028, which ends 2 s after its first frame."""
+    """Return the rows of the FET028 shake, which ends 2 s after its first frame."""
     shipped = replace(
         AS_SHIPPED,
         shake_amplitude_m=0.02,

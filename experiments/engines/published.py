@@ -89,7 +89,7 @@ def in_c(mjcf: str, qpos: Sequence[float], controls: np.ndarray) -> Shown:
 
 
 def in_motrixsim(mjcf: str, qpos: Sequence[float], controls: np.ndarray) -> Shown:
-    """Run the same in MotrixSim; raise ValueError if it fails."""
+    """Run the same positions and controls in MotrixSim; raise ValueError if it fails."""
     scene = Scene(STEP_S, STEP_S, controls.tolist(), mjcf, qpos)
     [trace] = run([scene], MOTRIXSIM)
     if isinstance(trace, str):
@@ -155,7 +155,7 @@ def press(conditions: Conditions, engine: str) -> dict[str, object]:
 
 
 def orbit(_: Conditions) -> dict[str, object]:
-    """Hold the capsule, move it on an orbit, hold it again; return its creep."""
+    """Hold the capsule, move it on an orbit, and hold it again. Return its creep."""
     world = InC(capsule.Pinch("orbit", impratio=1.0).mjcf())
     world.command([capsule.TARGET])
     height_m = []

@@ -40,7 +40,10 @@ OFF = "path_off_mm"  # distance of the hand from its path in MuJoCo C
 UNCOUNTED = ("peak_contact_count", "peak_constraint_count", "wall_s")
 INERTIA = 'ixx="1e-7" iyy="1e-7" izz="1e-7" ixy="0" ixz="0" iyz="0"'
 INERTIAL = f'<inertial><mass value="1e-4"/><inertia {INERTIA}/></inertial>'
-"""Added to links without inertia, to which some engines would otherwise assign 1 kg."""
+"""Inertia for links that have none.
+
+Some engines would otherwise assign 1 kg to such links.
+"""
 
 
 class Reference(NamedTuple):

@@ -255,7 +255,7 @@ def measure_times(
 ) -> dict[str, dict[str, object]]:
     """Return the columns with the times of the settings, by name.
 
-    Frames of the settings are timed in turn, and compared with the first setting.
+    Frames of the settings are timed in turn and compared with the first setting.
     """
     device = wp.get_device(conditions.device)
     by_name = {

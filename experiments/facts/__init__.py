@@ -1,4 +1,4 @@
-"""Define facts about the scene and the ends of runs, for measuring and reporting.
+"""Define facts about the scene and about how runs end, for measuring and reporting.
 
 This package uses only Python and NumPy.
 """

@@ -1,4 +1,4 @@
-"""Classify the end of a run by its trace, and compute its creep in each cycle."""
+"""Classify how a run ends by its trace, and compute its creep in each cycle."""
 
 import numpy as np
 
@@ -7,7 +7,7 @@ from experiments.facts.case import AS_SHIPPED, Case
 from experiments.facts.trace import Trace
 
 CLASSES = ("non-finite", "overflow", "exploded", "dropped", "creeping", "holding")
-"""The classes in the order of the tests, the worst first."""
+"""The classes in the order of their tests, the worst first."""
 STABLE = ("creeping", "holding")
 
 # A cube that is faster than the drive's peak speed by this factor has exploded.
@@ -30,7 +30,7 @@ def classify(case: Case, trace: Trace, creep_floor_mm_s: float) -> str:
     """Return the first of CLASSES that applies.
 
     Args:
-        creep_floor_mm_s: Smallest creep that can be distinguished from none [mm/s].
+        creep_floor_mm_s: Smallest creep that can be distinguished from zero [mm/s].
     """
     if not is_finite(trace):
         return "non-finite"
@@ -61,8 +61,8 @@ def drive_peak_m_s(case: Case) -> float:
 def is_exploded(case: Case, trace: Trace) -> bool:
     """Return whether the cube has exploded.
 
-    It is then much faster than the drive, or its energy grows over a cycle while it is
-    in the grasp.
+    This means that it is much faster than the drive, or that its energy grows over a
+    cycle while it is in the grasp.
     """
     peak = drive_peak_m_s(case)
     return bool(
@@ -102,7 +102,7 @@ def excess_energy(
 
 
 def is_energy_growing(case: Case, trace: Trace) -> bool:
-    """Return whether the cube's energy against the hand doubles in the last cycle.
+    """Return whether the cube's energy relative to the hand doubles in the last cycle.
 
     The last two shake cycles are compared. The cube must be in the grasp in both, and
     slow motion does not count.

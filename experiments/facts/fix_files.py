@@ -17,7 +17,8 @@ READING = (
 )
 """The line with which the scene reads its robot.
 
-The offered file includes the robot instead, because it is alone in its folder.
+The offered file contains the robot instead, because there are no other files in its
+folder.
 """
 
 

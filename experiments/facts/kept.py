@@ -36,7 +36,7 @@ class KeptRun:
     cube: np.ndarray
     cube_in_hand: np.ndarray  # pose of the cube in the TCP frame, shape [frames, 4, 4]
     moved_mm: np.ndarray
-    """Displacement in the TCP frame since the start of the shake, as it was kept.
+    """The stored displacement in the TCP frame since the start of the shake.
 
     It has the shape [frames, 3], and is NaN before the shake.
     """

@@ -41,22 +41,21 @@ class ContactRows:
     # contact.
     force_n: np.ndarray
     residual_m: np.ndarray
-    """Position residual of the normal and both friction rows, shape [n, 3]. It is NaN
-    without a row.
+    """Position residual of the normal row and both friction rows, shape [n, 3].
+
+    It is NaN if there is no row.
     """
     # Velocity of the normal and both friction rows, shape [n, 3]. It is NaN without a
     # row.
     velocity_m_s: np.ndarray
     reference_m_s2: np.ndarray
-    """Acceleration that the rows aim at, shape [n, 3].
+    """Acceleration to which the rows are set, shape [n, 3].
 
-    It is NaN without a row and for a pyramidal cone.
+    It is NaN if there is no row and for a pyramidal cone.
     """
     slide_m_s: np.ndarray
-    """Velocity of the cube against the other geom along the shake's main axis, shape
-    [n].
-
-    It is computed from the friction rows.
+    """Velocity of the cube relative to the other geom along the main axis of the shake,
+    shape [n]. It is computed from the friction rows.
     """
 
 

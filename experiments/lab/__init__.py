@@ -1,10 +1,10 @@
 """Measure the references for the engine that runs in a page, with MuJoCo's C engine.
 
 The references are the scene as MJCF and its cases. Newton builds the model, and
-``mj_step`` alone runs it in double precision. The engine's midphase is off. It uses
-bounding boxes that Newton does not update when it rotates the inertial frames of the
-bodies, and therefore loses contacts between the pads and a cube that has sunk. One row
-has the midphase on, to show this.
+``mj_step`` runs it without Newton in double precision. The engine's midphase is off. It
+uses bounding boxes that Newton does not update when it rotates the inertial frames of
+the bodies, and therefore loses contacts between the pads and a cube that has sunk. One
+row has the midphase on, to show this.
 """
 
 from dataclasses import replace
@@ -28,7 +28,7 @@ from experiments.simulation.reference import DoubleShake
 from experiments.simulation.simulation import Simulation
 
 NEEDS_GPU = False
-"""This tells ``measured_report.measuring.machine`` that a GPU is not needed.
+"""Tells ``measured_report.measuring.machine`` that a GPU is not needed.
 
 The C engine runs on the CPU and is deterministic.
 """

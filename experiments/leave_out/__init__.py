@@ -51,8 +51,8 @@ WITH_MOST_WORLDS = (
     "limits",
     "buffers",
 )
-"""Parts left out with the most worlds, where building a batch takes longer than timing
-it.
+"""Parts left out with the most worlds, for which building a batch takes longer than
+timing it.
 """
 # Parts left out on a CPU, where frames with large buffers take long.
 ON_CPU = ("buffers",)
@@ -106,7 +106,7 @@ def measure(conditions: Conditions) -> Plan:
 def measure_times(
     conditions: Conditions, kind: str, world_count: int
 ) -> dict[str, dict[str, object]]:
-    """Return the times of the variants in this number of worlds, by case."""
+    """Return the times of the variants with this number of worlds, by case."""
     many = kind == "cuda" and world_count == WORLD_COUNTS[kind][-1]
     timed = variants(
         conditions.quick,
@@ -130,8 +130,8 @@ def run_to_end(
     """Run every variant to the end on each kind of device.
 
     The reference is the untrimmed scene. On the CPU, large buffers take minutes, so all
-    cases run without them. The reference there is the case that leaves out only the
-    buffers.
+    cases run without them. The CPU's reference is therefore the case that leaves out
+    only the buffers.
     """
     frame_count = conditions.frame_count(AS_SHIPPED.frame_count)
     cases = [

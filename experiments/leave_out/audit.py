@@ -50,7 +50,7 @@ class Item:
 
 @dataclass
 class Seen:
-    """The findings of the run so far, in the first world."""
+    """Returns the findings of the run so far, in the first world."""
 
     pairs_near: set[tuple[int, int]] = field(default_factory=set)
     pairs_loaded: set[tuple[int, int]] = field(default_factory=set)

@@ -71,7 +71,7 @@ MAGNIFIED = 5
 
 @dataclass(frozen=True)
 class Clip:
-    """Two runs and compute the contents of each frame of their clip."""
+    """Two runs, from which the contents of each frame of their clip are computed."""
 
     runs: tuple[KeptRun, KeptRun]
     names: tuple[str, str]
@@ -86,7 +86,7 @@ class Clip:
 
     @cached_property
     def frames(self) -> np.ndarray:
-        """Return the index of the kept frame that each frame of the clip shows.
+        """Return the index of the kept frame for each frame of the clip.
 
         The last one is repeated.
         """
@@ -244,7 +244,7 @@ def bodies(run: KeptRun, frame: int) -> dict[str, np.ndarray]:
 
 
 class Sheet:
-    """Compose a picture of two panels with text above them, and other drawings."""
+    """Compose a picture of two panels with text above them and other drawings."""
 
     def __init__(self, width: int, height: int, top: int):
         self.width, self.height, self.top = width, height, top

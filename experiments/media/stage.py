@@ -118,7 +118,7 @@ class Stage:
         )
 
     def place(self, poses: Sequence[Mapping[str, np.ndarray]]) -> None:
-        """Set the poses of the bodies in each world; bodies without one are hidden.
+        """Set the poses of the bodies in each world; bodies without a pose are hidden.
 
         A pose is a matrix, shape [4, 4].
         """

@@ -61,9 +61,10 @@ QUICK_VARIANTS = ("warp", "xpbd", "steel", "steel-points", "steel-32-rows")
 TIMED_VARIANTS = ("warp", "steel", "steel-points", "xpbd", "vbd", "kamino")
 WORLD_COUNTS = {"cuda": (1, 4096, 16384), "cpu": (1,)}
 START_FRAME_COUNT = round(PHASE_SECONDS[LIFT] * FRAME_RATE) + SHAKE_FRAME_COUNT
-"""Frames from the start, with the cube in the hand, until the shake has begun."""
+"""Number of frames, with the cube in the hand at the start, until the shake has begun.
+"""
 SLOW_MS = 100.0
-"""Largest time of a frame of a solver that is also timed with more worlds.
+"""Largest frame time of a solver that is also timed with more worlds.
 
 Slower solvers would need minutes to reach the shake.
 """
@@ -268,7 +269,7 @@ def time_columns(reference: "Blocks", other: "Blocks | None") -> dict:
 
 
 class Blocks:
-    """Run blocks of frames of the shake in worlds that are all equal."""
+    """Run blocks of frames of the shake in equal worlds."""
 
     def __init__(self, variant: box.Variant, world_count: int, device: wp.Device):
         case = replace(WEIGHTLESS, name="timed", cube_in_hand=True, frame_count=1)

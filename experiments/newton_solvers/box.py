@@ -145,7 +145,7 @@ def reason_of(error: Exception) -> str:
 
 
 def number_of(scene: str) -> str:
-    """Return the name of the number that is measured in a scene.
+    """Return the name of the measured number in a scene.
 
     It is the growth of the radius on the rotating table, and the creep on the slope and
     the still table.

@@ -33,7 +33,7 @@ from measured_report.measuring.measurement import absent
 class SolverStepper(Stepper):
     """Step the shake with one of Newton's solvers.
 
-    It uses the fields of a case that do not belong to MuJoCo alone.
+    It uses the fields of a case that do not only concern MuJoCo.
     """
 
     @property
@@ -52,7 +52,7 @@ class SolverStepper(Stepper):
         self.states = state, state_out
 
     def step(self, substep: int, control: newton.Control, step_s: float) -> None:
-        """Queue a substep. The first state has the result of every second substep."""
+        """Queue a substep. The first state contains the result of every second substep."""
         last, between = (
             self.case.substeps - 1,
             self.variant.steps_between_contacts or self.case.substeps,
@@ -136,9 +136,7 @@ def colours_of(model: Model) -> list[wp.array]:
 
 @wp.func
 def place(body: int, point: wp.vec3, body_q: wp.array[wp.transform]):
-    """Return the position in the world of a point that belongs to a body or to the
-    world.
-    """
+    """Return the position in the world of a point on a body or in the world."""
     pose = wp.transform_identity()
     if body >= 0:
         pose = body_q[body]

@@ -2,8 +2,8 @@
 
 ``mujoco_warp.testspeed`` of the installed release runs in its own process, on the lean
 scene as MJCF. A keyframe contains the cube in the hand, and the frames start in the
-same state. The other ways to run differ from each other by one change, so that they
-explain the difference.
+same state. Each of the other ways to run differs from the next by one change, so that
+together they explain the difference.
 """
 
 import json
@@ -46,7 +46,7 @@ TIMEOUT_S = 300.0
 def measure_ways(
     conditions: Conditions, world_count: int, step_count: int
 ) -> list[dict[str, object]]:
-    """Return a row for the benchmark and one for each way to run."""
+    """Return a row for the benchmark, and one row for each way to run."""
     warm = warm_state(conditions.device)
     whole = build_frames(LEAN, world_count, warm)
     simulation = whole.simulation
@@ -154,9 +154,9 @@ def testspeed(mjcf: str, world_count: int, step_count: int) -> dict[str, object]
 
 
 class Bare:
-    """Run the engine alone on the MJCF in three ways, each as graphs.
+    """Run only the engine on the MJCF in three ways, each as graphs.
 
-    Each run has the substeps of a frame and starts from the keyframe.
+    Each run takes the substeps of a frame from the keyframe.
     """
 
     def __init__(self, mjcf: str, world_count: int, device: wp.Device):

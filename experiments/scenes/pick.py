@@ -29,7 +29,7 @@ READY = (0.0, 0.0, 0.0, -1.5708, 0.0, 1.5708, -0.7853)
 AT_OBJECT = (-1.0104, 1.5623, 1.3601, -1.6840, -1.5863, 1.7810, 1.4598)
 LIFTED = (-1.0426, 1.4028, 1.5634, -1.7114, -1.4055, 1.6015, 1.4510)
 PHASES_S = (1.0, 2.0, 3.0, 4.0)
-"""End times of the motions over the object, down to it, of closing and of lifting."""
+"""Times at which the motions end: over the object, down to it, closing, and lifting."""
 PAD_HEIGHT_M = 0.00825  # half the length of a pad along the finger
 PAD_TIMECONST_S = 0.01  # as published
 PAD_SOLIMP = (0.99, 0.995, 0.01, 0.5, 2.0)  # of the scene
@@ -39,7 +39,7 @@ OBJECTS = {
     "ball": 'type="sphere" size="0.02"',
 }
 TOUCHED_M = {"cube": 0.02, "ball": 0.0}
-"""Largest height above its centre at which the pads touch an object.
+"""Largest height above an object's centre at which the pads touch it.
 
 They touch a ball at a single point.
 """
@@ -127,7 +127,7 @@ STILL = [
 
 
 def rows(conditions: Conditions) -> list[dict[str, object]]:
-    """Return a row for each case, and one for each setting held still."""
+    """Return a row for each case, and a row for each setting held still."""
     rows = []
     for case in tqdm(SHAKEN, desc="pick", unit="case", delay=3.0):
         controls = shake_controls(case, conditions.profile)

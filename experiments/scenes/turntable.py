@@ -34,7 +34,7 @@ TABLE = Support(
 
 
 def turntable(step_s: float, seconds: float) -> Scene:
-    """Return the box on four feet, at rest on the rotating table."""
+    """Return a box on four feet, at rest on the rotating table."""
     return Scene(
         step_s,
         SAMPLE_S,

@@ -72,8 +72,8 @@ class Watched:
     The term is restored so that the sums do not contain any slide of the cube.
     ``frames``, shape [frames, 4, 3], contains the sums of bias, damping, load and
     velocity over the substeps of each frame. ``shaking`` contains the indices of the
-    frames of the shake; the displacement counts from the end of the first one.
-    ``failure`` is the reason if the run is not valid.
+    frames of the shake; the displacement is measured from the end of the first of these
+    frames. ``failure`` is the reason if the run is not valid.
     """
 
     def __init__(self, case: Case):

@@ -27,7 +27,9 @@ class RunFailed(Exception):
 
 
 def failure_of(data: mujoco.MjData, frame: int) -> Failure | None:
-    """Return the failure that the engine has warned of until ``frame``, if any."""
+    """Return the failure that a warning of the engine has shown until ``frame``, if
+    any.
+    """
     reason = next(
         (failure for kind, failure in FAILURES.items() if data.warning[kind].number),
         None,

@@ -1,4 +1,4 @@
-"""Time frames of the shake and compare cases in turn, from the same states."""
+"""Time frames of the shake, and compare cases in turn from the same states."""
 
 import gc
 from collections.abc import Sequence
@@ -42,9 +42,10 @@ STATE_FRAME_STEP = 7
 Eight rounds then cover about one cycle of the shake.
 """
 BLOCK_FRAME_COUNT = 4
-"""Frames of a block with few worlds.
+"""Frames in a block with few worlds.
 
-A block with many worlds has fewer frames because they take long. On a CPU it has one.
+A block with many worlds has fewer frames because they are slow. On a CPU a block has
+one frame.
 """
 LARGE_BATCH = 8192  # a batch of this size or larger has one frame per block
 BUILD_COUNT = {"cuda": 2, "cpu": 1}
@@ -292,7 +293,7 @@ def time_cases(
 
 
 class Comparison:
-    """Time the cases in turn with the first one, a few of them at a time."""
+    """Time the cases in turn with the first case, a few of them at a time."""
 
     def __init__(self, cases: Sequence[Case], world_count: int, device: wp.Device):
         self.first, self.world_count, self.device = cases[0], world_count, device
@@ -302,7 +303,8 @@ class Comparison:
         # Columns by case of its first build, or the reason if there are none.
         self.rows: dict[str, dict] = {}
         self.builds: dict[str, list[PairedTimes]] = {}
-        """The builds of the first case, and of the cases that have other simulations.
+        """Yields the builds of the first case, and of the cases that have other
+        simulations.
         """
 
     def build(self, group: Sequence[Case]) -> list[Frames]:
@@ -338,7 +340,7 @@ class Comparison:
         return [frames for frames in built if frames.case.name not in self.rows]
 
     def time(self, built: Sequence[Frames], cap_s: float) -> None:
-        """Time the builds of all cases together, against the reference if possible."""
+        """Time the builds of all cases together, relative to the reference if possible."""
         if not built:
             return
         if self.reference is None and built[0].case is self.first:

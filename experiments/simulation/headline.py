@@ -1,6 +1,6 @@
 """Measure the headline again and write it into a file, without changing the results.
 
-``python -m experiments.simulation.headline --device cpu --json FILE`` runs this.
+The command is ``python -m experiments.simulation.headline --device cpu --json FILE``.
 """
 
 import argparse

@@ -137,10 +137,8 @@ def be_quiet() -> None:
 
 def note_work(note: Callable[[str], None]) -> None:
     """Note the name and the size of every kernel that is launched or captured from now
-    on.
-
-    Timed functions then run for one look only, so that the noted work does not depend
-    on speed.
+    on. Timed functions then run for only one look, so that the noted work does not
+    depend on speed.
     """
     paired_timing.LOOK_COUNT = 1
     for name in ("launch", "launch_tiled"):

@@ -39,7 +39,7 @@ class Conditions(conditions.Conditions):
         return min(full, QUICK_FRAME_COUNT) if self.quick else full
 
     def contact_frames(self) -> tuple[int, ...]:
-        """Return three frames in the middle of the shake."""
+        """Return three frames from the middle of the shake."""
         middle = (SETUP_FRAME_COUNT + self.frame_count(AS_SHIPPED.frame_count)) // 2
         return middle - CONTACT_FRAME_STEP, middle, middle + CONTACT_FRAME_STEP
 

@@ -42,9 +42,8 @@ def watch_substep(
     contact_overflow: wp.array[int],
     constraint_overflow: wp.array[int],
 ):
-    """Record the peaks and the first frame in which a buffer was too small.
-
-    The contacts of all worlds share one buffer.
+    """Record the peaks of the buffers, and the first frame in which a buffer was too
+    small. The contacts of all worlds share one buffer.
     """
     world = wp.tid()
     peak_constraint[world] = wp.max(peak_constraint[world], constraint_count[world])

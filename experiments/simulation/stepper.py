@@ -34,7 +34,7 @@ class Stepper:
 
     @property
     def is_queued(self) -> bool:
-        """Return whether a step only launches kernels, so that a graph can hold it."""
+        """Return whether a step only launches kernels, so that a graph can contain it."""
 
     def __init__(self, scene: Scene, cases: Sequence[Case]):
         self.scene, self.model, self.world_count = scene, scene.model, len(cases)

@@ -25,7 +25,7 @@ from experiments.simulation.stepper_warp import WarpRecorder, WarpStepper, is_el
 CONSTRAINT_MAX = 96
 
 FIELDS = "dist friction frame solref solreffriction solimp dim geom".split()
-"""Arrays of the engines' contacts that are copied to the host."""
+"""Arrays of contacts that are copied from an engine to the host."""
 
 
 def batches(cases: Sequence[Case]) -> list[list[int]]:
@@ -51,12 +51,12 @@ def is_in_c(case: Case) -> bool:
 
 
 def has_noslip(case: Case) -> bool:
-    """Return whether the case's engine has the noslip pass."""
+    """Return whether the engine of the case has the noslip pass."""
     return case.backend == "mujoco" or warp_has_noslip()
 
 
 def update_data_interval(case: Case) -> int:
-    """Return the interval at which the state is written.
+    """Return the number of steps between writes of the state.
 
     It is written at every step if MuJoCo's C engine must start in Newton's state.
     """

@@ -116,7 +116,9 @@ def invalid_reason(case: Case, trace: Trace) -> str | None:
 
 
 def batch_invalid_reason(simulation: Simulation) -> str | None:
-    """Return the same reason for the frames of a simulation, in any of its worlds."""
+    """Return the reason why the frame times of a simulation are not valid in one of its
+    worlds, or None.
+    """
     reasons = (
         invalid_reason(simulation.case, trace) for trace in simulation.recorder.traces()
     )
@@ -124,7 +126,9 @@ def batch_invalid_reason(simulation: Simulation) -> str | None:
 
 
 def wall_time(traces: Sequence[Trace]) -> dict[str, object]:
-    """Return the wall time of a batch of whole runs, or a reason if one has failed."""
+    """Return the wall time of a batch of whole runs, or a reason if one of them has
+    failed.
+    """
     reason = next((str(trace.failure) for trace in traces if trace.failure), None)
     return (
         absent(["wall_s"], f"not timed: {reason}")

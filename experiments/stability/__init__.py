@@ -1,6 +1,6 @@
 """Measure whether the grasp holds, creeps, drops or explodes in extreme cases.
 
-This includes short and long time steps.
+These include short and long time steps.
 """
 
 from collections.abc import Callable, Mapping, Sequence
@@ -47,9 +47,7 @@ OFFSETS_M = {
 }
 FLOOR_FAMILY = "steps"
 """The family whose repeats determine the smallest creep that can be distinguished from
-none.
-
-It has two repeats even in a quick run.
+zero. It has two repeats even in a quick run.
 """
 SINGLE_FAMILY = "buffers"
 TRIED_FAMILIES = ("ke-critical", "ke-kd-100")
@@ -81,7 +79,7 @@ def measure(conditions: Conditions) -> Plan:
 def measure_others(conditions: Conditions) -> tuple[list[dict[str, object]], float]:
     """Return a row for each case except the long run, and the creep floor [mm/s].
 
-    Creep below the floor cannot be distinguished from none.
+    Creep below the floor cannot be distinguished from zero.
     """
     frame_count = HOLD_FRAME_COUNT + SHAKE_FRAME_COUNT[conditions.profile]
     probes = stability_families.probes(conditions.profile)
@@ -155,7 +153,7 @@ def simulate_repeats(
 
 
 def offsets_m(conditions: Conditions, run: Probe) -> tuple[float, ...]:
-    """Return the starts of a run's repeats; runs that always overflow have one."""
+    """Return the starts of a run's repeats. Runs that always overflow have only one."""
     if run.family == SINGLE_FAMILY:
         return (0.0,)
     offsets = OFFSETS_M[conditions.profile]

@@ -38,7 +38,9 @@ STEPS = {"full": (1, 2, 4, 8, 16, 32, 64, 128), "quick": (4, 16)}
 GRID_STEPS = {"full": STEPS["full"], "quick": (2, 4)}
 GRID_KE = {"full": np.logspace(1, 9, 25), "quick": (1e4, 1e6)}
 DAMPING = {"ke-critical": lambda ke: 2.0 * ke**0.5, "ke-kd-100": lambda ke: 100.0}
-"""kd of the two grids over ke: with a damping ratio of 1, or at its import default."""
+"""kd of the two grids as a function of ke: with a damping ratio of 1, or at its import
+default.
+"""
 TIMECONST_STEPS = {"full": np.geomspace(4.0, 0.25, 9), "quick": (4.0, 0.25)}
 SHAKE_MU = 0.0187
 """Friction with which the default grip could hold 1.4 times the cube's weight at rest.
@@ -84,7 +86,7 @@ FINGER_FORCE_N = 1.0
 
 @dataclass(frozen=True)
 class Probe:
-    """Describe one case of a family, which runs several times with other starts."""
+    """Describe one case of a family, which runs several times with different starts."""
 
     family: str
     case: Case
@@ -275,10 +277,10 @@ def gravities(profile: str) -> list[Probe]:
 
 
 def long_run(profile: str) -> Probe:
-    """Return the long run: one world for ten minutes.
+    """Return the long run, which is one world for ten minutes.
 
-    A CPU is as fast as a GPU for one world. It runs this case while the GPU runs all
-    other cases.
+    For one world a CPU is as fast as a GPU. The CPU runs this case while the GPU runs
+    all other cases.
     """
     room = {"contact_max": LEAN.contact_max, "constraint_max": LEAN.constraint_max}
     changes = (

@@ -65,7 +65,9 @@ def verify(edition: Edition, measured: Mapping[str, Any]) -> tuple[str, bool]:
 def comparisons_of(
     edition: Edition, measured: Mapping[str, Any]
 ) -> Iterator[tuple[str, bool]]:
-    """Yield a line for each measured run and tracked run of its case, and whether they agree."""
+    """Yield a line for each measured run, with the tracked run of its case and whether
+    both agree.
+    """
     release = edition.project.release
     chapters = edition.chapters
     if SECTION not in chapters:

@@ -90,7 +90,9 @@ class Clips:
         return " ".join(slip.source for slip in slips if slip.value is not None)
 
     def _slip_text(self, row: Row) -> str:
-        """Return sentences with the slip in each run, or with the reason why it has none."""
+        """Return sentences with the slip in each run, or with the reason why there is
+        no slip.
+        """
         texts = []
         sentences = []
         for name, slip in self._slips(row).items():

@@ -1,4 +1,7 @@
-"""Show the defaults of a release, and the slip with them. The scene uses those of 1.4.0."""
+"""Show the defaults of a release, and the slip with these defaults.
+
+The scene uses the defaults of 1.4.0.
+"""
 
 from report.shared import Claim, Results, Section, all_of, cell_or_absent, decided
 

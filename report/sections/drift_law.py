@@ -1,4 +1,4 @@
-"""Compare the law of the drift with the drift of the runs of section stiffness."""
+"""Compare the drift that the law predicts with the measured drift in section stiffness."""
 
 from functools import partial
 
@@ -79,7 +79,10 @@ def derive(results: Results) -> Section:
 
 
 def _law(results: Results, row: Row) -> Value:
-    """Derive the drift that follows from the law. The time step reduces that of the left-out term."""
+    """Derive the drift that the law predicts.
+
+    The time step reduces the contribution of the left-out term.
+    """
     drift = row.left_out_mm_s + row.step_mm_s
     return results.value(f"law_{row.case}", "sum of the two parts of the law", drift)
 
@@ -128,8 +131,8 @@ def _by_hand(results: Results, law: Value | None) -> Claim:
 def _follows(results: Results, runs: list[Row], laws: dict[str, Value]) -> Claim:
     """Test whether most runs follow the law.
 
-    The claim leaves out the farthest runs, because it is a matter of chance which runs at
-    the limit of the grasp keep the cube.
+    The claim leaves out the farthest runs, because chance decides which runs at the
+    limit of the grasp keep the cube.
     """
     offs = [
         results.value(

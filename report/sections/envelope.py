@@ -120,7 +120,7 @@ def _is_held(row: Row) -> bool:
 
 
 def _slips(frame: pd.DataFrame) -> tuple[np.ndarray, np.ndarray]:
-    """Return the slips of both sides in the cells in which both keep the cube."""
+    """Return the slips of both sides for the shakes at which both keep the cube."""
     shipped, stiff = (held_slip(frame, side).to_numpy(dtype=float) for side in SIDES)
     is_usable = np.isfinite(shipped) & np.isfinite(stiff) & (stiff != 0.0)
     return shipped[is_usable], stiff[is_usable]

@@ -1,4 +1,4 @@
-"""Compare the drift with the arm held still with that of the shake."""
+"""Compare the drift with the arm held still with the drift during the shake."""
 
 import numpy as np
 

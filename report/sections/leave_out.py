@@ -1,4 +1,4 @@
-"""Show the cost of parts that the scene does not use, and the slip without them."""
+"""Show the cost of parts that the scene does not use, and the slip without these parts."""
 
 import math
 
@@ -74,7 +74,9 @@ def derive(results: Results) -> Section:
     )
 
     def saved(device: str, case: str, worlds: int) -> Value:
-        """Derive the reduction of a frame's time, relative to exactly as shipped."""
+        """Derive the reduction of the frame time relative to the scene exactly as
+        shipped.
+        """
         name = f"{device}_{case}_{worlds}_less".replace("-", "_")
         return results.derived.get(name) or results.value(
             name,
@@ -222,7 +224,10 @@ def _audit_table(results: Results):
 
 
 def _draw_costs(steps: list[tuple[Value, Row]], whole: dict[str, Value]) -> Drawing:
-    """Draw bars of the parts. Those below the line are not measurable and not ranked."""
+    """Draw bars for the parts.
+
+    The savings below the line are not measurable and not ranked.
+    """
     timed = []
     for saved, row in steps:
         interval = 100 * (row.ratio_resolution.value or 0.0)

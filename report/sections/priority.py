@@ -1,4 +1,4 @@
-"""Test whose material a contact has: that of the cube, of the pads, or a mix of both."""
+"""Test whose material a contact has: the cube's, the pads' or a mix of both."""
 
 import math
 
@@ -110,7 +110,10 @@ def derive(results: Results) -> Section:
 
 
 def _material(row: Row) -> str:
-    """Return whose material gives the timeconst. That of the pads alone is 2 / kd."""
+    """Return whose material gives the timeconst.
+
+    The pads by themselves would give 2 / kd.
+    """
     kd = row.pad_kd.value if "pad_kd" in row else AS_SHIPPED.pad_kd
     timeconst = row.timeconst_s.value
     is_of_pads = timeconst is not None and math.isclose(timeconst, 2 / kd, rel_tol=1e-3)

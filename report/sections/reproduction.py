@@ -231,12 +231,12 @@ def _increment(results: Results, name: str, part: Callable) -> Value:
 
 
 def _half(later: np.ndarray) -> int:
-    """Return the largest even number of increments that fits twice into these."""
+    """Return the largest even number of increments that fits twice into the given ones."""
     return len(later) // 4 * 2
 
 
 def _later_increments(frame: pd.DataFrame, frequency_hz: float) -> np.ndarray:
-    """Return the increments of all cycles but the first, which starts from rest."""
+    """Return the increments of all cycles except the first, which starts from rest."""
     time_s = frame["time_s"].to_numpy()
     along_mm = frame["along_mm"].to_numpy()
     return cycle_increments(time_s, along_mm, frequency_hz)[1:]

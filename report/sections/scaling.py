@@ -116,9 +116,8 @@ def derive(results: Results) -> Section:
 
 
 def _cheap_worlds(limit: float, *cells: float) -> float:
-    """Return the number of worlds up to which frames stay below ``limit`` times the first.
-
-    The cells are numbers of worlds and times of a frame, in turn.
+    """Return the number of worlds up to which frames stay below ``limit`` times the
+    first. The arguments alternate between numbers of worlds and frame times.
     """
     times = zip(cells[::2], cells[1::2], strict=True)
     cheap = takewhile(lambda timed: timed[1] <= limit * cells[1], times)

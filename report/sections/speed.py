@@ -1,4 +1,6 @@
-"""Compare the speed of one world with shipped pads, with the fix, and with each of its changes."""
+"""Compare the speed of one world with shipped pads, with the fix, and with each change
+that the fix makes.
+"""
 
 from report.shared import (
     PERCENT,

@@ -1,4 +1,4 @@
-"""Run time of a frame at each time step, in one world and in many."""
+"""Compare the run time of a frame at each time step, in one world and in many."""
 
 from report.shared import (
     TIMED_WORLDS,

@@ -59,7 +59,7 @@ SHOWN = (
     *(f"pad-ke-2.5e{n}-kd-100" for n in (4, 5, 6)),
     HARDEST,
 )
-"""The runs that the table lists."""
+"""Runs that the table lists."""
 COLUMNS = {
     "timeconst": "timeconst_s",
     "dampratio": "dampratio",

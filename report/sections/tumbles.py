@@ -121,7 +121,7 @@ def _excess(*counts: float) -> float:
 def _surprise(*energies: float) -> float:
     """Return the largest energy with the term in pairs that gain below 1 % without it.
 
-    The energies with the term and without it alternate.
+    The arguments alternate between energies with and without the term.
     """
     pairs = zip(energies[::2], energies[1::2], strict=True)
     return max([1.0, *(exact for exact, plain in pairs if plain <= 1.01)])

@@ -1,7 +1,7 @@
 """Collect the helpers of derivations: rows, values, tests, tables and arithmetic.
 
-The helpers of figures are in ``drawing`` and ``maps``, because Matplotlib takes long to
-import.
+The helpers of figures are in ``drawing`` and ``maps``, because importing Matplotlib is
+slow.
 """
 
 # ruff: noqa: F401

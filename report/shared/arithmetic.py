@@ -74,24 +74,24 @@ def cell_count(cells: Iterable[Quantity]) -> Term:
 
 
 def extreme(choose: Callable[..., float], cells: Iterable[Quantity]) -> Term:
-    """Return the max or min of the cells that have a number.
+    """Return the largest or smallest cell that has a number.
 
-    If no cell has one, the result does not have one either.
+    If there is no such cell, the result has no number either.
     """
     return combined(choose, *(cell for cell in cells if cell.value is not None))
 
 
 def quantile(share: float, *numbers: float) -> float:
-    """Return the smallest of the numbers that at least this share of them do not exceed.
+    """Return the smallest number that is at least as large as this share of them.
 
-    Claims test a quantile, because the most extreme of many runs is a matter of chance.
+    Claims test a quantile, because the most extreme of many runs depends on chance.
     """
     return sorted(numbers)[math.ceil(share * len(numbers)) - 1]
 
 
 @dataclass(frozen=True)
 class Sections:
-    """The findings of the sections of one release. A missing number has a reason."""
+    """Holds the findings of the sections of one release. A missing number has a reason."""
 
     results: Mapping[str, Results]
 
@@ -127,7 +127,7 @@ def sections_of(chapters: Mapping[str, Any]) -> Sections:
 def relevance(results: Results, slip: Quantity | None = None) -> Value:
     """Return the smallest change of a slip or drift that matters [%].
 
-    If the slip is given, the change is at least ``VISIBLE`` millimetres of it.
+    If the slip is given, the change is at least ``VISIBLE`` millimetres.
     """
     name = "relevance"
     if name in results.derived:

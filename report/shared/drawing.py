@@ -50,7 +50,10 @@ def name_lines(axes: Axes, names: Iterable[str]) -> None:
 
 
 def write(quantity: Quantity, *, is_short: bool = False) -> str:
-    """Write a number for a figure. If ``is_short``, it has two digits, for narrow cells."""
+    """Write a number for a figure.
+
+    If ``is_short``, it is rounded to two digits for narrow cells.
+    """
     return format_short(quantity.number) if is_short else quantity.written
 
 

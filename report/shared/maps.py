@@ -26,7 +26,7 @@ HELD_HEIGHT_M = 0.15
 
 
 def lost_count(results: Results, trace: Series, side: str, held_height: Value) -> Value:
-    """Count the cells of a side of the map whose cube ends below ``held_height``."""
+    """Count the cells on a side of the map whose cube ends below ``held_height``."""
 
     def lost(frame: pd.DataFrame, least: float) -> int:
         heights = frame["cube_height_m"][frame["side"] == side]

@@ -21,7 +21,10 @@ def worlds_name(count: int) -> str:
 
 
 class RowsBy(dict):
-    """Rows by their values in some columns. A missing key gives a row without numbers."""
+    """Holds rows by their values in some columns.
+
+    A missing key gives a row without numbers.
+    """
 
     def __init__(self, results: Results, rows: Iterable[Row], *columns: str):
         self.results = results
@@ -35,9 +38,9 @@ class RowsBy(dict):
 
 
 def resolution(results: Results, name: str, rows: Iterable[Row]) -> Value:
-    """Derive how precisely the least precise ratio of these rows is known [%].
+    """Derive the resolution of the least precise ratio in these rows [%].
 
-    The reference row and rows without a time do not have a resolution.
+    The reference row and rows without a time have no resolution.
     """
     cells = [row.ratio_resolution for row in rows if "ratio_resolution" in row]
     return results.value(

@@ -10,7 +10,7 @@ from report.shared.tables import case_html
 
 
 def change_of(results: Results, case: str) -> Quantity:
-    """Return the slip of a case minus that of the baseline [mm]."""
+    """Return the slip of a case minus the slip of the baseline [mm]."""
     reason = f"there is no single row of case {case}"
     return results.derived.get(f"{case}_difference") or absent("mm", reason)
 

@@ -21,7 +21,10 @@ class Suspect:
     changed: str  # the change in words
     parameter: str = ""  # the column whose range is printed
     cases: tuple[str, ...] = ()
-    """The runs. Without cases these are all that the section compares with a baseline."""
+    """The runs.
+
+    If no cases are given, these are all runs that the section compares with a baseline.
+    """
     claim: str = "not_the_cause"  # excludes it; empty for the cause itself
     why: str = ""  # the reason, if the claim holds
 

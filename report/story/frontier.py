@@ -42,7 +42,10 @@ class Setup:
         return sections.cell(section, case, column)
 
     def is_offered(self, sections: Sections) -> bool:
-        """Return whether a release has it. A release without its solver has no row of it."""
+        """Return whether a release contains this setup.
+
+        It does not if the release lacks the solver.
+        """
         section, _, variant = self.timed.partition("/")
         cases = [row.case for row in sections.rows(section)]
         is_there = any(case.startswith(f"{variant}-") for case in cases)
@@ -51,8 +54,8 @@ class Setup:
     def keeps(self, sections: Sections, bound: Quantity) -> Outcome:
         """Test whether the slip stays below a bound.
 
-        In another solver the slip without weight has to stay below it as well, and the
-        hand has to move about as far as in MuJoCo Warp.
+        In another solver the slip without weight has to stay below the bound as well,
+        and the hand has to move about as far as in MuJoCo Warp.
         """
         section, _, case = self.run.partition("/")
         variant = self.timed.partition("/")[2]
@@ -73,7 +76,7 @@ class Setup:
 
     @property
     def is_other(self) -> bool:
-        """Return whether it is a solver other than MuJoCo's."""
+        """Return whether the setup uses a solver other than MuJoCo's."""
         return self.effort == SOLVER
 
     def ratios(self, sections: Sections) -> dict[int, Quantity]:
@@ -185,9 +188,10 @@ def _unmeasured(
     times: dict[Setup, Quantity],
     effort: int,
 ) -> Outcome | None:
-    """Return unknown if a setup that may be recommended lacks a measurement.
+    """Return unknown if the measurement of a setup is missing that may be recommended.
 
-    Otherwise missing data would turn the advice to a more expensive setup.
+    Without this test, missing data could lead to the recommendation of a more expensive
+    setup.
     """
     fastest = min(
         (time.number for setup, time in times.items() if setup.effort == effort),
@@ -215,7 +219,7 @@ def _unmeasured(
 
 
 def _fastest(setups: list[Setup], times: dict[Setup, Quantity]) -> Setup:
-    """Return the first timed setup that is not distinguishable from the fastest."""
+    """Return the first timed setup that cannot be distinguished from the fastest one."""
     timed = [setup for setup in setups if setup in times]
     fastest = min((times[setup] for setup in timed), key=lambda time: time.number)
     return next(
@@ -226,7 +230,7 @@ def _fastest(setups: list[Setup], times: dict[Setup, Quantity]) -> Setup:
 
 
 def _faster(sections: Sections, setup: Setup, time: Quantity) -> Quantity | str:
-    """Return the speed-up of a setup, or an empty text if it is not surely faster."""
+    """Return the speed-up of a setup, or an empty text if it may not be faster."""
     section, _, variant = setup.timed.partition("/")
     speedup = sections.value(section, f"{variant}_speedup")
     return speedup if greater(1.0, time, "as fast") == HOLDS and speedup.value else ""

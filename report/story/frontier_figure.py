@@ -98,7 +98,7 @@ IN_C = Line("MuJoCo C", "c", time_step.RULE, "", SERIES[4], "v")
 
 
 class Point(NamedTuple):
-    """One run: its run time, its slip [mm] and its step [ms]."""
+    """Holds one run: its run time, its slip [mm] and its step [ms]."""
 
     time: Quantity
     slip: Quantity
@@ -178,7 +178,7 @@ def _points(sections: Sections, line: Line) -> list[Point]:
 
 
 def _points_in_c(sections: Sections) -> list[Point]:
-    """Return the runs of MuJoCo's C engine, whose run time is that of a simulated second."""
+    """Return the runs of MuJoCo's C engine with the run time of a simulated second."""
     runs = _runs(sections, "c", time_step.RULE)
     times = {
         count: sections.cell("error_runtime", f"stiff/c/substeps-{count}", "ms_per_s")
@@ -273,7 +273,7 @@ def _draw_line(axes: Axes, times: list[float], points: list[Point], line: Line) 
 
 
 def _name_ends(axes: Axes, ends: list[tuple[float, float, Line]]) -> None:
-    """Write the name of each line beside its end, below the names that are near it."""
+    """Write the name of each line beside its end, below the names of nearby lines."""
     written: list[tuple[float, float]] = []
     for time, slip, line in sorted(ends, key=lambda end: -end[1]):
         near = [low for x, low in written if time / NEAR < x < time * NEAR]

@@ -1,4 +1,4 @@
-"""The pads to paste at each time step, and how far the cube then slips, for the front page."""
+"""Show the pads to paste at each time step, and the resulting slip, on the front page."""
 
 from report.sections import step_cost, time_step
 from report.shared import Quantity, Row, Sections, Table, table_of
@@ -13,7 +13,7 @@ NAMES = {
 
 
 def table(sections: Sections) -> Table | None:
-    """Make a table with a line for each step, or return None if it was not measured."""
+    """Make a table with a line for each step, or return None if no step was measured."""
     runs = {
         (row.plain["setting"], row.plain["substeps"]): row
         for row in sections.rows("time_step")
@@ -39,7 +39,9 @@ def table(sections: Sections) -> Table | None:
 
 
 def _slip(row: Row | None) -> Quantity | str:
-    """Return the slip of a run, "lost" if it loses the cube, or nothing if there is no run."""
+    """Return the slip of a run, "lost" if the run loses the cube, or an empty text if
+    there is no run.
+    """
     if row is None:
         return ""
     is_lost = row.plain.get("dropped") or row.slip_mm.value is None

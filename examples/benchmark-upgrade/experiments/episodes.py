@@ -54,7 +54,9 @@ class Episode:
 def episodes(
     task: str, seeds: Sequence[int], change: Change = lambda model: None
 ) -> Iterator[Episode]:
-    """Run a task with each seed, each in a new environment, on a model that ``change`` has altered."""
+    """Run a task with each seed in a new environment, on a model that ``change`` has
+    altered.
+    """
     made: list[mujoco.MjModel] = []
 
     class Environment(ALL_V3_ENVIRONMENTS[task]):

@@ -1,4 +1,6 @@
-"""Run tasks that a release changed with one setting changed each, to find the one that restores the old behaviour."""
+"""Run tasks that a release changed with one different setting each, to find the setting
+that restores the old behaviour.
+"""
 
 import mujoco
 import numpy as np

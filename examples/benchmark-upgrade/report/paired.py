@@ -1,4 +1,6 @@
-"""Compare two releases seed by seed: an episode depends only on its seed and the release."""
+"""Compare two releases seed by seed, because an episode depends only on its seed and
+the release.
+"""
 
 import re
 from collections.abc import Iterator, Sequence
@@ -59,7 +61,7 @@ class Step:
     def counts(self) -> dict[str, int]:
         """Return the number of episodes that differ, for each kind of difference.
 
-        Only seeds that both releases ran are compared.
+        Only seeds that ran in both releases are compared.
         """
         pairs = list(zip(*(row.steps.split() for row in self.rows), strict=False))
         both = [(int(old), int(new)) for old, new in pairs if FAILED not in (old, new)]

@@ -1,1 +1,3 @@
-"""A report that measures itself: from measured records to values, claims, figures and a site, of any subject."""
+"""Build reports of any subject: from measured records to values, claims, figures and a
+site.
+"""

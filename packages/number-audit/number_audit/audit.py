@@ -243,7 +243,7 @@ class Audit:
             sorter.done(*ready)
 
     def _operand(self, text: str) -> Quantity:
-        """Return the quantity at a place, or that of a named mark."""
+        """Return the quantity at a place or of a named mark."""
         file, is_place, place = text.partition("#")
         if is_place:
             return self._source_of(file).quantity(place)

@@ -36,7 +36,9 @@ IN_SECONDS = "mean|median|min|max|stddev|iqr|q1|q3|total|user|system|times|data"
 """Matches keys of pytest-benchmark and hyperfine whose values are in seconds."""
 
 ERROR_RATIO = {"mean": 1.0, "median": 1.2533}
-"""The standard error of a statistic of many samples, relative to that of the mean."""
+"""The standard error of a statistic of many samples, relative to the standard error of
+the mean.
+"""
 
 CELL = re.compile(
     r"[*_]*(?P<number>[-+]?\d{1,20}(\.\d{0,20})?([eE][-+]?\d{1,3})?)\s?(?P<unit>\S{0,9}?)[*_]*"
@@ -183,7 +185,9 @@ def _simple_pointer(pointer: str, key: str) -> str:
 
 
 def simplified(name: str) -> str:
-    """Return a name without capital letters and signs, because tables change those."""
+    """Return a name without capital letters and signs, because tables often change
+    these.
+    """
     return re.sub(r"[\W_]+", " ", name.casefold()).strip()
 
 

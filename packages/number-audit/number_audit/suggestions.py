@@ -42,7 +42,7 @@ MARKED_TABLE = re.compile(r"\s*<!--[^>]*\{")
 FORMS = {".rst": ":audit:`{} <= {}>`", ".tex": r"\audited{{{}}}{{= {}}}"}
 
 CHOICE_LIMIT = 9
-"""Most places that are listed for one number."""
+"""Largest number of places that are listed for one number."""
 
 
 class Results:
@@ -101,11 +101,10 @@ class Results:
 def suggestions(
     text: str, suffix: str, sources: Iterable[tuple[str, Repeats]]
 ) -> list[Finding]:
-    """Return a mark for each table and each unmarked number that is at one place.
-
-    ``sources`` contains the results now, and those of earlier commits. A number that is
-    only in earlier results is stale. A number at several places, or at none, is listed
-    without a mark.
+    """Return a mark for each table, and for each unmarked number with a single matching
+    place. ``sources`` contains the results now, and the results of earlier commits. A
+    number that is only in earlier results is stale. A number with several matching
+    places, or none, is listed without a mark.
     """
     editions = [(commit, Results(source)) for commit, source in sources]
     now = editions[0][1]

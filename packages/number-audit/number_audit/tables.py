@@ -32,7 +32,7 @@ class Cell:
 
 @dataclass(frozen=True)
 class Table:
-    """The cells of a table, and where it begins and ends in the document."""
+    """Holds the cells of a table, and its first and last position in the document."""
 
     cells: list[Cell]
     start: int

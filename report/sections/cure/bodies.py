@@ -29,7 +29,9 @@ def derive(results: Results) -> Section:
         runs[row.motion, row.body, row.backend][row.variant] = row
 
     def pairs(motions: tuple[str, ...], variant: str) -> list[tuple[str, Row, Row]]:
-        """Return name, unchanged run and variant of each run with these motions."""
+        """Return the name, the unchanged run and the variant of each run with these
+        motions.
+        """
         return [
             ("_".join(run).replace(" ", "_"), rows["plain"], rows[variant])
             for run, rows in runs.items()

@@ -199,7 +199,7 @@ def derive(results: Results) -> Section:
 def _closed_count(least: float, most: float, *numbers: float) -> int:
     """Count the runs whose remainder is below one of the bounds.
 
-    Remainders and slips alternate.
+    The arguments alternate between remainders and slips.
     """
     # This uses NumPy, because the noise of this count takes a call for each cell of a
     # thousand runs.

@@ -1,4 +1,6 @@
-"""Compare control experiments: straight and rotating shakes, both Jacobians, an arm held still."""
+"""Compare control experiments: straight and rotating shakes, both Jacobians, and an arm
+held still.
+"""
 
 from report.shared import (
     PERCENT,

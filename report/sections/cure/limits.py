@@ -57,7 +57,9 @@ def derive(results: Results) -> Section:
 
 
 def _line(results: Results, variant: str, tried: list[Runs]) -> dict[str, Any]:
-    """Return the cells of a variant: counts of runs, and the cases that it loses."""
+    """Return the cells of a variant: counts of runs, and the cases in which it loses
+    the cube.
+    """
     kept = [runs for runs in tried if runs["plain"].kept]
     lost = [runs for runs in kept if not runs[variant].kept]
     gained = [runs for runs in tried if runs[variant].kept and not runs["plain"].kept]

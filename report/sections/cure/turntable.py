@@ -1,4 +1,4 @@
-"""Compare how fast a box on a rotating table moves outward with the law."""
+"""Compare the outward motion of a box on a rotating table with the law."""
 
 from dataclasses import replace
 

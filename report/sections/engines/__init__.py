@@ -1,4 +1,6 @@
-"""Compare other engines: box on a table, pinched capsule, shake, and published numbers."""
+"""Compare results of other engines for four scenes: a box on a table, a pinched
+capsule, the shake, and scenes with published numbers.
+"""
 
 from collections.abc import Iterator
 from typing import NamedTuple
@@ -190,7 +192,7 @@ def _lines(results: Results) -> Iterator[Line]:
 
 
 def _measurable(cells: list[Value], bound: Value) -> list[Quantity | str]:
-    """Return the cells, with those up to the bound as "not measurable"."""
+    """Return the cells, with "not measurable" for cells up to the bound."""
     return [
         "not measurable"
         if cell.value is not None and abs(cell.value) <= bound.value

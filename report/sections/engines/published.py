@@ -1,4 +1,4 @@
-"""Compare published numbers with ours. ``templates/sources.toml`` has their links."""
+"""Compare published numbers with ours. ``templates/sources.toml`` contains their links."""
 
 from dataclasses import dataclass
 from decimal import Decimal

@@ -1,4 +1,4 @@
-"""Compare the shake in other engines with that in MuJoCo."""
+"""Compare the shake in other engines with the shake in MuJoCo."""
 
 from report.shared import (
     Claim,

@@ -285,7 +285,7 @@ def _crossover(results: Results, points: Points) -> Claim:
 def _crossing(level: float, *cells: float) -> float:
     """Return the number of worlds at which the rates first reach ``level``, or NaN.
 
-    The cells are numbers of worlds and rates, in turn.
+    The cells alternate between numbers of worlds and rates.
     """
     worlds = cells[::2]
     rates = cells[1::2]

@@ -99,9 +99,8 @@ def _place(row: Row) -> tuple[float, float]:
 
 
 def _draw_engine(axes: Axes, best: list[Row], backend: str) -> None:
-    """Draw the settings of an engine that no other of its settings beats.
-
-    They are given with the fastest first.
+    """Draw the settings of an engine that none of its other settings beats, the fastest
+    first.
     """
     colour = COLOURS[backend]
     x, y = zip(*map(_place, best), strict=True)

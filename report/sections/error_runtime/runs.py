@@ -42,7 +42,7 @@ class Points:
 
     @property
     def engines(self) -> tuple[str, str]:
-        """Return the backends to compare: that of Warp, preferably on a GPU, and C."""
+        """Return the backends to compare: Warp, preferably on a GPU, and C."""
         return self[SHIPPED].backend, "mujoco-c"
 
     def shipped(self, pads: str, backend: str) -> Row | None:
@@ -52,7 +52,7 @@ class Points:
         return row if row and counts(row) and row.backend == backend else None
 
     def converged(self, pads: str) -> Quantity:
-        """Return the grasp error of the shipped model if it is solved exactly."""
+        """Return the grasp error of the shipped model after an exact solution."""
         for row in self.references:
             if row["pads"] == pads and is_own_model(row):
                 return row[GRASP]
@@ -95,7 +95,7 @@ def points_of(results: Results) -> Points:
 
 
 def front(rows: list[Row], *groups: str) -> frozenset[str]:
-    """Return the cases that no other of their group beats in error and run time."""
+    """Return the cases that no other case of their group beats in error and run time."""
     places = {
         row.case: ([row[name] for name in groups], row[ERROR].value, row[TIME].value)
         for row in rows

@@ -55,7 +55,7 @@ SHAKE_S = 4.0
 
 
 class Point(NamedTuple):
-    """One run of a scene."""
+    """Holds one run of a scene."""
 
     scene: str
     measured: Value
@@ -117,7 +117,9 @@ def derive(results: Results) -> Section:
 
 
 def _points(results: Results, scene: str) -> Iterator[Point]:
-    """Derive the absolute measured and predicted creep [mm/s] of measurable runs."""
+    """Derive the measured and the predicted creep [mm/s] of runs whose creep is
+    measurable. Both are absolute values.
+    """
     resolution = Sections(results.others).value("cure", "resolution").value or 0.0
     columns = COLUMNS.get(scene, ("creep_mm_s", "forecast_creep_mm_s"))
     if scene in OTHERS:

@@ -1,4 +1,4 @@
-"""Test the claims of section stability, each of them about a family of runs."""
+"""Test the claims of section stability. Each claim is about a family of runs."""
 
 import math
 from collections.abc import Callable, Iterable
@@ -68,7 +68,7 @@ most = partial(_end, max)
 def family_claim(
     results: Results, name: str, rows: list[Row], also: Outcome = HOLDS, **numbers: Any
 ) -> Claim:
-    """Claim ``also``, and that all rows pass that have a criterion."""
+    """Claim that all rows with a criterion pass and that ``also`` holds."""
     judged = [row for row in rows if passes(row) is not None]
     failed = list(filterfalse(passes, judged))
     numbers["count"] = count(
@@ -197,7 +197,9 @@ def gain_goes(results: Results) -> Claim:
 
 
 def clamp(results: Results) -> Claim:
-    """Claim that without the clamp, shorter timeconsts fail and longer ones hold."""
+    """Claim that without the clamp, runs with shorter timeconsts fail and runs with
+    longer ones hold.
+    """
     rows = family(results, "clamp")
     holding = filter(is_stable, rows)
     failing = filterfalse(is_stable, rows)

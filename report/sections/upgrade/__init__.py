@@ -132,7 +132,7 @@ def _change(
 def _in_one_step(
     results: Results, releases: Releases, bound: Value, same: Outcome
 ) -> Claim:
-    """Claim that the slip changes by a relevant amount between just two releases."""
+    """Claim that the slip changes by a relevant amount between only two releases."""
     cells = {name: tables.SLIP.cell(releases[name], name) for name in releases}
     cells = {name: cell for name, cell in cells.items() if cell.value is not None}
     oldest = next(iter(cells.values()), None)

@@ -9,7 +9,7 @@ from report.shared import Outcome, Quantity, settings_of
 
 
 def released(releases: Releases, edition: str) -> Releases:
-    """Return the releases without trials of other packages, except the given edition."""
+    """Return all releases except the given edition and trials of other packages."""
     return {
         name: chapters
         for name, chapters in releases.items()

@@ -121,7 +121,7 @@ def _lost(name: str, own: Row, steps: Sequence[Step], tests: int) -> Claim:
 def _since(
     name: str, own: Row, column: str, bound: float, rows: Mapping[str, Row]
 ) -> Claim:
-    """Return a claim on the first release in which a number exceeds a bound."""
+    """Return a claim about the first release in which a number exceeds a bound."""
     since = next(
         (
             release

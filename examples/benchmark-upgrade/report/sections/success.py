@@ -62,7 +62,7 @@ def derive(results: Results, releases: Releases) -> Section:
 
 
 def _stops(releases: Releases) -> Claim:
-    """Return a claim on the first release in which no task runs, with the reason."""
+    """Return a claim about the first release in which no task runs, with the reason."""
     for release, chapters in releases.items():
         cells = (
             [row.success_count for row in chapters["success"].results.rows]

@@ -39,7 +39,7 @@ def _json(kind: str, is_alarm: bool, parts: dict[str, Any]) -> str:
 def _lines(lines: Iterable[str], form: str) -> str:
     """Return lines as text, or as a block of Markdown that shows them unchanged.
 
-    A block that is too long for a comment ends with a note.
+    If a block is too long for a comment, it is cut and ends with a note.
     """
     text = "\n".join(lines).rstrip()
     if form == "text":
@@ -290,7 +290,9 @@ def _rank(move: Move, rules: Changes) -> tuple[bool | float, ...]:
 
 
 def settings_text(settings: Sequence[Move]) -> str:
-    """Return the settings that changed, alarms first, and those that one edition lacks."""
+    """Return the settings that changed, alarms first, and the settings that one edition
+    lacks.
+    """
     changed = [move for move in settings if None not in (move.before, move.after)]
     changed.sort(key=lambda move: not move.exceeds_threshold)
     texts = (
@@ -307,9 +309,8 @@ def settings_text(settings: Sequence[Move]) -> str:
 
 
 def sensitivity(comparison: Comparison) -> dict[str, float]:
-    """Return by section the relative change that would be listed for most of its numbers.
-
-    This is the median of the noise of its numbers, as a share of their size.
+    """Return for each section the smallest relative change that would be listed for
+    most of its numbers. This is the median noise of its numbers relative to their size.
     """
     shares: dict[str, list[float]] = {}
     for cell in comparison.cells:
@@ -325,7 +326,7 @@ def sensitivity(comparison: Comparison) -> dict[str, float]:
 def blind_sections(comparison: Comparison) -> list[str]:
     """Return the sections in which a change above the threshold might not be listed.
 
-    The threshold of a section that measures only costs is that of costs.
+    A section that measures only costs has the threshold of costs.
     """
     rules = comparison.report.settings.changes
     has_physics = {
@@ -356,10 +357,10 @@ def sensitivity_text(comparison: Comparison) -> str:
 def false_alarm_counts(edition: Edition) -> Counter[str]:
     """Count false alarms in comparisons between the measurements of an edition.
 
-    The counts are those of comparisons, of comparisons that list a change (``told``), of
-    numbers, and of numbers that are listed (``moves``). All measurements used the same
-    release, so each listed change is a false alarm. There are no counts if no section was
-    measured three times.
+    The result contains the number of comparisons, of comparisons that list a change
+    (``told``), of compared numbers, and of listed numbers (``moves``). All measurements
+    used the same release, so each listed change is a false alarm. The result is empty
+    if no section was measured three times.
     """
     counts: Counter[str] = Counter()
     for evidence in edition.evidence.values():
@@ -379,10 +380,9 @@ def rate_values(edition: Edition) -> dict[str, Value]:
 
 
 def calibration_values(edition: Edition) -> dict[str, Value]:
-    """Return the share of measurements that lie within the noise predicted by the others.
-
-    The values are the share [%] and the number of measurements, over all editions, for
-    each kind of number.
+    """Return the share of measurements that lie within the noise predicted by the
+    others. For each kind of number, the values are the share [%] and the number of
+    measurements in all editions.
     """
     values = {}
     for kind, (inside, total) in edition.calibration.items():
@@ -408,7 +408,9 @@ def _count(edition: Edition, name: str, number: float, formula: str) -> Value:
 
 
 def rate_text(rate: Mapping[str, int]) -> str:
-    """Return how often a change was listed although the release was the same."""
+    """Return a sentence about how often a change was listed although the release was
+    the same.
+    """
     if not rate:
         return "not known, because no section has been measured three times"
     text = "in {told} of {comparisons} comparisons of one release with itself, for {moves} of {numbers} numbers"

@@ -33,7 +33,10 @@ class Bisection:
     device: str
 
     def answer(self, release: Release) -> Answer | None:
-        """Return the answer of a release, which is measured if records are missing."""
+        """Return the answer of a release.
+
+        If records are missing, the release is measured first.
+        """
         answer = self._measured(release, [self.query.section])
         noise = self.project.settings.noise_section
         # Most claims need the section that measures the noise.
@@ -43,7 +46,7 @@ class Bisection:
         return answer
 
     def _measured(self, release: Release, names: Sequence[str]) -> Answer | None:
-        """Return the answer of a release from these sections alone."""
+        """Return the answer of a release from these sections only."""
         side = self.side(release, names)
         chapters = editions_of(side, among=[side.release])[side.release].chapters
         if self.query.is_claim and self.query.section in chapters:
@@ -77,8 +80,8 @@ class Bisection:
 def _lacking(project: Project, names: Sequence[str]) -> list[str]:
     """Return the sections that must be measured.
 
-    Their record is missing or has other packages. A record of an earlier search must
-    also have the current code.
+    These are sections without a record or with other packages. A record of an earlier
+    search must also have the current code.
     """
     states = states_of(project)
     records = [state.record for state in states if state.record]

@@ -1,7 +1,6 @@
-"""Carry a record over a code change if the old and the new code give the same bits.
-
-Quick runs of both are compared. They run on the CPU, where simulations are
-deterministic, each in a worktree of its commit. ``program.py`` checks that the runs
+"""Carry a record over a code change if the results of the old and the new code are
+bit-identical. Quick runs of both are compared. They run on the CPU, where simulations
+are deterministic, each in a worktree of its commit. ``program.py`` checks that the runs
 cover all changes.
 """
 

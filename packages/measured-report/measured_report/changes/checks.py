@@ -100,8 +100,7 @@ def gaps(edition: Edition) -> list[str]:
     """Return a line for each gap in the results.
 
     Gaps are rows that cannot be distinguished, missing numbers, figures without
-    sources, claims that cannot tell, and claims that print numbers which their test does
-    not read.
+    sources, claims that cannot tell, and claims that print untested numbers.
     """
     lines = []
     for name, chapter in edition.chapters.items():
@@ -165,9 +164,8 @@ def blind_spots(edition: Edition) -> list[str]:
 
 
 def idle_settings(edition: Edition) -> list[str]:
-    """Return a line for each setting that names a column or cell which no row has.
-
-    The cause may be a typing error in a pattern.
+    """Return a line for each setting that names a column or cell which does not exist
+    in any row. The cause may be a typing error in a pattern.
     """
     if edition.left_out:
         return []

@@ -29,7 +29,7 @@ class Flip:
     label: str
     page: Page
     answers: Sequence[tuple[Sequence[str], Claim]]
-    """Neighbouring editions that agree, with the claim of one of them, oldest first."""
+    """Neighbouring editions that agree, oldest first, with the claim of one of them."""
 
     @property
     def claim(self) -> str:
@@ -54,8 +54,9 @@ class Flip:
 def flips(releases: Releases, page_release: str) -> Iterator[Flip]:
     """Yield the claims whose outcome differs between editions.
 
-    Each group of neighbouring editions that agree is represented by the claim of the
-    page's own edition if it belongs to the group, or else of the newest of the group.
+    One claim represents each group of neighbouring editions that agree. It belongs to
+    the page's own edition if this is in the group, and otherwise to the newest edition
+    of the group.
     """
     sections = set().union(*releases.values())
     claims: dict[tuple[str, str], dict[str, Claim]] = {}
@@ -96,10 +97,10 @@ def flips(releases: Releases, page_release: str) -> Iterator[Flip]:
 def _terms_of(
     section: str, claim: Claim, chapters: Chapters
 ) -> frozenset[tuple[Any, ...]]:
-    """Return the terms that two answers to a claim must share to be comparable.
+    """Return the conditions under which two answers to a claim can be compared.
 
-    For a claim on costs these are the machine and the amount of work, and for a claim on
-    the noise the processor. Other claims have no terms.
+    For a claim on costs these are the machine and the amount of work, and for a claim
+    on the noise the processor. For other claims there are no conditions.
     """
     results = chapters[section].results
     columns = results.columns
@@ -332,8 +333,8 @@ def _uncompared(before: Edition, after: Edition) -> Iterator[str]:
 def faults_of(edition: Edition) -> list[Fault]:
     """Return the faults of an edition.
 
-    These are records that are missing or cannot be read or shown, and claims that cannot
-    tell because a run broke down.
+    These are missing records, records that cannot be read or shown, and claims that
+    cannot tell because a run broke down.
     """
     release = edition.project.release
     manifest = edition.project.manifest

@@ -1,4 +1,4 @@
-"""Moves: pairs of values of two editions, with a test of whether they differ."""
+"""Compare pairs of values of two editions, and test whether they differ."""
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
@@ -41,8 +41,9 @@ CHOSEN_SHARE = 0.1  # chosen: the relative noise of a number whose noise is not 
 NEAR_ZERO = 0.01
 """Chosen: a number below this share of the median of its column is close to zero."""
 ODD_SHARE = 0.4
-"""Chosen: at most this share of the rows of a section may differ by chance if no row was
-measured twice, because a single run may end in one of two ways."""
+"""Chosen: at most this share of the rows of a section may differ by chance if no row
+was measured twice, because a single run can end in one of two ways.
+"""
 LEAST_SWEEP = 6
 """Chosen: in a section with fewer rows, each row that changed counts as a change."""
 COST_SHARE = 1e-3
@@ -105,7 +106,9 @@ class Move:
 
     @property
     def may_be_odd(self) -> bool:
-        """Return whether a single run that ended otherwise by chance might explain it."""
+        """Return whether a single run that ended differently by chance might explain
+        it.
+        """
         return self.is_single and bool(self.rows) and not self.is_setting
 
     @property
@@ -334,9 +337,9 @@ def _comparable(rows: Sequence[Cells], sides: Sequence[Results]) -> Iterator[Col
 
 
 def _judged(pairs: Sequence[Pair]) -> list[Move]:
-    """Return numbers with the probability that noise alone makes them differ as much.
-
-    At most the share ``FALSE_SHARE`` of the changes listed in a section is false.
+    """Return numbers with the probability that noise alone causes a difference as
+    large. At most the share ``FALSE_SHARE`` of the changes listed in a section is
+    false.
     """
     import numpy as np  # slow to import, and most commands do not compare editions
 
@@ -410,12 +413,12 @@ def _known(
 
 
 def _without_chance(moves: Sequence[Move], sides: Sequence[Results]) -> list[Move]:
-    """Return the moves; those that a single odd run may explain are marked as odd.
+    """Return the moves, and mark those that one unusual run may explain as odd.
 
-    Occasionally a run ends differently although nothing changed. If one edition measured a
-    number only once, this looks like a change. Such rows therefore count only if there are
-    more of them than the measurements of this section explain, or if ``report.toml`` names
-    the number.
+    Occasionally a run ends differently although nothing changed. If one edition
+    measured a number only once, this looks like a change. Such rows therefore count
+    only if there are more of them than the measurements of this section explain, or if
+    ``report.toml`` names the number.
     """
     single_rows = {
         move.rows[0].source for move in moves if move.may_be_odd and move.is_real
@@ -442,9 +445,9 @@ def _without_chance(moves: Sequence[Move], sides: Sequence[Results]) -> list[Mov
 def _shifts(moves: Sequence[Move], sides: Sequence[Results]) -> list[Move]:
     """Return for each column of times the change that all its rows have in common.
 
-    All times of one measurement share the error of its host and card. The median of their
-    changes is therefore compared with the scatter between hosts. It can be significant
-    although the change of each single row is within the noise of that row.
+    All times of one measurement share the error of its host and card. The median of
+    their changes is therefore compared with the scatter between hosts. This common
+    change can be significant although no single row changes by more than its noise.
     """
     by_column: dict[Column, list[Move]] = {}
     for move in moves:

@@ -146,7 +146,9 @@ def _definitions(body: Sequence[ast.stmt], prefix: str) -> Iterator[tuple[str, A
 
 
 def _header(function: Any) -> list[ast.AST]:
-    """Return the decorators and defaults of a function, which run at its definition."""
+    """Return the decorators and defaults of a function, which are evaluated when it is
+    defined.
+    """
     defaults = [*function.args.defaults, *filter(None, function.args.kw_defaults)]
     return [*function.decorator_list, *defaults]
 

@@ -23,7 +23,7 @@ LEAST_STEPS = 3  # chosen: fewer differences between neighbours do not show the 
 
 @dataclass(frozen=True)
 class Query:
-    """The name of a claim or a value, and looks it up in editions."""
+    """Holds the name of a claim or a value, and looks it up in editions."""
 
     text: str
     """The name in CLAIM= or VALUE=.
@@ -33,7 +33,7 @@ class Query:
     is_claim: bool = False
     label: str = ""
     device: str = ""
-    """The device of the case, if it ran on several.
+    """The device of the case, if the case ran on several devices.
 
     If a case ran several times on a device, the row with the lowest cost counts.
     """
@@ -52,7 +52,7 @@ class Query:
         return self.text.rpartition(".")[2]
 
     def answer(self, chapters: Chapters) -> Answer | None:
-        """Return the answer of an edition, or None if it cannot tell."""
+        """Return the answer of an edition, or None if the claim cannot tell."""
         if self.is_claim:
             claim = self.claim(chapters)
             is_known = claim and claim.outcome.name != "unknown"
@@ -69,7 +69,7 @@ class Query:
         return chapter.results.derived.get(self.column) if chapter else None
 
     def cell(self, chapters: Chapters, release: str = "") -> Quantity:
-        """Return a cell of a row of the edition ``release``, or an absent number."""
+        """Return a cell of a row in the edition ``release``, or an absent number."""
         columns = schema_of(chapters)
         equivalent = columns.settings.changes.equivalent_sections if columns else ()
         sections = (self.section, *(equivalent if self.section in equivalent else ()))
@@ -190,13 +190,12 @@ def changes_in(
 ) -> list[int]:
     """Return the positions at which a series of numbers changes.
 
-    The series is split at the position at which its parts differ most, if this difference
-    is significant. Each part is then split in the same way.
-
-    The method is that of Scott and Knott (1974), Biometrics 30, 507-512, with a
-    two-sample test that uses the noise. If a noise is not known, it is estimated from the
-    differences between neighbours, or assumed to be 0 if there are fewer than
-    ``LEAST_STEPS`` of them.
+    The series is split at the position at which its parts differ most, if this
+    difference is significant. Each part is then split in the same way. This is the
+    method of Scott and Knott (1974), Biometrics 30, 507-512, with a two-sample test
+    that uses the noise. If a noise is not known, it is estimated from the differences
+    between neighbours, or assumed to be 0 if there are fewer than ``LEAST_STEPS`` of
+    them.
     """
     if None in noises:
         steps = [abs(after - before) for before, after in pairwise(numbers)]

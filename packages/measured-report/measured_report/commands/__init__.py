@@ -1,1 +1,1 @@
-"""Commands of make and build.py, a module each."""
+"""Contains a module for each command of make and build.py."""

@@ -1,4 +1,4 @@
-"""Run number-audit with the noise that the records of this report imply.
+"""Run number-audit with the noise from the records of this report.
 
 This is the command ``measured-report audit``.
 """
@@ -56,7 +56,9 @@ def noise_of_record(path: Path, row: int, column: str) -> float | None:
 
 @cache
 def evidence_of(folder: str) -> dict[str, Evidence]:
-    """Return the evidence of each section of the edition in a folder of results."""
+    """Return the evidence of each section in the edition that a folder of results
+    contains.
+    """
     settings = report().settings
     project = Project(settings.edition_in(folder), root=report().root)
     tracked = {record.section: record for record in records_of(project)}

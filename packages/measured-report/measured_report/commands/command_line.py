@@ -120,7 +120,7 @@ def _run(name: str, *typed: str) -> int:
 def commands(root: Path) -> dict[str, str]:
     """Return the module of each command by name, the generator's commands first.
 
-    The modules are not imported, because this takes long.
+    The modules are not imported, because this takes a long time.
     """
     folders = {__package__: Path(__file__).parent, OWN: root.joinpath(*OWN.split("."))}
     names = {}

@@ -252,7 +252,7 @@ def _to_branch(copy: Path, location: str, site: Path) -> str:
 
 
 def _tip(git: Callable[..., str], address: str, ref: str) -> str:
-    """Return the commit at the tip of a branch of a remote, or an empty string."""
+    """Return the newest commit on a remote branch, or an empty string."""
     for line in git("ls-remote", address, ref).splitlines():
         tip, name = line.split("\t")
         if name == ref:

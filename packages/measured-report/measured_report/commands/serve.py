@@ -101,7 +101,7 @@ def follow(
 
 
 def stamp(sources: Iterable[Path]) -> dict[str, tuple[int, int]]:
-    """Return the time of the last change and the size of each file of some sources."""
+    """Return the modification time and the size of each source file."""
     paths = []
     for source in sources:
         paths.append(str(source))

@@ -1,4 +1,4 @@
-"""Print where a number comes from: its pages, rows and cases, and how to repeat it."""
+"""Print the origin of a number: its pages, rows and cases, and how to repeat it."""
 
 import re
 from collections.abc import Iterable, Iterator, Mapping

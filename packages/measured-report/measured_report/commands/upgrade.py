@@ -130,10 +130,10 @@ def timed_in_turn(
 ) -> list[Edition]:
     """Time two editions in turn on this machine, and return them.
 
-    The speed and the load of the machine are then the same for both editions. They are
-    timed at least twice, and again until each number with a threshold is known well enough
-    to show a change of that size, but at most ``MOST_PASSES`` times. Return an empty list
-    if there is no timed section, or if a timing fails.
+    Both editions are then timed at the same speed and load of the machine. They are
+    timed at least twice. More passes follow, at most ``MOST_PASSES``, until a change as
+    large as its threshold would be detected in each number with a threshold. Return an
+    empty list if there is no timed section, or if a timing fails.
     """
     report = sides[0].report
     timed_sections = {
@@ -180,7 +180,7 @@ def _keep_pass(project: Project, names: Sequence[str], number: int) -> None:
 
 
 def hidden_times(before: Edition, after: Edition) -> list[str]:
-    """Return the times with a threshold that may have changed by more than that unseen."""
+    """Return the times whose noise may hide a change above their threshold."""
     pairs = common_chapters(before.chapters, after.chapters).values()
     moves = [move for pair in pairs for move in moves_between(*pair)]
     return [

@@ -24,7 +24,7 @@ from measured_report.files.errors import ReportError, UsageError
 from measured_report.records.identity import MISSING, package_versions
 
 MEASURING = ("measured_report", "msgspec", "packaging", "tqdm", "tomli")
-"""The packages that the generator imports while measuring, including itself."""
+"""Packages that the generator imports while measuring, including itself."""
 VERSION = re.compile(r"[0-9]+(\.[0-9]+)*[a-z0-9.]*(\+[a-z0-9.]+)?")
 NAME = re.compile(r"[^A-Za-z0-9-].*")
 # This variable of uv overrides the date of the release.
@@ -164,7 +164,7 @@ def _make(
 ) -> None:
     """Create an environment, unless a complete one exists.
 
-    The versions in ``pins`` replace those that other packages require.
+    The versions in ``pins`` override the versions that other packages require.
     """
     digest = hashlib.sha256("\n".join(["", *arguments, *pins]).encode()).hexdigest()
     ready = folder / READY

@@ -153,7 +153,7 @@ class Project:
 
     @property
     def releases(self) -> list[str]:
-        """Return this edition and those that have results, by version and date.
+        """Return this edition and all editions with results, by version and date.
 
         An edition whose folder cannot be read is included, so that messages can name
         it.

@@ -64,7 +64,7 @@ class State:
 def states_of(project: Project, code: Code | None = None) -> list[State]:
     """Return the state of each section of an edition.
 
-    With the same ``code`` for several editions, files are read only once.
+    If the same ``code`` is passed for several editions, each file is read only once.
     """
     states = []
     code = code or Code(project.root)

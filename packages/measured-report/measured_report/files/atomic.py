@@ -42,7 +42,10 @@ def read_file(path: Path, byte_limit: int) -> bytes:
 
 
 def folder_fault(folder: Path) -> str:
-    """Return why a folder cannot be read; empty if it can, or if it does not exist."""
+    """Return the reason why a folder cannot be read.
+
+    It is empty if the folder can be read or does not exist.
+    """
     try:
         for path in folder.iterdir():
             path.lstat()
@@ -87,7 +90,7 @@ def remove(path: Path) -> None:
 
 @contextmanager
 def locked(folder: Path, *, alone: bool = True) -> Iterator[None]:
-    """Lock ``folder`` if it exists, either alone or together with other readers.
+    """Lock ``folder`` if it exists, exclusively or shared with other readers.
 
     Print a message if another process holds the lock.
     """
@@ -163,7 +166,7 @@ def sums(digests: Mapping[str, str]) -> str:
 
 
 def digests_below(folder: Path) -> dict[str, str]:
-    """Return the digests of all files below a folder by their relative names.
+    """Return the digest of each file in a folder and its subfolders, by relative name.
 
     Links and other entries that are not files have an empty digest.
     """

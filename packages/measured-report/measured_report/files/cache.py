@@ -13,7 +13,7 @@ from typing import Any
 
 @cache
 def _is_ours(folder: Path) -> bool:
-    """Return whether only this user may write to a folder, and print if not.
+    """Return whether only this user may write to a folder, and print a message if not.
 
     The files in it are pickles, which can execute code when they are read.
     """

@@ -229,9 +229,9 @@ class Schema:
         }
 
     def number_of(self, column: str, row: Mapping[str, Any]) -> Any:
-        """Return a cell of a row, or None if it has no meaning.
+        """Return a cell of a row, or None if the cell has no meaning.
 
-        It has none if the run failed, or if more trials succeeded than there were.
+        This is the case if the run failed, or if more trials succeeded than there were.
         """
         if row.get(self[column].unless) or self.trials_problem(column, row):
             return None
@@ -276,8 +276,8 @@ class Schema:
     ) -> None:
         """Raise ValueError if rows contradict their columns.
 
-        The ``recorded`` units must be those of the columns' names, a column must not
-        mix numbers, text and booleans, and numbers must be in the range of their
+        The ``recorded`` units must agree with the names of the columns, a column must
+        not mix numbers, text and booleans, and numbers must be in the range of their
         column.
         """
         units = self.units_of(rows)
@@ -319,7 +319,7 @@ def case_parameters(settings: Config) -> Mapping[str, Any]:
 
 
 def unlike(units: Iterable[str]) -> list[str]:
-    """Return two different units of one kind, such as ms and s, if there are any."""
+    """Return two different units of one quantity, such as ms and s, if there are any."""
     kinds: dict[str, str] = {}
     for unit in units:
         kind = PREFIX.sub("", unit)
@@ -334,7 +334,7 @@ def columns_of(rows: Sequence[Mapping[str, Any]]) -> list[str]:
 
 
 def implausible_cells(row: Mapping[str, Any]) -> dict[str, str]:
-    """Return the reasons for numbers that were too implausible to record, by column."""
+    """Return the reasons why implausible numbers were not recorded, by column."""
     reasons = {
         name.removesuffix(REASON): str(cell)
         for name, cell in row.items()

@@ -71,7 +71,7 @@ class Report:
 
     @cached_property
     def accelerator(self) -> ModuleType:
-        """Return the module of the accelerators of a host."""
+        """Return the module that describes the accelerators of a host."""
         return module_named("accelerator", self.settings.accelerator)
 
     def __enter__(self) -> "Report":
@@ -84,9 +84,8 @@ class Report:
         report()._follow(exited)
 
     def _follow(self, former: "Report") -> None:
-        """Replace the root and the modules of the former report by those of this one.
-
-        The former report keeps its modules for the next time it is entered.
+        """Replace the root and the modules of the former report by those of this
+        report. The former report keeps its modules for the next time it is entered.
         """
         if self is former:
             return

@@ -27,14 +27,17 @@ UNPRINTABLE = re.compile(
     """,
     re.VERBOSE,
 )
-"""Characters that could hide or change the text around them, and that no text needs."""
+"""Characters that can hide or change the text around them and that no text needs."""
 
 
 NO_MEMORY = "there is not enough memory: close other programs or raise ulimit -v"
 
 
 class ReportError(Exception):
-    """Signal an error that the user can fix; the message is one line that says how."""
+    """Signal an error that the user can fix.
+
+    The message is one line and states the remedy.
+    """
 
     def __str__(self) -> str:
         return without_secrets(super().__str__())
@@ -53,13 +56,15 @@ def without_secrets(text: str) -> str:
 
 
 def suggestion(name: str, names: Iterable[str]) -> str:
-    """Return `` (similar: …)`` with the names like a mistyped one, if there are any."""
+    """Return `` (similar: …)`` with names that resemble a mistyped one, if there are
+    any.
+    """
     matches = get_close_matches(name, list(names), n=4, cutoff=0.5)
     return f" (similar: {', '.join(matches)})" if matches else ""
 
 
 def bug_of(error: BaseException) -> str:
-    """Return an error of a report's code as one line: file, line, type and text."""
+    """Return an error in a report's code as one line: file, line, type and message."""
     frames = [
         (Path(frame.filename), frame.lineno)
         for frame in extract_tb(error.__traceback__)

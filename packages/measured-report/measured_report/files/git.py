@@ -75,9 +75,8 @@ def run_git(folder: Path, *command: str, **settings: str) -> str:
 
 
 def git(folder: Path, *command: str) -> str:
-    """Return the output of git in a folder, or an empty string if it fails.
-
-    It fails, for example, outside of a repository.
+    """Return the output of git in a folder, or an empty string if it fails, for example
+    because the folder is outside of a repository.
     """
     try:
         return run_git(folder, *command)

@@ -41,24 +41,26 @@ class Columns:
     run failed, so that its other numbers are arbitrary.
     """
     signed: bool | None = None
-    """Whether numbers can be negative; if it is missing, the unit determines it."""
+    """Whether numbers can be negative. If this is missing, the unit determines it."""
     better: Literal["", "less", "more"] = ""
-    """Whether less or more is better; empty if neither is."""
+    """Whether less or more is better; empty if neither is better."""
     resolution: Annotated[float, Meta(ge=0.0)] = 0.0
     """The smallest difference that counts, even if the noise is smaller."""
     rate_of: str = ""
     """The column with the time of this rate; both have the same relative noise."""
     known_within: str = ""
-    """The column with the relative uncertainty, which replaces the measured noise
-    unless it is 0.
+    """The column with the relative uncertainty.
+
+    It replaces the measured noise unless it is 0.
     """
     grows_with: str = ""
-    """The column with the duration over which this number accumulates; its noise grows
-    with it.
+    """The column with the duration over which this number accumulates.
+
+    The noise grows with the duration.
     """
     trials: str = ""
-    """The column with the number of trials, if this one counts successes or is their
-    share; its noise is then binomial.
+    """The column with the number of trials, if this column counts successes or contains
+    their share. The noise is then binomial.
     """
     unless: str = ""
     """The column that marks a failed run, for which this number does not exist."""
@@ -84,22 +86,25 @@ class Changes:
     # The threshold for settings.
     setting_threshold: Annotated[float, Meta(gt=0.0)] = 0.05
     settings: Mapping[str, str] = field(default_factory=dict)
-    """Kinds of rows that hold defaults and options, with the name of each kind.
+    """Kinds of rows that contain defaults and options, with the name of each kind.
 
     Their values are compared exactly.
     """
     explanation: str = ""
     """The claim that explains the difference between editions if it holds."""
     equivalent_sections: Sequence[str] = ()
-    """Sections that measure the same runs; a case that one lacks is taken from another.
+    """Sections that measure the same runs.
+
+    If one of them lacks a case, it is taken from another.
     """
     package_groups: Sequence[Sequence[str]] = ()
     """Groups of packages that bisect always changes together."""
     keys: Sequence[str] = ("case",)
     """The columns that distinguish the rows of one section, if they exist."""
     endings: str = ""
-    """The column that lists how the repeats of a run ended; rows are compared only if
-    it is the same.
+    """The column that lists how the repeats of a run ended.
+
+    Rows are compared only if this is equal.
     """
 
     @property
@@ -110,7 +115,7 @@ class Changes:
 
 @dataclass(frozen=True)
 class Page:
-    """Describe one page, which every release has."""
+    """Describes one page, which every release has."""
 
     name: str
     label: str = ""  # the text of links to it; empty: its name

@@ -1,1 +1,3 @@
-"""Findings: what an edition's records come to, values and outcomes, before anything is put into words."""
+"""Derive findings: the values and outcomes of an edition's records, before they are put
+into words.
+"""

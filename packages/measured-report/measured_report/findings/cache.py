@@ -1,4 +1,4 @@
-"""The cache of derived values, which are valid while none of their inputs changes."""
+"""Cache derived values, which are valid while none of their inputs changes."""
 
 import functools
 from collections.abc import Callable, Sequence
@@ -27,7 +27,7 @@ PACKAGES = (
 
 @dataclass(frozen=True)
 class DerivedCache(Cache):
-    """Keep the results of the modules of a report; each entry is read from disk once."""
+    """Cache the results of a report's modules, and read each entry from disk only once."""
 
     report: Report
     read: dict[tuple[str, str], Any] = field(default_factory=dict)
@@ -37,15 +37,15 @@ class DerivedCache(Cache):
     digests: dict[Path | None, str] = field(default_factory=dict)  # of modules
 
     def get(self, name: str, key: str) -> Any:
-        """Return an entry, or None if there is none that is whole."""
+        """Return an entry, or None if there is no complete one."""
         if not self.read.get((name, key)):
             self.read[name, key] = super().get(name, key)
         return self.read[name, key]
 
     def key(self, code: Path | None, inputs: Sequence[str]) -> str:
-        """Return a digest of the inputs of a module and of its code.
+        """Return a digest of a module's inputs and code.
 
-        Without a module the code is that of the generator.
+        Without a module, it is a digest of the generator's code.
         """
         if code not in self.digests:
             self.digests[code] = self._digest_of(code)
@@ -95,6 +95,8 @@ class DerivedCache(Cache):
 
 @functools.cache
 def installed() -> str:
-    """Return a digest of the versions of Python and of the packages that results need."""
+    """Return a digest of the versions of Python and of the packages that results depend
+    on.
+    """
     versions = (f"{name} {metadata.version(name)}" for name in PACKAGES)
     return digest_of([python_version(), *versions])

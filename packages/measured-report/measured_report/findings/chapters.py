@@ -1,4 +1,4 @@
-"""Chapters: one section of one edition, from its record to its words."""
+"""Define chapters: one section of one edition, from its record to its words."""
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
@@ -17,7 +17,7 @@ from measured_report.values.results import Results
 
 @dataclass(frozen=True)
 class Chapter:
-    """All of a section in one edition. Each stage of a build adds its fields."""
+    """Holds a section of one edition. Each stage of a build adds its fields."""
 
     state: State  # whether its record is fresh, stale or damaged
     outline: Outline
@@ -49,7 +49,9 @@ class Chapter:
 
     @property
     def compares(self) -> bool:
-        """Return whether it compares releases, so that each edition has its own."""
+        """Return whether the chapter compares releases, so that each edition has its
+        own chapter.
+        """
         return self.outline.compares
 
 

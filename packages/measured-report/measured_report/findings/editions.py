@@ -48,7 +48,7 @@ Derived = tuple[Section, Mapping[str, Value]]
 
 @dataclass(eq=False)
 class Edition:
-    """The results of one release, and all that is derived from them.
+    """Holds the results of one release and everything that is derived from them.
 
     Each stage of a build replaces the chapters.
     """
@@ -91,7 +91,9 @@ class Edition:
         return pages
 
     def address(self, page: Page) -> str:
-        """Return the address of a page below the site; without it, that of the front."""
+        """Return the address of a page below the site, or of the front page if no page
+        is given.
+        """
         existing_page = page if page in self.pages else self.report.settings.front
         return self.folder + existing_page.file
 
@@ -117,14 +119,16 @@ class Edition:
 
     @property
     def uncompared(self) -> dict[str, Chapter]:
-        """Return its chapters, without the findings of those that compare releases."""
+        """Return the chapters, without findings in the chapters that compare releases."""
         return {
             name: replace(chapter, section=Section()) if chapter.compares else chapter
             for name, chapter in self.chapters.items()
         }
 
     def update(self, change: Callable[[Chapter], Chapter]) -> None:
-        """Replace each chapter by its change; leave out those for which this fails."""
+        """Replace each chapter by its changed copy, and leave out chapters whose change
+        fails.
+        """
         for name, chapter in list(self.chapters.items()):
             try:
                 self.chapters[name] = change(chapter)
@@ -150,8 +154,10 @@ class Edition:
         self.left_out.append(replace(state, kind=kind, record=None, notes=(note,)))
 
     def set_keys(self, releases: Releases | None = None) -> None:
-        """Set the digest of the inputs of each chapter, with ``releases`` of those only that
-        compare them."""
+        """Set the digest of the inputs of each chapter.
+
+        With ``releases``, only chapters that compare releases are set.
+        """
 
         def with_key(chapter: Chapter) -> Chapter:
             if releases is not None and not chapter.compares:
@@ -166,8 +172,9 @@ class Edition:
         self.update(with_key)
 
     def lacks(self, *, compares: bool) -> bool:
-        """Return whether the cache lacks one of the chapters that compare releases, or one of
-        the others."""
+        """Return whether the cache lacks a chapter that compares releases or, without
+        ``releases``, any other chapter.
+        """
         return any(
             chapter.compares == compares
             and not self.cache.get(self._entry(name), chapter.key)
@@ -175,7 +182,9 @@ class Edition:
         )
 
     def derive(self, releases: Releases | None = None) -> None:
-        """Derive the chapters that compare releases, or without ``releases`` all others."""
+        """Derive the chapters that compare releases or, without ``releases``, all other
+        chapters.
+        """
         if releases is None:
             measurements = self.measurements
             self.evidence = measurements.evidence
@@ -226,7 +235,7 @@ class Edition:
         return replace(chapter, section=replace(section, claims=claims))
 
     def _with_count(self, claim: Claim, section: str) -> Claim:
-        """Return a claim with the count of measurements that decide it, in words."""
+        """Return a claim with the number of measurements that decide it, in words."""
         # Replicas do not have traces.
         has_traces = any(Pointer(pointer).is_trace for pointer in claim.outcome.reads)
         if claim.outcome.name == "unknown" or has_traces:
@@ -283,7 +292,9 @@ class Edition:
 
     @cached_property
     def _measured(self) -> str:
-        """Return a digest of the measurements of all editions, which the noise depends on."""
+        """Return a digest of the measurements of all editions, on which the noise
+        depends.
+        """
         return measured_digest(self.project)
 
 
@@ -298,7 +309,7 @@ def _digests_of(releases: Releases) -> list[str]:
 def editions_of(
     project: Project, among: Sequence[str] = (), *, draws: bool = False
 ) -> dict[str, Edition]:
-    """Derive all editions, or those ``among`` the names, oldest first."""
+    """Derive the editions named in ``among``, or all of them by default, oldest first."""
     cache = DerivedCache(project.root, project.report)
     with project.report:
         editions = {
@@ -324,7 +335,10 @@ def editions_of(
 
 
 def _derive(editions: Mapping[str, Edition], releases: Releases | None = None) -> None:
-    """Derive editions. Those that the cache lacks are derived in parallel first."""
+    """Derive editions.
+
+    Editions that are not in the cache are derived first, in parallel.
+    """
     for edition in editions.values():
         edition.set_keys(releases)
     lacking = [
@@ -357,7 +371,7 @@ def derive_edition(project: Project, cache: DerivedCache | None = None) -> Editi
 
 
 def read_edition(project: Project, cache: DerivedCache) -> Edition:
-    """Read the records of one edition; leave out those that are missing or damaged."""
+    """Read the records of one edition, except missing and damaged ones."""
     code = cache.code(project.root, project.report.root)
     states = states_of(project, code)
     edition = Edition(project, cache)

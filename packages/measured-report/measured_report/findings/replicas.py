@@ -58,9 +58,10 @@ def measured_digest(project: Project) -> str:
 def _compared(project: Project) -> list[Project]:
     """Return the editions whose measurements show how numbers scatter.
 
-    The results of a folder aside scatter like the tracked ones, so both are evaluated. If
-    they were measured several times, it was in turn on one machine. They then scatter less
-    than measurements of several machines do, and are evaluated alone.
+    Results in a separate folder scatter like the tracked ones, so both are evaluated.
+    If such results were measured several times, one machine measured them in turn. They
+    then scatter less than measurements on several machines, and are evaluated
+    separately.
     """
     sides = [project]
     is_repeated = any(replica_files(project.of(name)) for name in project.releases)
@@ -104,7 +105,9 @@ def _measurements(project: Project) -> dict[str, Measurements]:
 
 
 def _kinds(records: Sequence[Record], report: Report) -> str:
-    """Return the number of kinds of processor in words, if there are several."""
+    """Return the number of processor types as a phrase, or an empty string if there is
+    only one.
+    """
     processors = {record.processor for record in records}
     devices = {record.machine["device"] for record in records}
     is_accelerated = devices == {report.accelerator.KIND}
@@ -130,9 +133,8 @@ def read_replicas(project: Project) -> tuple[dict[str, Records], list[str]]:
 
 
 def damage_of(project: Project, states: Iterable[State]) -> Iterator[State]:
-    """Yield each record, replica, folder and manifest of an edition that cannot be read.
-
-    ``states`` are those of its records.
+    """Yield each record, replica, folder and manifest of an edition that cannot be
+    read. ``states`` contains the states of the edition's records.
     """
     yield from (state for state in states if state.kind == Kind.DAMAGED)
     yield from other_damage(project)
@@ -141,7 +143,9 @@ def damage_of(project: Project, states: Iterable[State]) -> Iterator[State]:
 
 
 def replicas_text(project: Project) -> list[str]:
-    """Return a line for each replica: how many of its sections have the current code."""
+    """Return a line for each replica with the number of its sections that have the
+    current code.
+    """
     tracked = {record.section: record for record in records_of(project)}
     lines = []
     for name, records in read_replicas(project)[0].items():
@@ -162,7 +166,7 @@ def alike(tracked: Records, records: Records) -> Records:
 def refused(project: Project, records: Records) -> Mapping[str, str]:
     """Return the sections that are not measurements of this edition, with the reason.
 
-    Raise ReportError if none of them is.
+    Raise ReportError if all sections belong to other editions.
     """
     tracked = {record.section: record for record in records_of(project)}
     reasons = {}

@@ -1,4 +1,4 @@
-"""Section modules: find them, read their outlines, and derive sections from results."""
+"""Find section modules, read their outlines, and derive sections from results."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace

@@ -47,8 +47,8 @@ class Batch:
     function: Callable[..., Any]  # a function of a module; its result is pickled
     arguments: tuple[Any, ...] = ()
     exclusive: bool = False
-    """Whether the batch measures times, so that its host must not measure anything
-    else.
+    """Whether the batch measures times, so that its host must not measure anything else
+    at the same time.
     """
 
 
@@ -100,7 +100,7 @@ def measure_batch(packed: bytes, device: str) -> Result:
 
 
 def reason_of(error: BaseException, report: Report) -> str:
-    """Return one line that says why a measurement failed and how to fix it."""
+    """Return one line with the reason why a measurement failed and a remedy."""
     message = " ".join(str(error).split())
     if is_out_of_memory(error):
         return (

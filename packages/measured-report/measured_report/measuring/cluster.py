@@ -75,7 +75,7 @@ def introduce() -> dict[str, str]:
 
 
 def card_of(cluster: str) -> str:
-    """Return the device of all workers in a cluster, as labels write it."""
+    """Return the device of all workers in a cluster, in the form that labels use."""
     with connected(cluster) as client:
         names = {worker["device"] for worker in client.run(introduce).values()}
     if len(names) > 1:

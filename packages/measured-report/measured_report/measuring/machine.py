@@ -106,7 +106,7 @@ def read_device(kind: str) -> str:
 
 
 def lacks() -> str:
-    """Return a message which says that this machine has no accelerator."""
+    """Return a message that this machine has no accelerator."""
     kind = current().accelerator.KIND.upper() or "other"
     return f"this machine has no {kind} device: use DEVICE=cpu to measure on its CPU"
 

@@ -30,7 +30,7 @@ T = TypeVar("T")
 MODULE = "measured_report.measuring.run"
 FAILED = 1
 UNFIT = 2
-"""Exit statuses of a measurement that failed, or that could not begin.
+"""Exit status of a measurement that failed, and of one that could not begin.
 
 In both cases the other process has printed the reason.
 """

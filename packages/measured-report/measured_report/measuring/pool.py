@@ -67,8 +67,9 @@ def host_pools(
 def environments(device: str, profile: str, report: Report) -> list[Settings]:
     """Return the environments of the processes that share this host.
 
-    There are as many as the accelerators can take. On a CPU there is one for each core,
-    but only one for a full measurement of a report that needs an accelerator.
+    There are as many processes as the accelerators can serve. On a CPU there is one for
+    each core, but only one for a full measurement of a report that needs an
+    accelerator.
     """
     accelerator = report.accelerator
     if device == "cpu":

@@ -80,9 +80,8 @@ class Section:
     has_failed: bool = False
 
     def is_exclusive(self, batch: Batch) -> bool:
-        """Return whether a batch is measured alone.
-
-        A batch is also measured alone if it may have caused a process to be killed.
+        """Return whether a batch must run by itself, because it measures times or may
+        have caused a process to be killed.
         """
         return batch.exclusive or batch.name in self.killed
 
@@ -115,7 +114,7 @@ class Section:
             self.fail(reason_of(error, self.project.report))
 
     def retry_alone(self, batch: Batch) -> None:
-        """Measure a batch alone after its process was killed, but only once."""
+        """Measure a batch by itself after its process was killed, but only once."""
         if batch.name in self.killed:
             self.fail(
                 f"the process of {batch.name} was killed twice, the second time "
@@ -288,7 +287,7 @@ def _as_one(batch: Batch) -> Plan:
 def plausible_row(row: Mapping[str, object], columns: Schema) -> dict[str, object]:
     """Return a row in plain Python numbers.
 
-    A number outside of the range of its column becomes None, and the column with the
+    A number outside the range of its column becomes None, and the column with the
     ending ``_reason`` contains the reason.
     """
     cells = {str(name): plain(value, str(name)) for name, value in row.items()}

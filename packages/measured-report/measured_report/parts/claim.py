@@ -27,8 +27,8 @@ from measured_report.values.quantities import (
 Number = Quantity | float
 """A number that a test compares.
 
-A plain number is a bound that was chosen, in the unit of the quantities that it is
-compared with. The argument ``why`` gives the reason for it in words.
+A plain number is a chosen bound, in the unit of the quantities with which it is
+compared. The argument ``why`` gives the reason for it in words.
 """
 
 
@@ -81,7 +81,10 @@ class Claim:
     wording: Wording | None = None
     confirmed: str = ""  # how many of several measurements agree
     effect: Outcome = HOLDS
-    """Whether the effect exists that `because` explains; `because` needs it to hold."""
+    """Whether the effect exists that `because` explains.
+
+    The explanation is printed only if it does.
+    """
 
     @cached_property
     def sentence(self) -> Markup:
@@ -318,9 +321,9 @@ def _absent(*quantities: Quantity) -> Outcome | None:
 
 
 def all_of(*outcomes: Outcome) -> Outcome:
-    """Return the outcome that decides whether all hold.
+    """Return the combined outcome of several tests.
 
-    This is the first of these that occurs: fails, the opposite, cannot tell, holds.
+    It is the first of these that occurs: fails, the opposite, cannot tell, holds.
     """
     reads: frozenset[str] = frozenset().union(*(outcome.reads for outcome in outcomes))
     bounds = tuple(

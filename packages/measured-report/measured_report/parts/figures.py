@@ -68,7 +68,9 @@ LONGEST_NAME = 18  # longer names beside a narrow figure are folded [characters]
 LONGEST_LINE = 36  # longer texts along a narrow figure are folded [characters]
 COORDINATES = re.compile(r'(?<= )(?:d|x|y)="[^"]*"')
 DECIMALS = re.compile(r"(\.\d\d)\d+")
-"""Matches decimals after the second; a hundredth of a point is invisible."""
+"""Matches the decimals after the second one, because a hundredth of a point is
+invisible.
+"""
 UNWANTED = re.compile(
     r"""
     <metadata>.*?</metadata>
@@ -191,7 +193,7 @@ def _svg(draw: Callable[[], Drawing], kind: str, name: str) -> str:
 def _label_decades(axis: Axis) -> None:
     """Label a logarithmic axis with text.
 
-    Matplotlib's own labels are formulas, and typesetting them takes long.
+    Matplotlib's own labels are formulas, and typesetting them is slow.
     """
     low, high = axis.get_view_interval()
     has_powers = low < 1e-4 or high > 1e5

@@ -15,7 +15,9 @@ from markupsafe import Markup, escape
 OPEN, CLOSE = f"\ue000{secrets.token_hex(16)}n", "\ue001"
 NUMBER = re.compile(f"{OPEN}([0-9]+){CLOSE}")
 TOKEN = re.compile(f"(<p>)?{NUMBER.pattern}(?(1)</p>)")
-"""Matches a token, and its paragraph if the token is alone in it: it may be a block."""
+"""Matches a token, or a whole paragraph that consists of one token, because the token
+may stand for a block.
+"""
 PARAGRAPH = re.compile(r'<p(?: (?!class="left-out")[^>]*)?>(.+?)</p>', re.DOTALL)
 BLOCK = ("<figure", "<p", "<div", "</div")
 

@@ -57,7 +57,7 @@ BOUNDS = {
     # The direction depends on whether the sentence contains a negation.
     "more than|less than": (".most", ".least"),
 }
-"""Words that bound the number after them, and the attributes that round it safely."""
+"""Words that make the next number a bound, and the attributes that round it safely."""
 
 
 @dataclass(frozen=True)

@@ -21,7 +21,7 @@ from measured_report.files.errors import ReportError
 GENERATOR = "measured_report"
 HERE = str(Path(__file__).resolve().parents[2])
 ASSETS = ("assets/", "experiments/", "packages/")
-"""Folders of files that a program opens or starts by path."""
+"""Patterns of files that a program opens or starts by path."""
 COMPUTED = ...  # stands for a value that is computed at import
 LAYOUT = ("ctx", "kind", "type_comment")
 """Fields of a syntax tree that follow from others or have no meaning."""
@@ -67,7 +67,7 @@ class Code:
         return read_source(Path(path), self.name_of(path))
 
     def _module(self, name: str) -> str:
-        """Return the file of a module of this project, or an empty string."""
+        """Return the file of a module in this project, or an empty string."""
         stem = name.replace(".", "/")
         stems = [f"{root}/{stem}" for root in self._roots_with(name.partition(".")[0])]
         files = (
@@ -124,7 +124,7 @@ _sources: dict[str, Source] = {}  # by a digest of the file's text and package
 def read_source(path: Path, name: str) -> Source:
     """Return the facts about a file; raise ReportError if it cannot be read.
 
-    ``name`` is the name of the file in messages.
+    ``name`` identifies the file in messages.
     """
     package = PurePosixPath(name).parts[:-1]
     try:

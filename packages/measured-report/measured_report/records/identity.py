@@ -1,6 +1,6 @@
 """Compute the identity of a section: digests of everything that its numbers depend on.
 
-The sources are read, but never run.
+The source files are read, but never run.
 """
 
 import hashlib
@@ -73,7 +73,7 @@ def identity_at(
 ) -> Identity:
     """Return the identity of the measurement that a module makes.
 
-    ``code`` avoids reading the files of ``root`` again.
+    If ``code`` is passed, the files of ``root`` are not read again.
     """
     code = code or Code(root)
     if not (file := code.module(module)):

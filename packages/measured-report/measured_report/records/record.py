@@ -106,7 +106,10 @@ REQUIRED: Mapping[str, Mapping[str, Any]] = {
         "seconds": Annotated[float, Meta(ge=0.0, le=1e8)],
     },
 }
-"""The types of the fields that these tables must contain. They can contain others."""
+"""The types of the fields that these tables must contain.
+
+The tables can contain other fields, too.
+"""
 
 
 @dataclass(frozen=True)

@@ -63,7 +63,7 @@ def packed(
 def _written(cell: Any, column: str, schema: Schema) -> Any:
     """Return a cell as its file contains it.
 
-    A number that is outside of the range of its column becomes None.
+    A number outside the range of its column becomes None.
     """
     is_checked = is_number(cell) and HEAD.fullmatch(column)
     if is_checked and schema.number_problem(column, cell):

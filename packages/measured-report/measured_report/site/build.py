@@ -80,7 +80,7 @@ def build(project: Project, address: str = "") -> Built:
 
 
 def _not_fresh(edition: Edition) -> Iterator[State]:
-    """Yield the sections that are stale, and those that are left out."""
+    """Yield the stale sections and the sections that are left out."""
     for chapter in edition.chapters.values():
         if chapter.state.kind == Kind.STALE:
             yield replace(chapter.state, record=None)
@@ -101,7 +101,7 @@ def _notes(edition: Edition) -> list[str]:
 
 
 def _stray_results(edition: Edition) -> list[str]:
-    """Return a line for each folder, record and trace in results/ that nothing reads.
+    """Return a line for each folder, record and trace in results/ that no code reads.
 
     For example, a section was renamed, or the name of a folder has a typing error.
     """

@@ -1,4 +1,4 @@
-"""Check a built site: its numbers must be those of its data, and its links must work.
+"""Check a built site: its numbers must agree with its data, and its links must work.
 
 A page must also not run or fetch anything that is not a part of the site.
 """

@@ -89,7 +89,7 @@ class Content:
 def contents_of(
     editions: Mapping[str, Edition], release: str, templates: Templates
 ) -> list[Content]:
-    """Return the contents of all pages of a release."""
+    """Return the contents of all pages in a release."""
     edition = editions[release]
     releases = {
         label: release_edition.uncompared for label, release_edition in editions.items()

@@ -1,1 +1,1 @@
-"""Values: numbers that know their unit, their source and their noise."""
+"""Define numbers with a unit, a source and noise."""

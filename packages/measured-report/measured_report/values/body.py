@@ -1,9 +1,9 @@
-"""One body of evidence: the measurements of all editions, evaluated together.
+"""Evaluate the measurements of all editions together.
 
 ``body_of`` gathers the measurements of each number, estimates from all editions how the
-numbers of a column scatter, and returns the evidence of each section of each edition. It
-also checks its own noise: each measurement is left out in turn and predicted from the
-others.
+numbers of a column scatter, and returns the evidence of each section of each edition.
+It also checks its own noise: each measurement is left out in turn and predicted from
+the others.
 """
 
 from collections import Counter, defaultdict
@@ -46,11 +46,14 @@ from measured_report.values.noise import (
 from measured_report.values.scatter import SLOPES, Fit, fit_of, left_out
 
 MOST_DISSENT = 1 / 3
-"""Chosen: if a larger share of the measurements of a row ends otherwise, chance decides how
-that row ends, and none of them is an outlier."""
+"""Chosen: if a larger share of a row's measurements ends differently, the end of the
+row is random, and none of its measurements is an outlier.
+"""
 ODD_ROWS = 0.02
-"""Chosen: the count of rows that is added to those which ended otherwise, in all measurements
-of a section. Without it, one odd row would count as a change if all earlier ones agreed."""
+"""Chosen: the number of rows that is added to the count of differently ended rows in
+all measurements of a section. Without it, one odd row would count as a change if all
+earlier ones agreed.
+"""
 KINDS = (
     "physics",
     "times",
@@ -69,21 +72,22 @@ Chances = Mapping[tuple[str, ColumnKey], Mapping[NumberKey, Any]]  # arrays of c
 
 @dataclass(frozen=True)
 class Body:
-    """The evidence of each section of each edition, and how well it predicts."""
+    """The evidence of each section in each edition, and the quality of its predictions."""
 
     sections: Mapping[SectionKey, Evidence] = field(default_factory=dict)
     calibration: Mapping[str, tuple[int, int]] = field(default_factory=dict)
-    """For each kind of number: the count of measurements that lie within the noise which
-    the others predict, and the count of all."""
+    """For each kind of number: the count of measurements within the noise that the
+    others predict, and the count of all measurements.
+    """
 
 
 def body_of(
     measured: Mapping[SectionKey, Sequence[Record | None]], columns: Schema
 ) -> Body:
-    """Return the evidence of all sections of all editions.
+    """Return the evidence of all sections in all editions.
 
-    ``measured`` has the records of each section: first the one that is shown, then its
-    replicas, None for a replica that lacks the section.
+    ``measured`` contains the records of each section: first the tracked one, then its
+    replicas; None for a replica that lacks the section.
     """
     gathered = {
         key: _Gathered(key[1], records, columns) for key, records in measured.items()
@@ -121,7 +125,7 @@ def body_of(
 
 
 class _Gathered:
-    """Gathers the measurements of one section of one edition."""
+    """Gathers the measurements of one section in one edition."""
 
     def __init__(self, section: str, records: Sequence[Record | None], columns: Schema):
         shown = records[0]
@@ -143,7 +147,7 @@ class _Gathered:
     def _numbers(
         self, rows: Sequence[Mapping[RowKey, Cells]]
     ) -> Iterator[tuple[ColumnKey, RowKey, str, list[float | None]]]:
-        """Yield each number of the record that is shown, with all its measurements."""
+        """Yield each number of the tracked record with all its measurements."""
         for row_key, shown in rows[0].items():
             measured_rows = self._agreeing(
                 row_key, [by_key.get(row_key) for by_key in rows]
@@ -170,10 +174,10 @@ class _Gathered:
                 yield column_key, row_key, name, samples
 
     def _agreeing(self, key: RowKey, rows: list[Cells | None]) -> list[Cells | None]:
-        """Return the measurements of a row without the few that end otherwise.
+        """Return the measurements of a row without the few that end differently.
 
-        If more than ``MOST_DISSENT`` of them end unlike the one that is shown, all are
-        returned, and the row is at an edge.
+        If more than ``MOST_DISSENT`` of them end unlike the tracked one, all of them
+        are returned, because the row is at an edge.
         """
         endings = [ending_of(row, self.columns) if row else None for row in rows]
         dissents = [ending not in (None, endings[0]) for ending in endings]
@@ -192,10 +196,10 @@ class _Gathered:
 def rows_by_key(
     rows: Sequence[Cells], section: str, columns: Schema
 ) -> dict[RowKey, Cells]:
-    """Return the rows of a record by their keys, without those that share one.
+    """Return the rows of a record by their keys, except rows that share a key.
 
-    In the section on noise, the mean of the runs of one case is a row of its own for each
-    column, in place of the runs.
+    In the section on noise, the mean of the runs of one case is a row of its own for
+    each column and replaces the runs.
     """
     singles = [row for row in rows if not is_repeat(row, section, columns)]
     by_key = single((key_of(row, columns), row) for row in singles)
@@ -217,7 +221,7 @@ def _column(key: ColumnKey, columns: Schema) -> Column:
 
 
 def _array(samples: Samples) -> Any:
-    """Return samples by number and measurement, NaN for those that are missing."""
+    """Return samples by number and measurement, with NaN for missing ones."""
     width = max(map(len, samples.values()))
     array = np.full((len(samples), width), np.nan)
     for index, numbers in enumerate(samples.values()):
@@ -228,12 +232,12 @@ def _array(samples: Samples) -> Any:
 
 
 def _row_keys(samples: Samples) -> list[RowKey]:
-    """Return the row of each number; a row occurs once for each edition that has it."""
+    """Return the row of each number. A row occurs once for each edition that has it."""
     return [row_key for _, row_key, _ in samples]
 
 
 def _fits(samples: SamplesByColumn, columns: Schema) -> Fits:
-    """Fit the scatter of each column of each section.
+    """Fit the scatter of each column in each section.
 
     A column with few numbers in one section scatters as it does in all sections.
     """
@@ -299,8 +303,9 @@ def _several(
 
 
 def _chances(samples: SamplesByColumn, fits: Fits) -> Chances:
-    """Return the probability of the distance between each measurement and the mean of the
-    others of its number; NaN if it cannot be tested."""
+    """Return for each measurement the probability of its distance from the mean of the
+    other measurements of its number; NaN if it cannot be tested.
+    """
     chances = {}
     for key, fit in fits.items():
         numbers = samples[key]
@@ -316,7 +321,7 @@ def _chances(samples: SamplesByColumn, fits: Fits) -> Chances:
 def _row_chances(
     chances: Chances, edition: str, section: str
 ) -> list[tuple[RowKey, Any]]:
-    """Return the chances of each number of a section, with the row of that number."""
+    """Return the chances of each number in a section, with its row."""
     return [
         (row_key, of_number)
         for (name, _), numbers in chances.items()
@@ -327,7 +332,9 @@ def _row_chances(
 
 
 def _calibration(chances: Chances, columns: Schema) -> dict[str, tuple[int, int]]:
-    """Return by kind the count of measurements within the predicted noise, and of all."""
+    """Return for each kind the count of measurements within the predicted noise, and of
+    all measurements.
+    """
     counts = dict.fromkeys(KINDS, (0, 0))
     for (_, column_key), numbers in chances.items():
         kind = kind_of(_column(column_key, columns))
@@ -341,11 +348,10 @@ def _calibration(chances: Chances, columns: Schema) -> dict[str, tuple[int, int]
 def _changed(
     chances: Sequence[tuple[RowKey, Any]], odd_rows: float
 ) -> list[tuple[int, int]]:
-    """Return for each measurement the count of its numbers, and of those that differ from
-    the other measurements beyond noise.
-
-    Nothing changed between measurements, so the second count is that of false alarms. The
-    rules are those of a comparison of two editions, see ``changes/moves.py``.
+    """Return for each measurement the count of its numbers, and the count of those that
+    differ from the other measurements beyond noise. Nothing changed between
+    measurements, so the second count is the number of false alarms. The rules are the
+    same as in a comparison of two editions, see ``changes/moves.py``.
     """
     by_measurement: dict[int, dict[RowKey, list[float]]] = {}
     for row_key, of_number in chances:
@@ -368,7 +374,9 @@ def _odd_rows(
     gathered: Mapping[SectionKey, _Gathered],
     outliers: Mapping[SectionKey, set[tuple[RowKey, int]]],
 ) -> dict[str, float]:
-    """Return by section the mean count of rows of a measurement that end unlike others."""
+    """Return for each section the mean number of rows in a measurement that end
+    differently from the others.
+    """
     odd: Counter[str] = Counter()
     measurements: Counter[str] = Counter()
     for (edition, section), rows in gathered.items():
@@ -386,11 +394,10 @@ def _host_scatter(
     samples: SamplesByColumn, fits: Fits, columns: Schema
 ) -> tuple[float, float]:
     """Return the relative variance that all times of one measurement share, and its
-    degrees of freedom.
-
-    The shift of a measurement is the median of log(time / mean time) over all times of a
-    section of an edition. Sections share hosts, so the degrees of freedom are those of the
-    section that was measured most often. The usual variance weighs ``HOST_FREEDOM``.
+    degrees of freedom. The shift of a measurement is the median of log(time / mean
+    time) over all times of a section in an edition. Sections share hosts, so the
+    degrees of freedom are those of the section that was measured most often. The usual
+    variance has the weight ``HOST_FREEDOM``.
     """
     logs_by_section: dict[SectionKey, list[Any]] = defaultdict(list)
     for (section, column_key), of_column in samples.items():

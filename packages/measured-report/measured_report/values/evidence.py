@@ -1,10 +1,10 @@
-"""Evidence: estimates of an edition's numbers from all their measurements.
+"""Estimate an edition's numbers from all their measurements.
 
-A measurement differs from the truth by errors of its host and card, of its process and of
-its run. The estimate of a number that was measured several times is the mean of its
-measurements; their scatter is estimated from all editions, see ``scatter.py``. If no number
-of a column was ever measured twice, its scatter is that of repeated runs of one case, or
-that of the repeats within its own row.
+A measurement differs from the truth by errors of its host and card, of its process and
+of its run. The estimate of a number that was measured several times is the mean of its
+measurements; their scatter is estimated from all editions, see ``scatter.py``. If no
+number of a column was ever measured twice, its scatter is estimated from repeated runs
+of one case, or from the repeats within its own row.
 """
 
 import math
@@ -25,8 +25,9 @@ from measured_report.values.noise import (
 )
 
 REPEATED_SHARE = 1e-3
-"""Chosen: the relative difference that rounding may cause between two machines, in a number
-that repeats to the last bit on each of them."""
+"""Chosen: the relative difference that rounding may cause between two machines, in a
+number whose repeats are bit-identical on each of them.
+"""
 HOST_SHARE = 0.03
 """Chosen: the relative deviation of times between hosts and cards, if no time was measured
 twice. Ten hosts with one kind of card differed by 0.5 to 5 %."""
@@ -35,7 +36,9 @@ HOST_FREEDOM = (
 )
 EDGES = ("_p5", "_p95")  # ends of columns with the quantiles beside a median
 MEDIAN = math.sqrt(math.pi / 2)
-"""The standard error of the median of many normal numbers, divided by that of their mean."""
+"""The standard error of the median of many normal numbers, divided by the standard
+error of their mean.
+"""
 MEAN = "mean of"  # the first part of the key of a mean over runs of one case
 RowKey = tuple[Any, ...]
 Cells = Mapping[str, Any]
@@ -59,7 +62,8 @@ def is_absolute(column: Column) -> bool:
 def scatters(column: Column) -> bool:
     """Return whether measurements of a column differ by chance and are compared.
 
-    The noise of a count of trials follows from the trials, not from other measurements.
+    The noise of a number of trials follows from the trials, not from other
+    measurements.
     """
     is_ignored = column.is_exact or column.trials or "uncompared" in column.kinds
     return not (is_ignored or column.name.endswith(EDGES))
@@ -136,8 +140,9 @@ class Evidence:
         frozenset()
     )  # rows that end in one of two ways, by chance
     odd_rows: float | None = None
-    """The expected number of rows of one measurement that end unlike all others although
-    nothing changed. None if no measurement was repeated."""
+    """The expected number of rows in one measurement that end differently from all
+    others although nothing changed. It is None if no measurement was repeated.
+    """
     host: tuple[float, float] = (HOST_SHARE**2, HOST_FREEDOM)
     """The relative variance of times between hosts, and its degrees of freedom."""
     changed: Sequence[tuple[int, int]] = ()

@@ -12,8 +12,9 @@ BELOW = "<"  # the first character of a number that is below its noise
 DIGITS_KNOWN = 3  # chosen: the most significant digits if the noise is known
 DIGITS_UNKNOWN = 2  # chosen: the most significant digits if the noise is not known
 DIGITS_TYPED = 6
-"""Chosen: an exact number with at most so many digits was typed and is written in full. One
-with more digits was computed, and is written with `DIGITS_KNOWN` digits."""
+"""Chosen: an exact number with at most this many digits was typed and is written in
+full. A longer one was computed, and is written with `DIGITS_KNOWN` digits.
+"""
 DIGITS_EXACT = 12  # chosen: later digits may be rounding errors of floating point
 # Chosen: numbers of these powers of ten are written without an exponent.
 PLAIN_EXPONENTS = range(-4, 7)

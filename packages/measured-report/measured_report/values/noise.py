@@ -1,4 +1,4 @@
-"""Noise: the confidence interval of a number, and the test of a difference of two numbers.
+"""Compute the confidence interval of a number, and test the difference of two numbers.
 
 A number is the mean of all its measurements. ``scatter.py`` estimates the variance that
 both the interval and the test use.
@@ -19,7 +19,8 @@ this distance. A normal distribution has one such number in 1.7 million."""
 LEAST_FENCED = 6  # chosen: fewer numbers do not show which of them is an outlier
 NORMAL = NormalDist()
 Z = NORMAL.inv_cdf((1 + SURE) / 2)
-"""Half the width of the interval that has ``SURE`` of a normal distribution [σ]."""
+"""Half the width of the interval that contains ``SURE`` of a normal distribution [σ].
+"""
 TO_DEVIATION = 1.4826
 """The standard deviation of a normal distribution, divided by its median absolute
 deviation."""
@@ -46,7 +47,7 @@ def chance_of(difference: Any, error: Any, freedom: Any) -> list[float]:
     """Return the probability that two means of one truth differ by as much or more.
 
     All arguments are arrays: the size of the difference, its standard error, and the
-    degrees of freedom of that error. If the error is 0, any difference is certain.
+    degrees of freedom of this error. If the error is 0, any difference is certain.
     """
     import numpy as np
     from scipy.special import ndtr, stdtr
@@ -62,7 +63,7 @@ def chance_of(difference: Any, error: Any, freedom: Any) -> list[float]:
 def discoveries(chances: Sequence[float]) -> float:
     """Return the largest of these chances that counts as a discovery, or 0.
 
-    The method is that of Benjamini and Hochberg (1995), J. R. Stat. Soc. B 57, 289.
+    The method is by Benjamini and Hochberg (1995), J. R. Stat. Soc. B 57, 289.
     """
     limit = 0.0
     for rank, chance in enumerate(sorted(chances), 1):
@@ -149,11 +150,11 @@ class Scatter:
     """The size below which the numbers of a row scatter like a row of their own."""
 
     def key(self, row: Hashable, size: float) -> Hashable:
-        """Return the key in ``rows`` of a number of this size."""
+        """Return the key in ``rows`` for a number of this size."""
         return ("small", row) if size < self.least_sizes.get(row, 0.0) else row
 
     def of(self, row: Hashable, size: float) -> tuple[float, float]:
-        """Return the variance of a number of this size, and its degrees of freedom."""
+        """Return the variance for a number of this size, and its degrees of freedom."""
         column = RowScatter(self.level, self.freedom)
         scatter = self.rows.get(self.key(row, size), column)
         variance = max(scatter.level * size**self.slope, rounding_variance(size))
@@ -177,7 +178,9 @@ class Estimate(NamedTuple):
 
     @property
     def note(self) -> str:
-        """Return a text that lists the measurements, or an empty one for only one."""
+        """Return a text that lists the measurements, or an empty one if there is only
+        one.
+        """
         present = [sample for sample in self.samples if sample is not None]
         if len(present) < 2:
             return ""

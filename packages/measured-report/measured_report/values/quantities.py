@@ -1,4 +1,6 @@
-"""Quantities: numbers with their unit, their noise and a pointer to their source."""
+"""Define quantities: numbers with their unit, their noise and a pointer to their
+source.
+"""
 
 import json
 import math
@@ -38,9 +40,9 @@ FACTOR = re.compile(f"(/?)([^/·{POWERS}]+)([{POWERS}]?)")  # of a unit like mm/
 
 
 def local(text: str, folder: str) -> str:
-    """Return ``text`` with shorter addresses of the values of the site's own edition.
+    """Return ``text`` with shorter addresses for the values of the site's own edition.
 
-    The data of that edition are in ``folder``.
+    ``folder`` contains the data of this edition.
     """
     return text.replace(f"{folder}/{VALUES_FILE}", VALUES_FILE)
 
@@ -88,8 +90,8 @@ def lost_reason(printed: Any) -> str:
 class Quantity:
     """A measured number with its unit and the pointer to its source.
 
-    Arithmetic with quantities makes a ``Term``, whose unit, noise and sources follow from
-    those of its operands.
+    Arithmetic with quantities makes a ``Term``. The operands determine its unit, noise
+    and sources.
     """
 
     value: float | int | None
@@ -270,7 +272,9 @@ def mixed(*origins: frozenset[Origin]) -> str:
 def samples_of(
     function: Callable[..., float], sources: Sequence[Any]
 ) -> list[float | None]:
-    """Return the result of the function in each measurement; none if sources are exact."""
+    """Return the result of the function for each measurement; none if all sources are
+    exact.
+    """
     rows = _measurements(sources)
     return [None if None in row else _evaluated(function, row)[0] for row in rows]
 
@@ -294,13 +298,13 @@ def _measurements(sources: Sequence[Any]) -> list[tuple[Any, ...]]:
 
 
 def noise_of(function: Callable[..., float], sources: Sequence[Any]) -> float | None:
-    """Return the noise of the value of a function of sources.
+    """Return the noise of a function's value.
 
-    Independent errors add in squares, as in the Guide to the Expression of Uncertainty in
-    Measurement (JCGM 100:2008), 5.1.2, with differences in place of derivatives. A chosen
-    number has no noise. Times of one measurement share the error of its host, which cancels
-    in a ratio. So if there are enough measurements of times, all sources are shifted
-    together by the differences between the measurements.
+    Independent errors add in squares, as in the Guide to the Expression of Uncertainty
+    in Measurement (JCGM 100:2008), 5.1.2, with differences instead of derivatives. A
+    chosen number has no noise. Times of one measurement share the error of its host,
+    which cancels in a ratio. So if there are enough measurements of times, all sources
+    are shifted together by the differences between the measurements.
     """
     values: list[Any] = [source.value for source in sources]
     noises = [
@@ -365,8 +369,9 @@ def _shifted(
 ) -> float:
     """Return how far shifts of its values move a function; infinite if it fails.
 
-    A shift has the number that is added to each value, by index. The effects of all shifts
-    add in squares. Each of them is also subtracted, and the larger effect counts.
+    A shift contains the number that is added to each value, by index. The effects of
+    all shifts add in squares. Each shift is also subtracted, and the larger of its two
+    effects counts.
     """
     middle = function(*values)
 
@@ -473,8 +478,9 @@ def combined(
 ) -> Term:
     """Return a function of quantities, series and plain numbers as a term.
 
-    Its unit is ``unit``, or that of the sources. A quantity that occurs twice in it is
-    shifted in both places at once. Raise ReportError if the sources have unlike units.
+    Its unit is ``unit``, or the unit of the sources. A quantity that occurs twice in it
+    is shifted in both places at once. Raise ReportError if the sources have different
+    units.
     """
     for source in sources:
         if not (hasattr(source, "reads") or hasattr(source, "__float__")):
@@ -515,10 +521,10 @@ def combined(
 
 
 def _across(source: Any, terms: dict[int, Any]) -> Any:
-    """Return a source; if it is a term, one that may combine several editions.
+    """Return a source.
 
-    ``terms`` has the terms that were made, because a term that occurs twice has to stay one
-    operand.
+    If it is a term, the copy may combine several editions. ``terms`` contains the terms
+    made so far, because a term that occurs twice has to stay one operand.
     """
     if not isinstance(source, Term):
         return source
@@ -531,7 +537,10 @@ def _across(source: Any, terms: dict[int, Any]) -> Any:
 
 
 def _operands(source: Any) -> Sequence[Any]:
-    """Return the operands of a term; an extreme, or another quantity, is one by itself."""
+    """Return the operands of a term.
+
+    An extreme or any other quantity is its own operand.
+    """
     is_computed = isinstance(source, Term) and not source.chooses
     return source.operands if is_computed else (source,)
 

@@ -1,4 +1,4 @@
-"""Results: the measurements of a section, as its module receives them."""
+"""Provide the measurements of a section to its module."""
 
 import operator
 import re
@@ -57,9 +57,9 @@ class Series:
 class Row:
     """Gives access to the cells of a row: ``row.drag_n`` is a Quantity.
 
-    If the number is missing, the Quantity has no value, but a reason. Texts and flags are
-    returned unchanged. ``plain`` contains the cells as the record stores them, and
-    ``source`` is the pointer to the row below the site's ``data/``.
+    If the number is missing, the Quantity has a reason instead of a value. Texts and
+    flags are returned unchanged. ``plain`` contains the cells as the record stores
+    them, and ``source`` is the pointer to the row below the site's ``data/``.
     """
 
     def __init__(self, results: "Results", index: int | None, case: str = ""):
@@ -162,7 +162,7 @@ class Row:
 
 
 class Rows(dict[str, Any]):
-    """Rows by case. A case without a single row has a row without cells."""
+    """Rows by case. A case with no row or several rows has a row without cells."""
 
     def __init__(self, rows: Mapping[str, Row], results: "Results"):
         super().__init__(rows)
@@ -183,7 +183,7 @@ class Results:
     derived: dict[str, Value] = field(default_factory=dict)
     """All derived values by name."""
     evidence: Evidence = field(default_factory=Evidence, repr=False)
-    """All measurements of the section; they determine the noise of its numbers."""
+    """All measurements of the section. They determine the noise of its numbers."""
     label: str = ""  # name of the section in figures and tables
     labels: Mapping[str, str] = field(default_factory=dict, repr=False)
     """The labels of the cases, see ``label_of``. The reason for a missing number begins
@@ -207,7 +207,7 @@ class Results:
 
     @cached_property
     def rows(self) -> list[Row]:
-        """Return all rows, except those in which a setting or a text is missing."""
+        """Return all rows, except rows without one of the settings or texts."""
         return [
             Row(self, index)
             for index, row in enumerate(self.record.rows)
@@ -227,7 +227,7 @@ class Results:
 
     @cached_property
     def row(self) -> Rows:
-        """Return rows by case, without the cases that have several rows."""
+        """Return rows by case, except cases that have several rows."""
         return Rows(single((row.plain["case"], row) for row in self.rows), self)
 
     def means(self, names: Iterable[str]) -> dict[str, Value]:
@@ -268,13 +268,12 @@ class Results:
         across: bool = False,
         is_noise: bool = False,
     ) -> Value:
-        """Derive the value ``name``, whose ``formula`` describes the computation in words.
-
-        ``function`` is arithmetic with quantities, such as ``a / b``, or a function of the
-        values of ``sources`` with a ``unit``. The value is missing if a source is missing,
-        if the result is not finite, or if the sources are from different releases or
-        machines and ``across`` is not set. The noise follows from that of the sources; a
-        value that ``is_noise`` itself has none.
+        """Derive the value ``name``, whose ``formula`` describes the computation in
+        words. ``function`` is arithmetic with quantities, such as ``a / b``, or a
+        function of the values of ``sources`` with a ``unit``. The value is missing if a
+        source is missing, if the result is not finite, or if the sources are from
+        different releases or machines and ``across`` is not set. Its noise is computed
+        from the noise of the sources. A value that ``is_noise`` has no noise itself.
         """
         if name in self.derived:
             raise ResultsError(

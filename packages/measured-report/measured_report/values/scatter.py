@@ -1,12 +1,12 @@
-"""Scatter: the variance between measurements of a number, estimated from all editions.
+"""Estimate the variance between measurements of a number from all editions.
 
 The numbers of a column in a section scatter alike. Each row has a variance of its own,
 estimated from the measurements of that row in every edition. It is shrunk towards the
-variance of its column; how strongly is estimated from the spread of the variances: Smyth
-(2004), Statistical Applications in Genetics and Molecular Biology 3, article 3. A row that
-was never measured twice has the variance of its column. A row with an outlying variance
-keeps it, and has no influence on other rows: Phipson et al. (2016), Annals of Applied
-Statistics 10, 946-963.
+variance of its column; how strongly is estimated from the spread of the variances:
+Smyth (2004), Statistical Applications in Genetics and Molecular Biology 3, article 3. A
+row that was never measured twice has the variance of its column. A row with an outlying
+variance keeps it, and has no influence on other rows: Phipson et al. (2016), Annals of
+Applied Statistics 10, 946-963.
 """
 
 from collections.abc import Hashable, Sequence
@@ -29,8 +29,10 @@ from measured_report.values.noise import (
 
 Array = Any  # an array of NumPy's
 MOST_FREEDOM = 100.0
-"""The prior degrees of freedom of a column whose variances differ by chance alone. Smyth has
-infinity, but a few rows do not exclude that some scatter more."""
+"""The prior degrees of freedom of a column whose variances differ only by chance.
+
+Smyth uses infinity, but a few rows cannot exclude that some scatter more.
+"""
 LEAST_FREEDOM = 0.2
 """Chosen: the fewest prior degrees of freedom. With fewer, Student's t has no finite
 quantiles in double precision."""
@@ -38,11 +40,13 @@ USUAL_FREEDOM = 4.0  # chosen: the prior degrees of freedom of a column with few
 USUAL_ROWS = 8  # chosen: the count of rows that weigh as much as that usual value
 LEAST_ROWS = 3  # fewer rows do not show how a column scatters
 WILD = 3.3
-"""Chosen: a row keeps its own variance if that exceeds the variance of its column by more
-normal deviations. By chance, one row in 2,000 does."""
+"""Chosen: a row keeps its own variance if it exceeds the variance of its column by more
+than this many normal deviations. By chance, one row in 2,000 does.
+"""
 SLOPES = (2.0, 1.0, 0.0)
-"""The exponents by which the variance of a number may grow with its size: its noise is in
-proportion to it, to its square root, or the same for all sizes."""
+"""The exponents with which the variance of a number may grow with its size: its noise
+is proportional to the size, proportional to its square root, or constant.
+"""
 CLEARLY = 1.25
 """Chosen: the factor by which the spread of the variances has to shrink with another
 exponent. The first exponent is the usual one, and few rows favour others by chance."""
@@ -50,8 +54,9 @@ LEAST_SHARE = 1e-3
 """Chosen: a number below this share of the same row in another edition scatters like another
 row. Its relative scatter can be huge, and does not apply to the larger number."""
 QUIET_SHARE = 0.1
-"""Chosen: if a smaller share of the rows scatters at all, a row that was measured once is
-taken to repeat exactly, like most of its column."""
+"""Chosen: if a smaller share of the rows scatters at all, a row that was measured once
+is assumed to repeat exactly, like most of its column.
+"""
 
 
 @dataclass(frozen=True)
@@ -133,7 +138,10 @@ def fit_of(
 
 
 def _medians(samples: Array) -> Array:
-    """Return the median of each row without NaN. NumPy's own takes ten times as long."""
+    """Return the median of each row without NaN.
+
+    NumPy's own function takes ten times as long.
+    """
     ranked = np.sort(samples, axis=1)  # NaN comes last
     counts = (~np.isnan(samples)).sum(axis=1)
     rows = np.arange(len(samples))
@@ -164,10 +172,9 @@ def _with_rows(
     sizes: Array,
     rows: Sequence[Hashable],
 ) -> Scatter:
-    """Return the scatter with that of each row that was measured more than once.
-
-    If the numbers of a row are close to zero in some editions and not in others, these
-    scatter separately.
+    """Return the scatter, with its own variance for each row that was measured more
+    than once. If the numbers of a row are close to zero in some editions and not in
+    others, these scatter separately.
     """
     least_sizes: dict[Hashable, float] = {}
     for row, size in zip(rows, sizes, strict=True):
@@ -196,7 +203,9 @@ def _with_rows(
 
 
 class LeftOut(NamedTuple):
-    """How each measurement differs from the others, by number and measurement."""
+    """Holds the difference of each measurement from the others, by number and
+    measurement.
+    """
 
     distances: Array  # from the mean of the others; NaN if that cannot be tested
     errors: Array  # standard errors of the distances
@@ -207,7 +216,7 @@ def left_out(samples: Array, rows: Sequence[Hashable], fit: Fit) -> LeftOut:
     """Leave out each measurement in turn and predict it from the others.
 
     Its contribution to the variance of its row is left out as well. The variance of the
-    column, towards which that of the row is shrunk, stays as it is.
+    column, towards which the row's variance is shrunk, does not change.
     """
     unknown = RowScatter(np.nan, np.nan)
     keys = map(fit.scatter.key, rows, abs(fit.values))

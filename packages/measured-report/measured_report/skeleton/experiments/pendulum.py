@@ -28,14 +28,16 @@ INTEGRATORS = {"Euler": euler, "RK4": rk4}
 
 
 def rate(state: np.ndarray) -> np.ndarray:
-    """Return the rates of angle [rad] and speed of a rod of 0.5 m on a hinge."""
+    """Return the derivatives of the angle [rad] and the speed of a rod of 0.5 m on a
+    hinge.
+    """
     return np.array([state[1], -1.5 * 9.81 / 0.5 * np.sin(state[0])])
 
 
 def swing(
     integrator: str, start_rad: float, seconds: float
 ) -> tuple[list[float], list[float]]:
-    """Return times [s] and energies [J] of all steps of a swinging rod of 1 kg.
+    """Return times [s] and energies [J] of a swinging 1 kg rod at each step.
 
     The rod starts at rest, at an angle from straight down.
     """
