@@ -6,17 +6,21 @@ from pathlib import Path
 
 signal.signal(
     signal.SIGINT, signal.SIG_DFL
-)  # while this is being imported there is nothing to say about a Ctrl-C
+)  # During this import, Ctrl-C ends the program without a message.
 HERE = Path(__file__).resolve().parent
 PACKAGES = [str(folder) for folder in sorted((HERE / "packages").glob("*"))]
-sys.path[:0] = [str(HERE), *PACKAGES]  # the first is what PYTHONSAFEPATH leaves out
+sys.path[:0] = [
+    str(HERE),
+    *PACKAGES,
+]  # PYTHONSAFEPATH leaves out the first of these folders.
 
 import os
 
 from measured_report.commands.command_line import main
 
 if __name__ == "__main__":
-    # Programs that are started from here are modules of this folder, and find the packages.
+    # Programs that are started from here are modules of this folder, and find the
+    # packages.
     os.environ.pop("PYTHONSAFEPATH", None)
     os.environ["PYTHONPATH"] = os.pathsep.join(
         [*PACKAGES, *filter(None, [os.environ.get("PYTHONPATH")])]

@@ -80,7 +80,7 @@ def measure_slopes(case: Case) -> Slopes:
     if run.failure:
         return Slopes(*[np.nan] * 5, failure=run.failure)  # type: ignore[misc]  # mypy counts six values, but there are five
     frames = run.frames.copy()
-    # The displacement counts from the end of the first frame.
+    # The displacement is measured from the end of the first frame.
     frames[: run.shaking[0] + 1] = 0.0
     poses = run.trace.poses[run.shaking[0]].astype(float)
     along = frames.cumsum(axis=0)[run.shaking] @ metrics.rotate_inverse(

@@ -69,7 +69,7 @@ class Plugins(plugins.Plugins):
         results = self.edition.chapters["poses"].results
 
         def make() -> dict[str, Any] | None:
-            # Imported here because NumPy takes long to import.
+            # Imported here because importing NumPy is slow.
             from report.media.packed import packed_runs
 
             with suppress(ReportError, LookupError, TypeError, ValueError):

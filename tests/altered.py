@@ -208,7 +208,7 @@ def reversed_frame(path: Path, frame: pd.DataFrame) -> pd.DataFrame:
     end = float(np.linalg.norm(frame[["x_mm", "y_mm", "z_mm"]].iloc[-1]))
     factor = (
         2.0 / end**2 if end else 1.0
-    )  # 2 mm² is the slip as shipped times that with stiff pads
+    )  # 2 mm² is the product of the slips with shipped and with stiff pads
     return _moved(frame, lambda column, cells: factor * cells)
 
 
@@ -341,7 +341,7 @@ def project_of(
 
         with mock.patch(
             "measured_report.values.results.load_trace", load
-        ):  # to write a trace takes long
+        ):  # writing a trace is slow
             yield project
 
 
@@ -373,7 +373,7 @@ def said(scenario: Scenario) -> tuple[dict[str, str], list[str]]:
     """
     own = own_release()
     releases = [own, NEWEST] if scenario.name == CHECKED else [own]
-    # Most of the time goes into drawings.
+    # Drawings take most of the time.
     undraw = mock.patch("measured_report.parts.figures.draw_svgs", _undrawn)
     with project_of(scenario, releases) as project, undraw:
         if scenario.name != CHECKED:

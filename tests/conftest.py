@@ -40,13 +40,13 @@ from measured_report.records.traces import load_trace
 from measured_report.site.pages import Content, contents_of
 from report import sections
 
-wp.config.enable_backward = False  # before kernels are imported, of which gradients are half of what is compiled
+wp.config.enable_backward = False  # before the import of kernels, half of whose compiled code would be gradients
 INSTALLED = package_versions()
 IMPORTED = (ROOT, *(ROOT / "packages").iterdir(), ROOT / "tests", HERE)
 os.environ["PYTHONPATH"] = os.pathsep.join(
     map(str, IMPORTED)
-)  # of the programs that the tests start
-# To compile the kernels takes minutes, and Warp tells what has changed.
+)  # for the programs that the tests start
+# Compiling the kernels takes minutes, and Warp detects changes itself.
 os.environ.setdefault("WARP_CACHE_PATH", str(KEPT / "warp-of-tests"))
 
 needs_boxes_in_c = pytest.mark.skipif(
@@ -176,7 +176,7 @@ def toy(tmp_path, monkeypatch) -> Iterator[Toy]:
     """Return a function that derives a section of this report among all others."""
     monkeypatch.setattr(
         sys, "dont_write_bytecode", True
-    )  # a file changes here within the second that a cache tells
+    )  # a file changes here within a second, the resolution of the cache
     lay_out(folder := tmp_path / "project")
     for name in ("report.toml", "pyproject.toml"):
         (folder / name).unlink()
@@ -206,7 +206,7 @@ def poses_path(tmp_path_factory) -> Path:
 def tracked_mm(folder: Path, case: str, frame_count: int) -> float:
     """Return how far a tracked run has slipped after a number of frames."""
     from experiments.simulation.measurement import (
-        SETUP_FRAME_COUNT,  # most tests need no simulator
+        SETUP_FRAME_COUNT,  # most tests do not need the simulator
     )
 
     moved = load_trace(folder / f"reproduction.{case}.csv.gz")[["x_mm", "y_mm", "z_mm"]]

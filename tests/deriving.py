@@ -42,7 +42,7 @@ NOISES = dict.fromkeys(
 )
 NOISES |= {"slip_mm": 0.001, "drift_mm_s": 0.0001}
 """Noise of columns unless a test sets it. The noise of other columns is unknown."""
-RUN_COUNT = 10**9  # so many runs that their scatter is known
+RUN_COUNT = 10**9  # enough runs to know their scatter
 FLAGS = {
     ("drift_law", "law/follows"): ["follows"],
     ("envelope", "maps/keeps"): ["stiff_pads_never_drop"],

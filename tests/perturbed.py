@@ -129,7 +129,7 @@ class Perturbation:
                     chapters[section] = replace(chapter, results=results)
         if (
             name not in releases[release]
-        ):  # what a text of a page tells has no record of its own
+        ):  # the claims of a page's text have no record of their own
             derive = import_module(f"{report().settings.text_modules}.{name}").derive
             return (
                 derive(releases, release)

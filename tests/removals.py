@@ -56,7 +56,7 @@ class Removal:
     release: str
     section: str = ""
     row: int | None = None
-    is_broken: bool = False  # the row stays, and its numbers are not finite
+    is_broken: bool = False  # the row remains, but its numbers are not finite
 
     def __str__(self) -> str:
         parts = [self.release, self.section, "" if self.row is None else str(self.row)]

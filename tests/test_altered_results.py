@@ -30,7 +30,7 @@ RECOMMENDING += (
 )
 BELOW_THE_NOISE = ("envelope.map_gain", "hold.creep_goes_on", "gap.not_the_cause")
 
-NEEDS = {  # claims that hold, and what then holds, or fails, as well
+NEEDS = {  # claims that hold, and claims that must then hold or fail as well
     "stiffness.cause": (
         *("contacts.missing_term", "contacts.term_restored", "contacts.slide_accounts"),
         "hold.drift_needs_cycle",

@@ -23,7 +23,7 @@ PACKAGES = {
 FOLDERS = ("experiments", "report", *PACKAGES)
 TERM = (
     ROOT / "packages/contact-bias"
-)  # whose modules are in no folder: the site offers two of them as files
+)  # modules without a folder: the site offers two of them as files
 OUTSIDE = (
     "build",
     "experiments.facts",
@@ -196,12 +196,13 @@ def test_what_computes_rows_has_the_generator_for_carrying_alone():
     }
     assert {
         name for name in used if name.count(".") > 1
-    } == CARRYING  # not the packages that these are in
+    } == CARRYING  # except the packages of these modules
 
 
 def test_no_import_leads_in_a_circle_and_the_generator_has_few_rooms():
     names = imports()
-    # A package is there before the modules in it, so that what they take from it is no circle.
+    # A package is imported before its modules, so their imports from it are not a
+    # cycle.
     inner = {
         module: {name for name in found if not module.startswith(f"{name}.")}
         for module, found in names.items()

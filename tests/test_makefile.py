@@ -19,7 +19,7 @@ WORDS = ["$(shell touch {})", "$$(touch {})", "`touch {}`", "'; touch {}; '"]
 
 
 def make(*arguments: str | Path, level: str = "0") -> subprocess.CompletedProcess:
-    # These tests may run below a make themselves.
+    # A make may run these tests itself.
     environment = {
         name: value
         for name, value in os.environ.items()

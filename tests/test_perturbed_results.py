@@ -60,7 +60,8 @@ def damaged(record: Record, chance: random.Random) -> Record:
     if chance.random() < 0.2 and len(rows) > 1:
         return replace(record, rows=[*rows[:index], *rows[index + 1 :]])
     row = rows[index]
-    # Not a reason: without it nobody can say why its number is not there.
+    # Reasons are left out, because without one the cause of a missing number is
+    # unknown.
     column = chance.choice(
         [column for column in row if column != "case" and not column.endswith(REASON)]
     )
@@ -126,7 +127,7 @@ def test_a_damaged_record_takes_nothing_down(perturbation):
         for claim in section.claims:
             place = release, name, claim.name
             assert claim.outcome.name == "unknown" or ABSENT not in claim.text, place
-            # What did not hold before may fail by another number still.
+            # A claim that did not hold before may fail because of another number.
             answers = {"unknown"} if claim.name in held else {"unknown", "fails"}
             assert claim.outcome.name in answers or not lost & claim.outcome.reads, (
                 place

@@ -32,7 +32,9 @@ def removals(world) -> list[Removal]:
     return [each for each in removals_of(world, RELEASES) if each.section != noise]
 
 
-@settings(max_examples=FEW, phases=[Phase.generate])  # to shrink one takes minutes
+@settings(
+    max_examples=FEW, phases=[Phase.generate]
+)  # shrinking an example takes minutes
 @given(data=st.data())
 def test_what_is_missing_changes_no_sentence_that_does_not_read_it(
     world, removals, data

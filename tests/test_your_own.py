@@ -19,7 +19,7 @@ FILE = re.compile(
 SCRIPT = re.compile(r"way is better:\n\n```python\n(.*?)```", re.DOTALL)
 LINES = re.compile(r"^ {4}(make .*)$", re.MULTILINE)
 UV = Path(sys.executable).with_name("uv")
-MOST_BYTES = 320 << 20  # SciPy is a third of it
+MOST_BYTES = 320 << 20  # SciPy is a third of the installation
 
 
 def files() -> dict[str, str]:

@@ -5,7 +5,7 @@ import sys
 
 signal.signal(
     signal.SIGINT, signal.SIG_DFL
-)  # while this is being imported there is nothing to say about a Ctrl-C
+)  # During this import, Ctrl-C ends the program without a message.
 
 from measured_report.commands.command_line import main
 

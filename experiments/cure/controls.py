@@ -24,8 +24,8 @@ from experiments.facts.case import AS_SHIPPED
 from experiments.simulation.measurement import Conditions, summarize
 from experiments.simulation.reference import NativeShake, pilot_at_shake, starts_of
 
-# Amplitude and angular frequency are those of the shake. The cube settles during the
-# first period.
+# Amplitude and angular frequency are the same as in the shake. The cube settles during
+# the first period.
 SHAKE_M, SHAKE_RAD_S = (
     0.03,
     2.0 * np.pi,

@@ -6,8 +6,8 @@ import numpy as np
 from experiments.drivers.contacts import Contacts
 from experiments.simulation.c_warnings import refuse_warned
 
-# Steps of ``advance``. It is two because Newton steps from one state into another and
-# back.
+# Number of steps in one call of ``advance``. There are two because Newton steps from
+# one state into another and back.
 STEPS = 2
 
 

@@ -28,7 +28,7 @@ from experiments.simulation.measurement import (
 )
 from measured_report.measuring.batch import Batch, Plan
 
-# read by ``measured_report.measuring.machine``; the section takes minutes
+# ``measured_report.measuring.machine`` reads this; the section takes minutes
 NEEDS_GPU = False
 SECONDS = {
     "full": {"turntable": 4.0, "pinch": 2.0},

@@ -78,8 +78,8 @@ class Case:
     contact_bias: bool = False
     """Whether friction rows include the acceleration J̇ q̇, which the engine ignores.
     """
-    # Whether they also use the mean velocity of the last step instead of that at its
-    # end.
+    # Whether these rows also use the mean velocity of the last step instead of the
+    # velocity at its end.
     bias_centred: bool = False
     bias_normal: bool = False  # whether normal rows include it as well
     compensated: bool = False

@@ -173,7 +173,8 @@ class Grasp:
     stiffness_n_m: float
     timeconst_s: float
     dampratio: float
-    # Timeconst of solreffriction; 0 if the friction rows use that of the normal row.
+    # Timeconst of solreffriction; 0 if the friction rows use the timeconst of the
+    # normal row.
     friction_timeconst_s: float
     friction_dampratio: float
     friction: float

@@ -54,9 +54,10 @@ WITH_MOST_WORLDS = (
 """Parts left out with the most worlds, for which building a batch takes longer than
 timing it.
 """
-# Parts left out on a CPU, where frames with large buffers take long.
+# Parts that are left out on a CPU, where frames with large buffers are slow.
 ON_CPU = ("buffers",)
-# Worlds of a case that runs to the end on a GPU. On a CPU all worlds would be equal.
+# Number of worlds for a case that runs to the end on a GPU. On a CPU all worlds would
+# be equal.
 RUN_COUNT = 8
 AUDIT_FRAME_COUNT = {"full": 250, "quick": 130}
 

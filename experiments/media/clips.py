@@ -309,7 +309,7 @@ def long_exposure(clip: Clip, frequency_hz: float, device: str) -> np.ndarray:
     for frame in np.searchsorted(first.time_s, times - 1e-9):
         stage.place([_magnified(run, start, frame) for run in clip.runs])
         exposures.append(stage.picture(camera, STILL[0] // 2, PANEL_HEIGHT))
-    # A mean alone would make the edges of each exposure too faint.
+    # Only averaging would make the edges of each exposure too faint.
     picture = 0.5 * np.mean(exposures, axis=0) + 0.5 * np.max(exposures, axis=0)
     sheet = Sheet(*STILL, HEAD)
     for number, (name, run, colour) in enumerate(

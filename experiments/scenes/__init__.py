@@ -4,7 +4,8 @@ from experiments.scenes import capsule, pick, slope
 from measured_report.measuring.batch import Batch, Plan
 from measured_report.measuring.measurement import Conditions, Measurement
 
-# Read by ``measured_report.measuring.machine``. A CPU measures these scenes in minutes.
+# ``measured_report.measuring.machine`` reads this. A CPU measures these scenes in
+# minutes.
 NEEDS_GPU = False
 SCENES = {"slope": slope, "capsule": capsule, "pick": pick}
 

@@ -45,7 +45,7 @@ def table_of(
         columns: The cells of each heading, or the name of a column of ``rows``.
         numbers: Numbers that the caption can print.
     """
-    import pandas as pd  # imported here because it takes long, and cached sections do not need it
+    import pandas as pd  # imported here because it is slow, and cached sections do not need it
 
     cells = {
         title: [cell_or_lost(row, column) for row in rows]

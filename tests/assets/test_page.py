@@ -86,7 +86,8 @@ def tab(browser, request) -> Iterator["sync_api.Page"]:
     )
     yield tab
     context.close()
-    # Not what is said of drawing without a graphics card, nor what is given up when another page is gone to.
+    # Messages about drawing without a graphics card, and about requests that a new page
+    # cancels, do not count.
     assert [
         each
         for each in problems
@@ -143,7 +144,7 @@ def test_every_page_fits_its_screen_and_can_be_read_by_all(site, tab):
             or path.parent != site
             or (tab.viewport_size["width"] < 600 and path.stem != "index")
         ):
-            continue  # to judge a page takes long, and on a phone differs in colours alone
+            continue  # judging a page is slow, and on a phone only the colours differ
         tab.evaluate(axe)
         found = tab.evaluate("axe.run({resultTypes: ['violations'], preload: false})")[
             "violations"
@@ -184,7 +185,7 @@ def test_answers_come_first(site, tab, screens):
         assert tab.locator('[data-answer="fix"] pre').count() == 1
         for figure in tab.locator(
             "#story-frontier"
-        ).all():  # the next screen has what decides
+        ).all():  # the text that decides is on the next screen
             assert (
                 figure.bounding_box()["y"]
                 < (screens + 0.5) * tab.viewport_size["height"]

@@ -48,7 +48,7 @@ def test_rows_of_what_an_engine_answers():
         assert row["growth_per_s"] is None and reason in row["growth_per_s_reason"]
     late = sinking * (
         time_s[:, None] > 3.95
-    )  # the last place, 8 mm down, says it alone: 20 mm may be
+    )  # only the last position, 8 mm down, shows it: 20 mm are allowed
     assert engines.columns("pinch", shown(2.4 * late))["creep_mm_s"] > 0.0
     assert (
         engines.columns("pinch", shown(2.6 * late))["creep_mm_s_reason"]
@@ -74,7 +74,7 @@ def test_an_engine_that_cannot_be_installed_or_ends_is_a_reason_and_no_error(
     )
     monkeypatch.setattr(
         engine, "python_with", lambda *_: sys.executable
-    )  # which has no dartpy
+    )  # this Python does not have dartpy
     [reason] = engine.run([scene], engines.DART)
     assert "dartpy" in reason
 
@@ -154,7 +154,7 @@ def test_rows_of_a_shake_that_an_engine_shows():
     forces = np.array([[20.0, 5.0, math.nan]] * 301)
     found = Trace(
         np.concatenate([poses[:1], moved]), forces
-    )  # the first one is before the first frame
+    )  # the first pose is before the first frame
     row = robot.row_of("dart", "links", own, robot.traced(found, frames))
     names = ("case", "backend", "model", "shake", "armature")
     assert [row[name] for name in names] == [

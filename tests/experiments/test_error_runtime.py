@@ -39,7 +39,7 @@ def shakes():
     simulations = {
         point: error_runtime.in_warp(point, pilot, pilot.device) for point in points
     }
-    starts = error_runtime.starts_by_pads(pilot, FRAME_COUNT)  # runs the pilot on
+    starts = error_runtime.starts_by_pads(pilot, FRAME_COUNT)  # the pilot runs on
     return error_runtime.run_shakes(simulations), starts
 
 

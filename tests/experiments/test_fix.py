@@ -53,7 +53,9 @@ def run_script(text: str, folder: Path, frame_count: int = FEW) -> tuple[int, st
 def _be_the_script(folder: Path, frame_count: int) -> None:
     os.chdir(folder)
     sys.argv = ["scene.py", *OPTIONS, "--num-frames", str(frame_count)]
-    newton.use_coord_layout_targets = False  # as where nothing else has run
+    newton.use_coord_layout_targets = (
+        False  # as in a process in which no other scene has run
+    )
     sys.stdout = sys.stderr = Path("said").open("w", encoding="utf-8")  # noqa: SIM115 # how it ends is said later
     runpy.run_path("scene.py", run_name="__main__")
 

@@ -61,7 +61,7 @@ def recorded(*forces_n, body: int = -1) -> dict[str, float]:
 def test_a_contact_is_taken_apart_along_its_normal_with_the_mean_of_two_frictions(body):
     found = recorded(
         [3.0, 0.0, -4.0], body=body
-    )  # on the first shape, of which the normal points away
+    )  # on the first shape, whose normal points away from it
     assert (found["normal_force_n"], found["tangential_force_n"]) == pytest.approx(
         (4.0, 3.0)
     )
@@ -106,7 +106,7 @@ def test_a_world_that_drops_rows_has_failed_from_the_first_frame_on_in_which_it_
     first = array([7, 7, 3])
     is_over = array(
         [True, False, True, True], wp.bool
-    )  # the last one is of what belongs to no world
+    )  # the last contact belongs to no world
     wp.launch(
         watch_overflow,
         dim=3,

@@ -59,7 +59,7 @@ def along(axis: int, values) -> np.ndarray:
     return np.outer(values, np.eye(3)[axis])
 
 
-# Section stability.
+# These columns belong to section stability.
 
 
 def test_a_cube_leaves_with_the_speed_that_its_way_and_its_height_show():
@@ -69,11 +69,11 @@ def test_a_cube_leaves_with_the_speed_that_its_way_and_its_height_show():
     case = replace(AS_SHIPPED, start_overlap_m=2e-3)
     rises = 0.018 + 0.02 * np.arange(
         1, 31
-    )  # 1.2 m/s, from 18 mm on; contact ends at 20 mm
+    )  # 1.2 m/s from 18 mm on; contact ends at 20 mm
     trace = trace_of(np.zeros((30, 3)))
     trace.poses[:, metrics.CUBE, :3] = stability.cube_start(case)
     trace.poses[:, metrics.CUBE, 2] = rises
-    trace.poses[20:, metrics.CUBE, 2] += 5.0  # beyond the 15 frames that count
+    trace.poses[20:, metrics.CUBE, 2] += 5.0  # outside of the 15 frames that count
     middle = 0.5 * (rises[14] + rises[13])
     assert stability.exit_speed_m_s(case, trace) == pytest.approx(
         np.sqrt(1.44 + 2.0 * G * (middle - 0.02))
@@ -81,7 +81,7 @@ def test_a_cube_leaves_with_the_speed_that_its_way_and_its_height_show():
     held = replace(case, cube_in_hand=True)
     trace.poses[:, metrics.CUBE, :3] = stability.cube_start(held)
     trace.poses[2, metrics.CUBE, 2] -= (
-        0.01  # down, from where it starts, at 0.6 m/s: no height to add
+        0.01  # from its start it moves down at 0.6 m/s, so no height is added
     )
     assert stability.exit_speed_m_s(held, trace) == pytest.approx(0.6)
 
@@ -92,7 +92,7 @@ def test_the_grip_is_that_at_the_end_of_the_hold_unless_the_cube_slides_out_of_i
     The last frame but one and the nine before it count, and the cube may move by 5 mm.
     """
     force = np.where((np.arange(100) >= 80) & (np.arange(100) < 90), 24.0, 50.0)
-    force[0], force[85] = 7.0, 99.0  # which the median leaves out
+    force[0], force[85] = 7.0, 99.0  # the median leaves this frame out
     for moved_m, grip_n in ((0.0049, 24.0), (0.0051, 7.0)):
         place = along(
             2,
@@ -154,7 +154,8 @@ def test_what_is_observed_of_a_run_is_in_millimetres_and_as_a_share_of_what_fric
     assert row["load"] == pytest.approx(0.032 * G / (0.5 * 24.0))
 
 
-# Sections hold, poses, contacts, stiffness, error_runtime, leave_out.
+# These columns belong to sections hold, poses, contacts, stiffness, error_runtime and
+# leave_out.
 
 
 def test_a_held_cube_creeps_down_the_tool_and_by_so_much_in_its_last_second():
@@ -167,7 +168,7 @@ def test_a_held_cube_creeps_down_the_tool_and_by_so_much_in_its_last_second():
     assert row["increment_final_mm"] == pytest.approx(2.0 + 9.0 - 4.0)
     assert hold.creep(trace_of(-place))["increment_final_mm"] == pytest.approx(
         7.0
-    )  # in the direction in which it ends
+    )  # in the direction of its end
     assert hold.creep(trace_of(place[:60]))["creep_z_mm_s"] is None
     assert hold.LONG_FRAME_COUNT - hold.SETUP_FRAME_COUNT - 1 == 60 * FRAME_RATE
 
@@ -371,7 +372,7 @@ def test_an_audit_counts_what_is_used():
     assert seen.changed_count("sensordata") == 2
 
 
-# Section cure, and scenes.
+# These columns belong to section cure and to scenes.
 
 
 @pytest.mark.parametrize(
@@ -403,7 +404,7 @@ def test_what_moves_along_an_arc_creeps_on_hinges_whether_it_turns_or_not_and_no
     }
     mean_m_s2 = (0.03 * 2.0 * np.pi) ** 2 / (
         2.0 * controls.PLACE_M
-    )  # of the speed's square over the radius
+    )  # relative to the square of the speed divided by the radius
     assert drifts["hinge"] == pytest.approx(
         1e3 * mean_m_s2 * (0.95 * 0.02 / 2.0 - 0.002 / 2.0), rel=0.03
     )
@@ -499,12 +500,12 @@ def test_drops_are_counted_from_when_the_object_should_be_up(monkeypatch):
         command=lambda _: None, advance=lambda: None, body=lambda: (next(shown), None)
     )
     monkeypatch.setitem(pick.ENGINES, "c", lambda *_: world)
-    case = pick.Pick("", timestep=1.0)  # up after the second sample of 2 s
+    case = pick.Pick("", timestep=1.0)  # upward after the second sample of 2 s
     row = pick.shake(case, np.zeros((9, 4, 8)), "cpu")
     assert list(row.values()) == [3, 1, 4.0, 12.0, 16.0]
 
 
-# Other engines, and Newton's own solvers.
+# These columns belong to other engines and to Newton's own solvers.
 
 
 def test_bodies_have_the_inertia_that_mujoco_gives_their_shapes():

@@ -26,11 +26,13 @@ def test_the_limits_are_as_by_hand():
     assert not limits.is_clamped(replace(BASE, pad_kd=961.0, pad_direct=True))
     still = replace(BASE, shake_amplitude_m=0.0)
     assert limits.target_demand_m_s2(still) == pytest.approx(9.81)
-    # 32 g at 9.81 m/s² on two pads that press with 1.57 N together, μ = 0.1: twice what friction can carry.
+    # 32 g at 9.81 m/s² on two pads that press with 1.57 N together, with μ = 0.1: this
+    # is twice the friction that they can carry.
     assert limits.friction_load(
         replace(still, pad_mu=0.1), 9.81, 1.5696
     ) == pytest.approx(2.0, rel=1e-4)
-    # As shipped k = 1 / (0.95 * 0.02)², so a millimetre leaves at 1e-3 / 0.019 m/s.
+    # As shipped k = 1 / (0.95 * 0.02)², so an overlap of 1 mm gives a speed of 1e-3 /
+    # 0.019 m/s.
     assert limits.exit_bound_m_s(replace(BASE, start_overlap_m=1e-3)) == pytest.approx(
         1e-3 / 0.019
     )
@@ -96,7 +98,8 @@ def test_a_cube_starts_in_the_hand_with_its_grip_and_weight(extremes):
     _, trace = extremes["large"]
     fingers = trace.poses[60, 3:5, :3]
     assert np.linalg.norm(fingers[0] - fingers[1]) == pytest.approx(0.08, abs=1e-4)
-    # 256 g need 2.5 N of friction, 24 N of grip give μ times as much: the tangential force is the weight.
+    # 256 g need 2.5 N of friction, and 24 N of grip give μ times as much. The
+    # tangential force is the weight.
     assert trace.column("tangential_force_n")[60] == pytest.approx(
         0.256 * 9.81, rel=0.02
     )

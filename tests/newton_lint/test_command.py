@@ -97,7 +97,7 @@ def test_a_clean_scene(scene, capsys):
     assert ": 2 shapes, 1 pair, dt 0.002 s: nothing found" in out.splitlines()[0]
     assert (
         "timeconst 0.02 s; 8.5 mm/s per m/s²" in out
-    )  # 0.95 · 20 ms / 2 less half a step
+    )  # 0.95 · 20 ms / 2, minus half a step
     texture = '<asset><texture name="a" type="2d" file="no.png"/><material name="b" texture="a"/></asset>'
     assert (
         main(

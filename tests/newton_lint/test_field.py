@@ -14,7 +14,7 @@ KNEE = LINK.format(
     joint='axis="0 1 0" damping=".05"',
     geom='size=".02" fromto="0 0 0 .2 0 0" mass=".4"',
 )
-SCENES = {  # bodies, options, what is said, what is not
+SCENES = {  # bodies, options, expected parts of the message, parts that must be absent
     "a servo too stiff for the step": (
         KNEE + SERVO.format('kp="4000"', 'qpos="0"'),
         'timestep=".005" integrator="implicitfast"',

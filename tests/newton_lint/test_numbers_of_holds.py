@@ -92,7 +92,8 @@ def test_of_two_frictions_the_lower_gives_way_by_the_square():
     assert [touch.softer for touch in hold.touches] == pytest.approx(
         [2.5] * 4, rel=1e-2
     )
-    # The ellipse's radius there is 0.8 / √2.5, which √2 N a kilogram need 2.8 N to press with.
+    # The ellipse has a radius of 0.8 / √2.5 there, so √2 N per kilogram need a force of
+    # 2.8 N.
     for share, slides in ((0.27, True), (0.29, False)):
         touches = [
             replace(touch, normal_n=share * touch.normal_n) for touch in hold.touches
@@ -108,7 +109,8 @@ def test_what_turns_leaves_its_centripetal_acceleration_out():
     assert hold.acceleration_mm_s == pytest.approx(
         (0.9 * 10.0 - 1.0) * 0.25, rel=1e-3
     )  # (1/b - h/2) ω² r
-    # Of the load m ω² r on one point R/b is (1 - d) timeconst / 2 / m; the table, of 1e6 kg m², adds none.
+    # For the load m ω² r on one point, R/b is (1 - d) timeconst / 2 / m; the table with
+    # 1e6 kg m² adds nothing.
     assert hold.mm_s == pytest.approx(8.0 * 0.25 + 0.1 * 10.0 * 0.25, rel=2e-3)
 
 
@@ -151,7 +153,7 @@ def test_a_touch_counts_by_its_share_of_the_last_fifth():
     [touch] = hold.touches
     assert touch.normal_n * 0.1 == pytest.approx(
         0.5 * 9.81 * 0.45, rel=0.2
-    )  # a mean over all steps: it is stopped
+    )  # a mean over all steps, because the body was stopped
 
 
 @pytest.mark.parametrize(

@@ -94,7 +94,7 @@ def test_what_a_force_gives_a_body_is_energy_that_it_gained(speed):
         False,
     )
     turned = run_of(of().model, Pushed("the start", torque=(1.0, 1.0, 1.0)), 0.2)
-    assert turned.rise_m2_s2[0] == 0.0  # what turns is not thrown
+    assert turned.rise_m2_s2[0] == 0.0  # a rotating body does not count as thrown
     falls = ran(of(g=-9.81))
     assert (falls.thrown_m_s[0], falls.speeds_m_s[0]) == (0.0, pytest.approx(1.962))
     assert ran(
@@ -257,7 +257,11 @@ HARM = [
     ({}, {"cost_s": 6.02}, "costs 3 times as much"),
     ({}, {"bad": True}, "blows up after 0.2 s"),
     ({"bad": True}, {"deepest_m": 1.0}, ""),
-    ({"thrown": 0.51}, {"thrown": 0.24, "late_m": 0.009}, ""),  # it lies now
+    (
+        {"thrown": 0.51},
+        {"thrown": 0.24, "late_m": 0.009},
+        "",
+    ),  # the position in which it lies now
     ({"thrown": 0.51}, {"thrown": 0.26, "late_m": 0.009}, "at the end"),
     ({"thrown": 0.49}, {"thrown": 0.24, "late_m": 0.009}, "at the end"),
     (

@@ -48,13 +48,13 @@ STEEP = 1.0 + 0.8**2
             {},
             0.9,
             0.2,
-        ),  # two steps: 4 ms · 0.95 / 2 less 1 ms
+        ),  # two steps: 4 ms · 0.95 / 2, minus 1 ms
         (
             {"solref": (0.003, 1.0)},
             {"refsafe": False},
             0.425,
             0.15,
-        ),  # 3 ms · 0.95 / 2 less 1 ms
+        ),  # 3 ms · 0.95 / 2, minus 1 ms
         ({"solref": (0.02, 3.0)}, {}, 8.5, 1.0),
         ({"solref": (-2500.0, -100.0)}, {}, 8.5, 1.0),  # 0.95 / 100 s
         ({"solref": (-2500.0, 1.0)}, {}, 8.5, 1.0),  # mixed: the default
@@ -195,7 +195,8 @@ def test_stiffness_damping_and_r_are_the_engines(cone, solref, refsafe):
     response = law.response_of(contact, option, d)
     assert law.stiffness(contact, option, d) == pytest.approx(k)
     assert 1.0 / response.acceleration_s == pytest.approx(b)
-    # Friction F slides a pyramid's two edges, each by μ, apart: F = 2 μ² b v / R.
+    # A friction force F moves the two edges of a pyramid apart, each by μ: F = 2 μ² b v
+    # / R.
     r = data.efc_R[1] if cone == "elliptic" else data.efc_R[0] / (2.0 * 0.7**2)
     assert response.load_m_s_n == pytest.approx(r / b, rel=1e-4)
 
@@ -288,7 +289,11 @@ def test_points_share_a_load_as_scipy_shares_it():
         ),
         ({"cone": "pyramidal"}, {"condim": 1}, 0.24),
         ({"impratio": 4.0}, {"condim": 6}, 0.24),
-        ({}, {"weight_1_kg": 20000.0}, 1e3 * min(2.4, 1.0)),  # no deeper than it looks
+        (
+            {},
+            {"weight_1_kg": 20000.0},
+            1e3 * min(2.4, 1.0),
+        ),  # not deeper than the geometry shows
     ],
 )
 def test_a_force_presses_a_point_in_until_its_spring_bears_it(

@@ -259,7 +259,7 @@ QUIET = [
     (
         "solref-format",
         {"floor": 'solref="0.02 -1"', "rest": PAIR.format("")},
-    ),  # of which nothing counts
+    ),  # its parameters do not count
     ("timeconst", alone("0.00399999 1")),
     ("timeconst", alone("0.003 1", flag='<flag refsafe="disable"/>')),
     ("timeconst", alone("0.0011 2", integrator=DISCRETE)),
@@ -290,7 +290,7 @@ QUIET = [
     ("friction", {"part": 'friction="0.1" condim="1"', "floor": 'condim="1"'}),
     ("pyramid", {"floor": 'friction="3"'}),
     ("pyramid", {"floor": 'friction="3"', "option": 'cone="elliptic" impratio="10"'}),
-    ("timeconst", {"dt": 0.015}),  # of the default
+    ("timeconst", {"dt": 0.015}),  # of the default value
     ("lost", {"floor": 'conaffinity="4"'}),
     (
         "lost",

@@ -248,7 +248,7 @@ def test_what_stands_and_starts_wrong_is_said_with_what_mends_it(
     assert said in out and advice in out, out
     assert [path.name for path in tmp_path.iterdir()] == [
         "scene.xml"
-    ]  # MuJoCo writes a log of what blows up
+    ]  # MuJoCo writes a log of unstable runs
 
 
 def test_the_thickness_that_is_named_stops_a_fall(tmp_path, capsys):

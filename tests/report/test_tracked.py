@@ -94,7 +94,7 @@ def shaken(row: dict, floors: dict[str, float], chance: random.Random) -> dict:
         or row.get("device") == "cpu"
         or row["case"].startswith("double-")
     ):
-        return row  # these runs give the same bits every time
+        return row  # these runs are bit-identical every time
     found = {name: row[name] for name in floors if row.get(name) is not None}
     moved = {
         name: value + (chance.random() - 0.5) * floors[name]

@@ -77,7 +77,7 @@ def episodes(
             True,
         )
         env._set_task_called = True
-        del env.sawyer_observation_space  # this was made without the goal
+        del env.sawyer_observation_space  # this record was made without the goal
         env.seed(seed)
         yield _run(env, ENV_POLICY_MAP[task]())
 

@@ -69,7 +69,7 @@ SETTINGS: dict[str, Change] = {
     "condim": like_pads("condim"),
     "all-of-pads": like_pads(
         "margin", "solref", "solimp", "friction", "condim"
-    ),  # as Meta-World's pull request 578
+    ),  # as in Meta-World's pull request 578
 }
 
 

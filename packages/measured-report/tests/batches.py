@@ -148,7 +148,7 @@ def running(log: Path) -> list[int]:
     numbers = {int(line.split()[-1]) for line in log.read_text().splitlines()}
     deadline = (
         time.monotonic() + 60.0
-    )  # none is there for longer than a busy machine takes to end it
+    )  # a process still counts after the longest time in which a busy machine ends it
     while (
         left := [number for number in numbers if is_running(number)]
     ) and time.monotonic() < deadline:

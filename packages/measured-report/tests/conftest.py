@@ -12,12 +12,12 @@ from measured_report.editions.project import Project
 from measured_report.files.cache import Cache
 from measured_report.files.config import report_in
 
-with suppress(ImportError):  # an extra
+with suppress(ImportError):  # an optional dependency
     from hypothesis import settings
 
     settings.register_profile(
         "project", deadline=None, derandomize=True
-    )  # however slow the machine
+    )  # even on a slow machine
     settings.load_profile("project")
 
 
@@ -40,7 +40,7 @@ def entered_toy(folder: Path) -> Iterator[Toy]:
     with report_in(folder), pytest.MonkeyPatch.context() as patch:
         patch.setattr(
             "sys.dont_write_bytecode", True
-        )  # a file changes here within the second that a cache tells
+        )  # a file changes here within a second, the resolution of the cache
         toy = Toy(Project("1.4.0"))
         toy.measure()
         yield toy

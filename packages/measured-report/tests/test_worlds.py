@@ -251,7 +251,7 @@ def test_the_site_builds_and_what_cannot_be_read_is_named_everywhere(ground, wor
     ground.write(world)
     results = ground.toy.project.results.parent
     spoiled = [results / name for name in world.spoiled]
-    # A file below a folder that cannot be read is not named beside it.
+    # If a folder cannot be read, its files are not named as well.
     outer = [path for path in spoiled if not {*path.parents} & {*spoiled}]
     for command in (page, status, check, audit):
         done, errors = ground.run(command)
@@ -278,7 +278,7 @@ def test_every_sentence_that_changed_reads_something_that_changed(ground, world)
             lost = {(release, "", section), (release, "", "toy")} - world.rows.keys()
             assert lost, sentence
             continue
-        # How numbers scatter is known from all measurements together.
+        # The scatter of numbers is estimated from all measurements together.
         assert scatters, (sentence, before.text, after.text)
         assert after.numbers == before.numbers, sentence
         assert {before.answer, after.answer} != {"holds", "fails"}, sentence

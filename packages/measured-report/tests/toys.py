@@ -36,14 +36,14 @@ from measured_report.site.build import build
 
 gc.set_threshold(
     100_000, 50, 50
-)  # by itself Python looks for rings of garbage a hundred times as often
-atexit.register(gc.freeze)  # nor has it to look at the end, for three seconds
+)  # by default, Python collects garbage a hundred times as often
+atexit.register(gc.freeze)  # a collection at exit would take three seconds
 os.fsync = (
     lambda _: None
-)  # thousands of times a disk would be waited for, and none of these files outlives its test
+)  # tests would wait for the disk thousands of times, although these files are temporary
 GENERATOR, HERE = Path(measured_report.__file__).parents[1], Path(__file__).parent
 os.environ["PYTHONPATH"] = (
-    f"{GENERATOR}{os.pathsep}{HERE}"  # of the programs that the tests start
+    f"{GENERATOR}{os.pathsep}{HERE}"  # for the programs that the tests start
 )
 IS_WEEKLY = bool(os.environ.get("WORLDS"))
 """Whether to test all cases instead of the suite's sample, as the weekly workflow does.
@@ -51,17 +51,17 @@ IS_WEEKLY = bool(os.environ.get("WORLDS"))
 CACHE = os.environ.get("XDG_CACHE_HOME") or str(Path.home() / ".cache")
 KEPT = Path(
     os.environ.setdefault("CACHE_OF_TESTS", CACHE)
-)  # from one run of the tests to the next
+)  # shared by all runs of the tests
 os.environ.setdefault(
     "UV_CACHE_DIR", str(KEPT / "uv")
-)  # a new report's packages are unpacked there already
+)  # a new report's packages are already unpacked there
 if (
     "PYTEST_XDIST_WORKER" not in os.environ
-):  # the processes of one run share what they derive
+):  # the processes of one run share their derived results
     CACHES = tempfile.TemporaryDirectory(prefix="caches-")
     os.environ["XDG_CACHE_HOME"] = os.environ["TMPDIR"] = (
         CACHES.name
-    )  # whoever measures here is not waited for
+    )  # these tests do not wait for other measurements
 
 
 class Compiled(jinja2.BytecodeCache):
@@ -325,7 +325,7 @@ def lay_out(folder: Path) -> None:
     put(folder, "experiments/cards.py", CARDS)
     put(
         folder, "report/__init__.py", ""
-    )  # or a path of the tests that has this package would come before
+    )  # otherwise a path of the tests with this package would come first
     put(folder, "report/sections/__init__.py", "")
     put(folder, "report/sections/toy.py", MODULE)
     put(folder, "templates/sections/toy.md.j2", TEMPLATE)
@@ -355,7 +355,7 @@ def made_once(
     with locked(base / f"{name}.lock"):
         if not (base / name).exists():
             (base / name).mkdir()
-            try:  # in its own place, by which the cache knows what was derived there
+            try:  # in its own folder, which is a part of the keys in the cache
                 make(base / name)
             except BaseException:
                 shutil.rmtree(base / name)

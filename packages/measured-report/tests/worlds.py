@@ -134,7 +134,7 @@ WORDS = {
 
 Place = tuple[
     str, str, str
-]  # a release, a replica or "" for what is tracked, a section
+]  # a release, a replica or "" for the tracked record, a section
 Row = dict[str, Any]
 
 
@@ -157,7 +157,7 @@ class World:
     rows: dict[Place, list[Row]]
     spoiled: dict[str, Callable[[Path], object]] = field(default_factory=dict)
     """Kinds of damage to a file or folder, by its name below ``results``."""
-    log: list[str] = field(default_factory=list)  # what was altered, in words
+    log: list[str] = field(default_factory=list)  # the changes in words
 
     def _repr_pretty_(self, printer: Any, _: bool) -> None:
         """Print the changes, as Hypothesis shows a failing example."""

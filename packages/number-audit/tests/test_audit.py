@@ -278,7 +278,9 @@ def test_a_build_server_gets_annotations_or_json(audit):
 
 
 HOSTILE = {  # Each text has the kinds of its findings.
-    b"\xff\xe9 12.9 ms<!-- = " + MEAN.encode() + b" -->\xff\r\n": ["fresh"],  # no UTF-8
+    b"\xff\xe9 12.9 ms<!-- = " + MEAN.encode() + b" -->\xff\r\n": [
+        "fresh"
+    ],  # not UTF-8
     b"7<!-- a <!-- = no.json#/x -->": ["invalid"],  # a comment in a comment
     b"7<!-- = no.json#/x" + b"<!--" * 9999: ["invalid"],
     b"`" * 99999 + b"7<!-- = no.json#/x": [],  # a fence
@@ -298,7 +300,7 @@ HOSTILE = {  # Each text has the kinds of its findings.
         "missing",
         "stale",
     ],
-    b"5<!-- = wide.csv#/x/a -->": ["missing"],  # a field longer than Python reads
+    b"5<!-- = wide.csv#/x/a -->": ["missing"],  # a field that is too long for Python
     b"5<!-- = " + b"(" * 250 + b"plain.json#/old " + b")" * 250 + b" -->": ["missing"],
     "5<!-- = plain.json#/old -->".encode("utf-16"): ["missing"],
 }

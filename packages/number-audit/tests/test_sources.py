@@ -137,7 +137,9 @@ def test_a_package_that_is_missing_is_named(monkeypatch):
 def test_a_column_is_found_without_its_unit_and_in_small_letters():
     table = source("t.csv", "case,Peak Memory [MB],x_ms,x_s\na,5,1,2\n")
     assert str(table.quantity("/a/peak_memory")) == "5 MB"
-    with pytest.raises(AuditError, match="no number at /a/x"):  # It may be x_ms or x_s.
+    with pytest.raises(
+        AuditError, match="no number at /a/x"
+    ):  # The column may be x_ms or x_s.
         table.quantity("/a/x")
 
 

@@ -66,8 +66,8 @@ def derive(results: Results, labels: dict[str, str]) -> Section:
         extreme(max, still),
     )
     stiff = Sections(results.others).cell("solver", "stiff-pads-mujoco-c", "slip_mm")
-    # This slip was measured on another machine. The comparison is valid because MuJoCo
-    # C computes the same bits in every run.
+    # This slip was measured on another machine. The comparison is valid because runs of
+    # MuJoCo C are bit-identical.
     is_less = None not in (stiff.value, slip.value) and stiff.value < slip.value
     farthest = all_of(
         *(greater(slip, other_slip) for other_slip in (worst, held, still_worst)),

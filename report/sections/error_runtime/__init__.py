@@ -224,7 +224,7 @@ def _crossover(results: Results, points: Points) -> Claim:
         return Claim("crossover", untimed, dict.fromkeys(names, ""))
     second = constant(1e3, "ms·world-s/s²")  # of one world, in ms per s
     # The speed of C is taken from its comparisons with each number of worlds, because a
-    # core may run at another clock rate alone.
+    # core may have another clock rate in a run by itself.
     paces = (second * row.time_ratio / row.ms_per_s for row in rows)
     core = results.value(
         "one_core_rate",

@@ -112,7 +112,7 @@ def slip_figure(releases: Releases, steps: list[tuple[str, str]]) -> Figure:
 
 
 def _draw_slips(releases: Releases, lines: dict[Query, list[Quantity]]):
-    # Imported here because Matplotlib takes long, and a comparison does not draw.
+    # Imported here because Matplotlib is slow, and a comparison does not draw.
     from report.shared import drawing as shared
     from report.shared.drawing import INK, new_figure, tick_125
 

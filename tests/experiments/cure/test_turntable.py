@@ -30,7 +30,7 @@ def test_a_growth_is_that_of_what_has_settled():
 
 
 def test_a_turntable_that_blows_up_has_no_growth(tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)  # where MuJoCo keeps a log of it
+    monkeypatch.chdir(tmp_path)  # MuJoCo writes a log there
     heavy = Variant(options={"gravity": "0 0 -1e12"})
     with pytest.raises(RunFailed, match="reset"):
         turntable.run("c", heavy.mjcf, 0.1, "cpu")

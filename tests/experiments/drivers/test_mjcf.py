@@ -12,7 +12,7 @@ from experiments.simulation.c_warnings import RunFailed
 @pytest.mark.parametrize("name", ["c", "warp"])
 def test_a_run_that_blows_up_fails(name, tmp_path, monkeypatch):
     """Test that a run fails instead of continuing. MuJoCo's C engine would restart it."""
-    monkeypatch.chdir(tmp_path)  # where it keeps a log of it
+    monkeypatch.chdir(tmp_path)  # the engine writes a log there
     engine = ENGINES[name](BALL, 1, "cpu")
     engine.advance()
     if name == "c":

@@ -116,7 +116,8 @@ def test_pads_as_shipped_are_what_newton_gives_a_shape_and_both_are_critically_d
     pads = (AS_SHIPPED.pad_ke, AS_SHIPPED.pad_kd, AS_SHIPPED.pad_mu, AS_SHIPPED.pad_kf)
     assert pads == (shape.ke, shape.kd, shape.mu, shape.kf)
     assert AS_SHIPPED.cube_gap_m == newton.ModelBuilder().rigid_gap
-    # timeconst 2 / kd, dampratio kd / (2 √ke): 20 ms and, a tenth of it, 2 ms, at a ratio of 1.
+    # With timeconst 2 / kd and dampratio kd / (2 √ke) this gives 20 ms, and a tenth of
+    # it, 2 ms, at a ratio of 1.
     for case, timeconst_s in ((AS_SHIPPED, 0.02), (STIFF_PADS, 0.002), (FIXED, 0.002)):
         assert 2.0 / case.pad_kd == pytest.approx(timeconst_s)
         assert case.pad_kd**2 == pytest.approx(4.0 * case.pad_ke)

@@ -102,12 +102,12 @@ def away(distance_m: float) -> np.ndarray:
         (FALLEN, None, "dropped"),
         (creeping_at(1.0), None, "creeping"),
         (creeping_at(0.0), None, "holding"),
-        # Where two fit, the first counts.
+        # If two classes apply, the first one counts.
         (BROKEN, OVERFLOW, "non-finite"),
         (kicked_at(100.0), OVERFLOW, "overflow"),
         (kicked_at(100.0) + GONE, None, "exploded"),
         (GONE + creeping_at(1.0), None, "dropped"),
-        # On either side of each border.
+        # These runs are on either side of each border.
         *(
             (kicked_at(9.99 * DRIVE_PEAK_M_S), None, "holding"),
             (kicked_at(10.01 * DRIVE_PEAK_M_S), None, "exploded"),
@@ -120,12 +120,16 @@ def away(distance_m: float) -> np.ndarray:
         *(
             (swinging(5e-3, 7.0e-3), None, "holding"),
             (swinging(5e-3, 7.1e-3), None, "exploded"),
-        ),  # √2 of amplitude
+        ),  # the amplitude grows by √2
         *(
             (swinging(0.0, 0.99 * BRISK_M), None, "holding"),
             (swinging(0.0, 1.01 * BRISK_M), None, "exploded"),
         ),
-        (swinging(1e-3, 0.01)[-120:], None, "creeping"),  # a frame short of two cycles
+        (
+            swinging(1e-3, 0.01)[-120:],
+            None,
+            "creeping",
+        ),  # one frame less than two cycles
         (swinging(1e-3, 0.01)[-121:], None, "exploded"),
         *(
             (creeping_at(0.0099), None, "holding"),
@@ -150,7 +154,7 @@ def test_creep_is_the_change_over_the_last_period_or_all_of_a_short_shake():
     )
     assert creep_mm_s(AS_SHIPPED, make_trace(creeping_at(0.3)[:1])) == 0.0
     late = along(0, np.where(TIME_S < 3.5, 0.0, 5e-3))
-    faster = replace(AS_SHIPPED, shake_frequency_hz=2.0)  # whose period is a second
+    faster = replace(AS_SHIPPED, shake_frequency_hz=2.0)  # the period is one second
     assert creep_mm_s(faster, make_trace(late)) == pytest.approx(5.0)
     assert creep_mm_s(faster, make_trace(late)) == 2.0 * creep_mm_s(
         AS_SHIPPED, make_trace(late)

@@ -98,7 +98,7 @@ def test_a_kept_run_knows_when_the_shake_began_and_where_the_cube_would_be_had_i
     assert run.slip_mm[2:] == pytest.approx([5.0, 10.0]) and run.shake_start == 2
     assert run.in_grasp().tolist() == [True, True, True, False]
     cube = pose(Rotation.from_euler("z", 90.0, degrees=True), (1.2, 2.0, 3.0))
-    hand = run.links[kept.TCP][0]  # which stands still
+    hand = run.links[kept.TCP][0]  # the cube does not move
     began = np.linalg.inv(hand) @ cube
     began[:3, 3] -= (0.003, 0.004, 0.0)
     np.testing.assert_allclose(run.begin_in_hand, began, atol=1e-12)

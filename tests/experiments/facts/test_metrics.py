@@ -28,7 +28,8 @@ def make_trace(cube_in_tcp, tcp_position=(0.1, -0.4, 0.2)) -> Trace:
     poses = np.zeros((frame_count, 6, 7), dtype=np.float32)
     poses[:, :, 3:] = TOOL_DOWN
     poses[:, metrics.TCP, :3] = tcp_position
-    # Pointing down is half a turn about x: y and z of the tool are -y and -z of the world.
+    # Pointing down is a rotation by 180° about x: y and z of the tool are -y and -z of
+    # the world.
     poses[:, metrics.CUBE, :3] = tcp_position
     poses[SETUP_FRAME_COUNT:, metrics.CUBE, :3] += cube_in_tcp * (1.0, -1.0, -1.0)
     phase = np.full(frame_count, metrics.SHAKE)

@@ -55,7 +55,7 @@ def _poster_elsewhere(results: Path) -> None:
     own = re.search(r'"poster":"([^"]+)"', record.read_text())
     shutil.copy(
         results / own[1], results.parents[1] / "secret.jpg"
-    )  # the same bytes, so that the place alone is wrong
+    )  # the same bytes, so that only the place is wrong
     record.write_text(record.read_text().replace(own[0], '"poster":"../../secret.jpg"'))
 
 

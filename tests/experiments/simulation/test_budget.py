@@ -233,7 +233,7 @@ class Sums(SimpleNamespace):
     def __init__(self, _):
         poses = np.zeros((63, 2, 7))
         poses[:, metrics.TCP, 3:] = 0.0, 0.0, np.sqrt(0.5), np.sqrt(0.5)
-        poses[-1, metrics.CUBE, 0] = 0.5  # along -y of the hand
+        poses[-1, metrics.CUBE, 0] = 0.5  # along the hand's -y
         trace = Trace(1.0 / 60.0, np.array([3, 3, *[4] * 61]), poses, np.empty((63, 0)))
         frames = (
             np.tile(

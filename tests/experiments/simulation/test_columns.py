@@ -147,7 +147,8 @@ def test_quick_runs_are_cut_and_three_looks_are_a_quarter_of_a_cycle_apart():
     assert [
         Conditions("cpu", quick=quick).frame_count(900) for quick in (False, True)
     ] == [900, 420]
-    # The middle of 212, where the shake begins, and 900; 15 of 60 frames are a quarter of a second.
+    # The middle is between 212, where the shake begins, and 900; 15 of 60 frames are a
+    # quarter of a second.
     assert Conditions("cpu", quick=False).contact_frames() == (541, 556, 571)
     # 1.5 s of lift, 0.75 s of grasp, 1 s of descent and 0.25 s of approach are 210 frames, and each end has one more.
     assert abs(measurement.SETUP_FRAME_COUNT - 60 * (1.5 + 0.75 + 1.0 + 0.25)) <= 2
@@ -193,7 +194,7 @@ def test_contacts_act_together_as_springs_side_by_side(cone):
     if cone == "elliptic":
         rows, force = [-1, 0, 3], [3.0, 9.0, 9.0, 5.0, 9.0, 9.0]
         stiffness = [50.0, 2.0, 2.0, 50.0, 6.0, 6.0]
-    else:  # of an edge D = 2 / (2 μ²), 6 / (2 μ²); the edges' forces add up
+    else:  # D of an edge is 2 / (2 μ²) or 6 / (2 μ²); the forces of the edges add up
         rows, force = [-1, 0, 4], [1.0, 1.0, 0.5, 0.5, 2.0, 1.0, 1.0, 1.0]
         stiffness = [4.0] * 4 + [48.0] * 4
     friction = [(9.0,), (0.5,), (0.25,)]
@@ -203,7 +204,7 @@ def test_contacts_act_together_as_springs_side_by_side(cone):
     assert found.softness_1_kg == pytest.approx(1.0 / 8.0)
     assert found.damping_per_s == pytest.approx(
         2.0 / (0.95 * 0.02)
-    )  # the least, of the longer timeconst
+    )  # the smallest, which belongs to the longer timeconst
     assert Contacts.of(
         SimpleNamespace(opt=option), [-1, -1, -1], *arguments[1:]
     ) == Contacts(0, 0.0, 0.0, 0.0, 0.0)
@@ -260,7 +261,7 @@ def test_rows_are_taken_apart_and_summed_up(cone):
         expected
         | {"cone_use": 1.0 / 3.0, "penetration_m": 1e-3, "slide_m_s": slide_m_s}
     )
-    # The rows aim at −b v with b = 1 here; the faster of the two tells it.
+    # The rows are set to −b v with b = 1 here; the faster row determines it.
     if cone == "elliptic":
         loaded = replace(
             found,

@@ -47,7 +47,7 @@ def test_a_position_creeps_in_the_world_that_compensates_and_stands_in_the_other
         moved = solver.moved()
         expected = (
             VELOCITY * 1e-3 * (STEP_COUNT - 1)
-        )  # the last step's sum is done in the next step
+        )  # the sum of the last step is computed in the next step
         assert moved[0] == pytest.approx(np.full(4, expected), abs=1.3e-7)
         assert (moved[1] == 0.0).all()
 
@@ -95,7 +95,7 @@ def test_sums_keep_what_rounding_takes_joint_by_joint():
         (0, 1, 3),
         (0, 7, 11),
         (0, 6, 9),
-    ]  # free, ball and hinge, and where their places and velocities begin
+    ]  # free, ball and hinge joint, and the first indices of their positions and velocities
     kinds = [wp.array(each, dtype=int, device="cpu") for each in joints]
     inputs = [
         wp.array([True], dtype=bool, device="cpu"),
@@ -103,7 +103,7 @@ def test_sums_keep_what_rounding_takes_joint_by_joint():
         *kinds,
     ]
     inputs.append(wp.array(velocity, dtype=float, device="cpu"))
-    for _ in range(1001):  # the first takes what is there
+    for _ in range(1001):  # the first step takes the present position
         wp.launch(
             compensated_positions.add_step,
             dim=(1, 3),
@@ -120,7 +120,7 @@ def test_sums_keep_what_rounding_takes_joint_by_joint():
     for way, kept in (
         (0.9e-6, True),
         (1.4e-6, False),
-    ):  # relative to 2 m: a step that ends that far off was set
+    ):  # relative to 2 m: a step with a larger error was set
         place = np.float32(2.0 * (1.0 + way))
         state = [
             wp.array([[each] * 12], dtype=float, device="cpu")

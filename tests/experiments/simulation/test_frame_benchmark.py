@@ -29,7 +29,7 @@ DEVICE_FAULT = RuntimeError("CUDA error 719: unspecified launch failure")
 
 @pytest.fixture(scope="module", autouse=True)
 def warm() -> WarmState:
-    gc.freeze()  # what is there already: between cases what was timed is looked for
+    gc.freeze()  # objects that exist already; between cases the timed simulation is searched
     return warm_state("cpu")
 
 

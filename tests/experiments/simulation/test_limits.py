@@ -57,7 +57,7 @@ def test_the_demand_of_a_hand_leaves_out_what_its_pads_press(turn, expected):
     for frame, is_seen in (
         (2998, False),
         (2999, True),
-    ):  # of the 2002 places that 2000 accelerations take
+    ):  # of the 2002 positions that 2000 accelerations need
         jerk = poses.copy()
         jerk[frame, metrics.TCP, 2] = 1.0
         assert (
@@ -66,7 +66,8 @@ def test_the_demand_of_a_hand_leaves_out_what_its_pads_press(turn, expected):
 
 
 def test_loads_and_exits_are_as_by_hand():
-    # 0.5 kg at 4 m/s² on pads that press with 10 N together: 2 N over μ 10 N; a μ below mjMINMU, 1e-5, counts as that.
+    # 0.5 kg at 4 m/s² on pads that press with 10 N together: 2 N divided by μ · 10 N. A
+    # μ below mjMINMU, 1e-5, counts as 1e-5.
     case = replace(AS_SHIPPED, cube_density_kg_m3=4000.0, cube_edge_m=0.05, pad_mu=0.25)
     assert limits.cube_mass_kg(case) == pytest.approx(0.5)
     assert limits.friction_load(case, 4.0, 10.0) == pytest.approx(0.8)
@@ -100,7 +101,8 @@ def test_families_ask_for_the_forces_that_their_names_say():
     }
     assert press_n == pytest.approx({ratio: ratio * needed_n for ratio in press_n})
     assert {probe.case.pad_mu for probe in families.grips("full")} == {0.1}
-    # Two fingers carry twice what m |a| / μ asks of each together, and a newton; the drives end at 100 N.
+    # Two fingers carry twice the m |a| / μ that both need together, and one newton
+    # more; the drives are limited to 100 N.
     assert families.carrying_force_n(2.0) == pytest.approx(2.0 * demand + 1.0)
     assert families.carrying_force_n(10.0) == 100.0
     for probe in families.masses("full"):
@@ -119,7 +121,8 @@ def test_families_ask_for_the_forces_that_their_names_say():
         assert 400.0 * (edge / 2.0 + 2e-5 - case.finger_closed_m) == pytest.approx(
             min(force, 100.0)
         )
-    # What two pads carry of 32 g at rest, at the grip as shipped of 12 N each: 1.4 times as much as there is.
+    # Two pads at the shipped grip of 12 N each carry 1.4 times the weight of 32 g at
+    # rest.
     load = limits.friction_load(
         replace(AS_SHIPPED, pad_mu=families.SHAKE_MU), G, 24.016
     )
@@ -158,7 +161,8 @@ def test_grids_and_steps_have_the_damping_that_they_say():
         families.SHAKES["full"][11:],
     ):
         assert sorted(set(ladder)) == list(ladder)
-    # 90 frames and the first are 1.5 s of hold; the shake repeats after 2 s: 120 frames and the first.
+    # 90 frames and the first one are 1.5 s of hold. The shake repeats after 2 s, which
+    # are 120 frames and the first one.
     assert (families.HOLD_FRAME_COUNT, *families.SHAKE_FRAME_COUNT.values()) == (
         91,
         241,

@@ -154,7 +154,7 @@ def test_builds_are_pooled_as_in_students_test_of_two_samples(counts):
     ]
     found = pool_builds(cases)
     low, high = stats.ttest_ind(logarithms[1], logarithms[0]).confidence_interval(0.95)
-    if counts[1] == 12:  # of 14 degrees of freedom, which count as ten
+    if counts[1] == 12:  # at 14 degrees of freedom, for which the value for ten is used
         low, high = 0.5 * (low + high) + np.array([-0.5, 0.5]) * (
             high - low
         ) * stats.t.ppf(0.975, 10) / stats.t.ppf(0.975, 14)

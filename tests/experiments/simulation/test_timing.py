@@ -47,7 +47,7 @@ def test_a_varied_simulation_runs_as_one_that_was_built_so():
         {},
         {"sensors": False},
         {"limits": False},
-    ):  # stages that change no bit
+    ):  # stages that do not change any bit
         varied.vary(replace(base, name=f"but {unused}", **unused))
         assert np.array_equal(poses_from(varied), first)
     with pytest.raises(CaseError, match="gap takes a simulation of its own"):

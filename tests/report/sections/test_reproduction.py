@@ -93,7 +93,7 @@ def test_reproduction_follows_from_its_cells(cells, expected):
 def test_a_steady_drift_moves_as_far_early_as_late(late, change, outcome):
     along_mm = np.cumsum([0.0, 9.0, *4 * [1.0], 5.0, 5.0, *4 * [late]])
     time_s = np.arange(len(along_mm), dtype=float)
-    mean = (7 + 2 * late) / 5  # of the even cycles, and of the odd ones
+    mean = (7 + 2 * late) / 5  # in the even cycles, and in the odd ones
     assert_found(
         "reproduction",
         {"as-shipped": {"shake_frequency_hz": 1}},

@@ -29,7 +29,7 @@ JUDGED = {
         ],
     ),
     "mass": ("class", [("dropped", True), ("non-finite", False)]),
-    "size": (  # up to a hundredth of the edge
+    "size": (  # up to a hundredth of the edge length
         "class cube_edge_mm penetration_mm",
         [
             ("creeping", 40.0, 0.39, True),

@@ -23,7 +23,7 @@ from measured_report.values.noise import FALSE_SHARE, SURE
 from measured_report.values.quantities import VALUES_FILE, Quantity, Value
 
 SCHEMA = 1
-LINES = 5  # chosen: a text lists at most so many of the largest changes
+LINES = 5  # chosen: the largest number of changes that a text lists
 MARKDOWN_LIMIT = 60_000  # characters; a comment on GitHub holds 65,536
 
 

@@ -27,7 +27,7 @@ from measured_report.measuring.measure import MODULE
 from measured_report.records.identity import identity_of
 from measured_report.records.record import Carried, Record, basis_of, load_record
 
-COMMIT_LIMIT = 200  # chosen: the old code is searched in so many of the newest commits
+COMMIT_LIMIT = 200  # chosen: the number of commits in which the old code is searched
 SHORT = 12  # chosen: the length of an abbreviated commit
 
 

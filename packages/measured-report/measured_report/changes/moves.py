@@ -36,7 +36,7 @@ from measured_report.values.noise import (
 from measured_report.values.quantities import Quantity
 from measured_report.values.results import Results, Row
 
-NAMED = 4  # chosen: a line names at most so many claims, and twice as many settings
+NAMED = 4  # chosen: the largest number of claims in a line; twice as many settings fit
 CHOSEN_SHARE = 0.1  # chosen: the relative noise of a number whose noise is not known
 NEAR_ZERO = 0.01
 """Chosen: a number below this share of the median of its column is close to zero."""

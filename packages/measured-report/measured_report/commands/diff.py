@@ -27,7 +27,8 @@ def run(project: Project, arguments: Arguments) -> int:
     for release in (arguments.a, arguments.b):
         refuse_unmeasured(project.of(str(release)), release.spec)
     names = [str(arguments.a), str(arguments.b)]
-    # Each edition is derived alone, so that the evidence of the other one does not count.
+    # Each edition is derived by itself, so that the evidence of the other one does not
+    # count.
     before, after = (derive_edition(project.of(name)) for name in names)
     comparison = compare(before, after)
     rate = false_alarm_counts(before) + false_alarm_counts(after)

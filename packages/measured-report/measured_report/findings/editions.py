@@ -355,7 +355,7 @@ def _derive(editions: Mapping[str, Edition], releases: Releases | None = None) -
 
     if len(lacking) > 1:
         for name in ("pandas", "measured_report.parts.figures"):
-            import_module(name)  # once, instead of in each process
+            import_module(name)  # done once here, instead of in each process
         _ = lacking[0].measurements  # the same: evaluated once, and stored in the cache
         forked(derive_copy, len(lacking))
     for edition in editions.values():

@@ -119,7 +119,7 @@ class Templates:
         The title becomes a heading of ``level``. The ids of other headings begin with
         ``anchor``.
         """
-        # This import takes long, and many commands do not render Markdown.
+        # This import is slow, and many commands do not render Markdown.
         from markdown import Markdown
         from markdown.extensions.toc import slugify
 

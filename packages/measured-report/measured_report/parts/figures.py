@@ -64,8 +64,8 @@ STYLE: dict[str, Any] = {
 NARROW_WIDTH = 3.6
 # The smallest text of a narrow figure [pt]; it is 9 px on a screen of 390 px.
 LEAST_SIZE = 7.0
-LONGEST_NAME = 18  # longer names beside a narrow figure are folded [characters]
-LONGEST_LINE = 36  # longer texts along a narrow figure are folded [characters]
+LONGEST_NAME = 18  # a longer name beside a narrow figure is folded [characters]
+LONGEST_LINE = 36  # a longer text along a narrow figure is folded [characters]
 COORDINATES = re.compile(r'(?<= )(?:d|x|y)="[^"]*"')
 DECIMALS = re.compile(r"(\.\d\d)\d+")
 """Matches the decimals after the second one, because a hundredth of a point is
@@ -126,7 +126,7 @@ def _fit_narrow(drawing: Drawing) -> None:
             columnspacing=1.0,
         )
     for axes in drawing.axes:
-        # get_yticklabels lays out the axis, which takes long. Numbers are always short.
+        # get_yticklabels lays out the axis, which is slow. Numbers are always short.
         has_names = not isinstance(
             axes.yaxis.get_major_formatter(), ticker.ScalarFormatter
         )

@@ -19,13 +19,13 @@ from measured_report.values.format import ABSENT, unit_label
 from measured_report.values.quantities import VALUES_FILE, Quantity
 from measured_report.values.results import ResultsError, Series
 
-# These imports take long, and sections from the cache do not need them.
+# These imports are slow, and sections from the cache do not need them.
 if TYPE_CHECKING:
     import pandas as pd
     from matplotlib.figure import Figure as Drawing
 
 UNDRAWN = (
-    "This figure cannot be drawn from the measured data"  # shown in place of a figure
+    "This figure cannot be drawn from the measured data"  # shown instead of a figure
 )
 FIGURE_SPACE, POINT_SPACE = "\u2007", "\u2008"
 """Spaces as wide as a digit and a point, with which the style sheet aligns numbers."""

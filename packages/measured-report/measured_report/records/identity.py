@@ -144,7 +144,9 @@ def sections(root: Path | None = None) -> list[str]:
 SHORT_COMMIT = 7
 MISSING = "missing"  # version of a package that is not installed
 UNNAMED = "unnamed"  # replaces the commit in the version of code without one
-BYTE_LIMIT = 1 << 30  # largest file that is digested; wheels have hundreds of MiB
+BYTE_LIMIT = (
+    1 << 30
+)  # largest file of which a digest is computed; wheels have hundreds of MiB
 
 
 def package_versions(settings: Config | None = None) -> dict[str, str]:

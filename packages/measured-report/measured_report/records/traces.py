@@ -19,7 +19,7 @@ from measured_report.files.columns import PLAIN, Schema, is_number, plain, text_
 from measured_report.files.config import report as current
 from measured_report.records.record import BYTE_LIMIT, DIGITS, Seal, trace_path
 
-# Pandas takes long to import, and only readers of traces need it.
+# Importing pandas is slow, and only readers of traces need it.
 if TYPE_CHECKING:
     import pandas as pd
 
@@ -55,7 +55,7 @@ def packed(
         raise RecordError(
             f"{short_path(trace_path(record, case))} is not a valid trace: {error}"
         ) from None
-    # Without a time in its header, the same trace gives the same bytes.
+    # Without a time in its header, the file of a trace is always the same.
     content = gzip.compress(text.getvalue().encode(), mtime=0)
     return Seal(sha256(content).hexdigest(), len(lines)), content
 

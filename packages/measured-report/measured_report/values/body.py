@@ -133,7 +133,9 @@ class _Gathered:
         self.columns = columns
         self.count = sum(record is not None for record in records)
         self.edges: set[RowKey] = set()  # rows that end in one of two ways, by chance
-        self.dissenting = 0  # rows of one measurement that end unlike the others
+        self.dissenting = (
+            0  # rows of one measurement that end differently from the others
+        )
         self.is_alike = [
             record is not None and record.machine_for_speed == shown.machine_for_speed
             for record in records

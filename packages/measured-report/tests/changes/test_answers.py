@@ -149,7 +149,10 @@ def test_a_history_says_numbers_in_four_digits_with_their_noise_and_why_there_is
 
 
 HIDDEN = "s.slip_mm has the threshold {} %, but noise hides changes below {} %"
-LATE = [(4.0, 0.5, 0.18, ""), (-4.0, 0.5, 0.17, HIDDEN.format(17, 18))]  # √2 · 0.5 of 4
+LATE = [
+    (4.0, 0.5, 0.18, ""),
+    (-4.0, 0.5, 0.17, HIDDEN.format(17, 18)),
+]  # √2 · 0.5 relative to 4
 LATE += [
     (4.0, None, 0.09, HIDDEN.format(9, 10)),
     (4.0, None, 0.1, ""),

@@ -182,7 +182,7 @@ def test_what_is_near_the_noise_has_not_flipped(toy):
             {"drift_mm_s": 1.0, "case": "c"},
             {"drift_mm_s": 1.03},
             1,
-        ),  # which repeats to the last bit
+        ),  # its repeats are bit-identical
         ({"substeps": 4, "drift_mm_s": 1.0}, {"substeps": 6, "drift_mm_s": 2.0}, 0),
     ],
 )

@@ -31,7 +31,7 @@ def test_a_record_whose_noise_can_not_be_read_is_an_error_of_its_mark(toy):
     text = toy.record_path.read_text(encoding="utf-8")
     toy.record_path.write_text(
         text.replace("6.3617", "6.3618"), encoding="utf-8"
-    )  # it is sealed
+    )  # because it is sealed
     evidence_of.cache_clear()
     with pytest.raises(ValueError, match="cannot compute the noise of slip_mm"):
         noise_of_record(toy.record_path, 0, "slip_mm")

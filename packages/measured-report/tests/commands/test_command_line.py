@@ -98,7 +98,7 @@ def test_an_output_that_is_full_is_one_line(outside):
 def test_bad_input_gets_one_line_and_status_2(
     arguments, message, command, monkeypatch, capfd
 ):
-    monkeypatch.delenv("MAKELEVEL", raising=False)  # make test may run this
+    monkeypatch.delenv("MAKELEVEL", raising=False)  # make test may start these tests
     monkeypatch.setattr(sys, "argv", ["build.py", *arguments])
     assert main() == 2
     said = capfd.readouterr()

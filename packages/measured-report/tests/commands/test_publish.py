@@ -56,7 +56,9 @@ def test_what_changed_since_is_built_before_it_is_published(toy, tmp_path, capsy
         assert publishing.run(toy.project, asked) == status
         text = (tmp_path / "www/index.html").read_text()
         assert sentence in text and "https://example.org/index.html" in text
-        toy.record_path.with_name("edition.toml").write_text("{")  # which is named
+        toy.record_path.with_name("edition.toml").write_text(
+            "{"
+        )  # the message names it
     assert "damaged: newton-1.4.0/edition.toml" in capsys.readouterr().err
     quick = replace(toy.project, profile="quick")
     replace(toy, project=quick).measure()
@@ -184,7 +186,7 @@ def test_publishing_to_a_branch_is_one_commit_and_touches_nothing_else(
     root = toy.project.root
     git(
         root, "push", "--quiet", "origin", "HEAD:refs/backup/refs/heads/gh-pages"
-    )  # whose name ends alike
+    )  # the end of its name is the same
     before = [
         git(root, *arguments)
         for arguments in (("status", "--short"), ("rev-parse", "HEAD"), ("branch",))
@@ -278,7 +280,7 @@ def test_publishing_leaves_a_clone_whole_whoever_publishes_next(toy, remote, clo
         git(clone, *words) for words in (("for-each-ref",), ("count-objects",))
     ] == before
     change(toy)
-    publish(toy.project.site, "")  # somebody else
+    publish(toy.project.site, "")  # by another user
     for words in (
         "fsck --strict",
         "gc --quiet --prune=now",
@@ -400,7 +402,7 @@ def test_publishing_is_done_beside_hooks_and_settings_and_is_seen(
     hook.chmod(0o755)
     for setting in ("push.recurseSubmodules only", "push.followTags true"):
         git(root, "config", *setting.split())
-    monkeypatch.setenv("GIT_DIR", ".git")  # as from a hook
+    monkeypatch.setenv("GIT_DIR", ".git")  # as in a hook
     publish(toy.project.site, "")
     monkeypatch.delenv("GIT_DIR")
     assert git(remote, "for-each-ref", "--format=%(refname)") == "refs/heads/gh-pages"

@@ -25,7 +25,7 @@ def test_every_setting_is_told(kind):
 def test_what_a_section_imports_and_every_unit_are_told():
     documents = [
         path for path in [ROOT / "docs/your-own.md"] if path.is_file()
-    ]  # beside a checkout of the repository
+    ]  # next to a checkout of the repository
     sources = [
         path.read_text() for path in [*documents, *SKELETON.rglob("*/sections/*.py")]
     ]

@@ -83,7 +83,7 @@ def test_no_user_home_or_token_is_written_or_printed(toy, checkout, tmp_path):
         "LOGNAME": USER,
         "UV_INDEX_URL": "http://127.0.0.1:9",
     }
-    settings["PYTHONDONTWRITEBYTECODE"] = "1"  # bytecode names where it lies
+    settings["PYTHONDONTWRITEBYTECODE"] = "1"  # bytecode contains the path of its file
     texts = {}
     for command, status in asked:
         done = program("build.py", *command.split(), cwd=home, **settings)

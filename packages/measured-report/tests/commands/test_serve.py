@@ -26,7 +26,7 @@ def test_what_changes_is_built_again(toy):
     threading.Thread(target=follow, args=arguments, daemon=True).start()
     while (
         not built
-    ):  # the test has no limit of its own: it must not be a question of time
+    ):  # there is no time limit here, because the test must not depend on speed
         time.sleep(0.05)
     toy.write("templates/sections/toy.md.j2", TEMPLATE.replace("Stiff", "Stiffer"))
     while len(built) < 2:

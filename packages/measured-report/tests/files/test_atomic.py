@@ -138,7 +138,7 @@ def test_no_process_outlives_the_one_that_started_it(sent):
     main.stdout.close()
     while any(
         map(is_running, started)
-    ):  # the test has no limit of its own: it must not be a question of time
+    ):  # there is no time limit here, because the test must not depend on speed
         time.sleep(0.05)
 
 

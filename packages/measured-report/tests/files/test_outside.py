@@ -34,7 +34,10 @@ def test_a_site_that_is_a_link_costs_nothing_where_it_leads(toy, tmp_path):
     with pytest.raises(ReportError, match="files that no build wrote"):
         toy.build()
     (tmp_path / "mine/letter.txt").unlink()
-    for end_mm in (0.4, 0.5):  # what is empty, or was built, may be built there
+    for end_mm in (
+        0.4,
+        0.5,
+    ):  # an empty folder, or one from a build, may be built again
         toy.measure(end_mm=end_mm)
         toy.build()
     assert check_site(tmp_path / "mine") == []
@@ -68,7 +71,7 @@ def test_finding_7_a_small_trace_that_unpacks_to_a_large_one_is_refused_before_i
     assert count > traces.CELL_LIMIT
     monkeypatch.setattr(
         traces, "CELL_LIMIT", traces.CELL_LIMIT // 8
-    )  # which takes a second to come to
+    )  # the line is reached after a second
     trace = trace_path(toy.record_path, "stiff")
     trace.write_bytes(gzip.compress(b"a\n" + b"1\n" * count, compresslevel=1))
     before_kb = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
@@ -175,7 +178,7 @@ def test_one_odd_thing_costs_itself_alone(
 ):
     monkeypatch.setattr(
         Cache, "folder", tmp_path_factory.getbasetemp() / "odd"
-    )  # what all have is drawn once
+    )  # the drawings that all editions share are drawn once
     (folder := toy.project.results / FOLDER).mkdir()
     (folder / "good.tgz").write_bytes(
         archive_of([toy.record([{**row, "slip_mm": 2.0} for row in ROWS])])

@@ -13,7 +13,7 @@ from measured_report.files.processes import KILLED, forked
 @pytest.fixture(autouse=True)
 def on_two_processors(monkeypatch):
     monkeypatch.setattr("os.sched_getaffinity", lambda _: {0, 1})
-    signal.alarm(60)  # what waits for nothing would wait for ever
+    signal.alarm(60)  # without a signal the process would wait for ever
     yield
     signal.alarm(0)
 

@@ -178,7 +178,9 @@ def test_a_change_of_any_record_derives_again_whatever_has_numbers(toy):
     toy.record_path.unlink()
     assert derived() == ["alone", "reader"]
     toy.measure()
-    assert derived() == ["alone"]  # what reads the record failed, and is still kept
+    assert derived() == [
+        "alone"
+    ]  # the function that reads the record failed, and its result is still stored
     assert files(toy.project.site) == from_nothing(toy)
 
 
@@ -324,7 +326,7 @@ def test_the_same_commit_gives_the_same_bytes_anywhere(toy, tmp_path):
         shutil.copytree(toy.project.root, tmp_path / name)
         environment["PYTHONPATH"] = str(
             PACKAGE
-        )  # where another report's modules may lie too
+        )  # another report's modules may be there too
         assert (
             program("-c", REPORT, tmp_path / name, "1.4.0", **environment).returncode
             == 0

@@ -10,4 +10,4 @@ from measured_report.measuring import batch
 @pytest.fixture(autouse=True)
 def apart(monkeypatch, tmp_path):
     monkeypatch.setattr(batch, "LOCK", tmp_path / "lock")
-    gc.freeze()  # or each fork looks through all that this process has
+    gc.freeze()  # otherwise each fork collects the garbage of this process

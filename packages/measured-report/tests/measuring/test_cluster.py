@@ -58,7 +58,10 @@ def started(outside: Path, count: int, protocol: str = "tcp") -> subprocess.Pope
         [sys.executable, "-c", SCHEDULER, str(count), protocol],
         subprocess.PIPE,
     )
-    own = {**os.environ, "TMPDIR": str(outside)}  # and with it a lock of their own
+    own = {
+        **os.environ,
+        "TMPDIR": str(outside),
+    }  # the lock is in this folder, so these processes have a lock of their own
     return subprocess.Popen(
         command, cwd=outside, env=own, stdin=pipe, stdout=pipe, text=True
     )

@@ -50,7 +50,7 @@ def test_a_record_is_put_together_from_its_batches(toy, log):
 def test_batches_are_measured_side_by_side_but_for_those_about_time(toy, log):
     pair = [
         Batch(name, batches.meet, (str(log), name, ["a", "b"])) for name in "ab"
-    ]  # neither ends without the other
+    ]  # each of them waits for the other
     alone = [
         Batch(name, batches.work, (str(log), name), exclusive=True) for name in "de"
     ]
@@ -227,7 +227,10 @@ def test_measuring_that_is_stopped_keeps_its_records_and_leaves_nothing_running(
 ):
     toy.record_path.unlink()
     command = [sys.executable, "-c", DRIVER, str(toy.project.root), str(log)]
-    env = {**os.environ, "TMPDIR": str(outside)}  # and with it a lock of its own
+    env = {
+        **os.environ,
+        "TMPDIR": str(outside),
+    }  # the lock is in this folder, so these processes have a lock of their own
     driver = subprocess.Popen(
         command,
         cwd=outside,
@@ -240,7 +243,9 @@ def test_measuring_that_is_stopped_keeps_its_records_and_leaves_nothing_running(
         assert driver.poll() is None, driver.stderr.read()
         time.sleep(0.02)
     driver.send_signal(sent)
-    lines = driver.communicate(timeout=300.0)[1]  # half of what the batch would take
+    lines = driver.communicate(timeout=300.0)[
+        1
+    ]  # half of the memory that the batch would need
     assert not running(log)
     assert driver.returncode == -sent and "Traceback" not in lines
     assert [row["case"] for row in rows_of(toy)] == ["a", "b", "sum"]

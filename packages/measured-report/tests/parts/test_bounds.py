@@ -36,14 +36,18 @@ BOUNDED = [
 BOUNDED += [
     (mm(1.0, 0.5), mm(1.5), "holds", "fails"),
     (mm(1.5), mm(1.0, 0.5), "fails", "holds"),
-]  # by just the noise
+]  # by exactly the noise
 BOUNDED += [
     (mm(1.0, 0.5), mm(1.25), "near", "near"),
     (mm(-2.0, 0.5), mm(-1.0), "holds", "fails"),
 ]
 BOUNDED += [(mm(10.0, 3.0), mm(15.0, 4.0), "holds", "fails")]  # 3² + 4² = 5²
-BOUNDED += [(mm(10.0, 3.0), mm(14.5, 4.0), "near", "near")]  # by more than either noise
-BOUNDED += [(mm(16.0, 3.0), mm(10.0, 4.0), "fails", "holds")]  # by less than their sum
+BOUNDED += [
+    (mm(10.0, 3.0), mm(14.5, 4.0), "near", "near")
+]  # by more than the noise of either number
+BOUNDED += [
+    (mm(16.0, 3.0), mm(10.0, 4.0), "fails", "holds")
+]  # by less than the sum of the noises
 
 
 @pytest.mark.parametrize(("a", "bound", "most", "least"), BOUNDED)
@@ -78,7 +82,7 @@ def test_greater_is_by_more_than_the_noise_of_the_difference_and_less_is_the_opp
 
 
 SAME = {
-    (0.042, 0.010): "holds",  # real, and too small to matter
+    (0.042, 0.010): "holds",  # the change is real but too small to matter
     (0.003, 0.010): "holds",
     (0.95, 0.05): "holds",  # 1 is the end of the interval
     (0.95, 0.06): "near",
@@ -107,10 +111,10 @@ FALLS |= {(5.0,): "cannot tell", (5.25, 4.0): "holds", (9.0, 2.0, 7.0): "fails"}
 FALLS |= {
     (5.0, 3.0, 4.0, 2.0): "holds",
     (5.0, 3.0, 4.25, 2.0): "fails",
-}  # rises by just the bound, or by more
+}  # rises by exactly the bound, or by more
 FALLS |= {
     (9.0, 5.0, 5.75, 6.5, 2.0): "fails"
-}  # in two steps, of which neither is more than the bound
+}  # in two steps, each of them at most the bound
 FALLS |= {(2.0, 4.0, 3.0, 5.0): "the opposite", (2.0, 4.25, 3.0, 5.0): "fails"}
 
 
@@ -118,7 +122,7 @@ def test_what_decreases_rises_nowhere_by_more_than_what_matters():
     assert {
         each: said(module.decreases([*map(mm, each)], by=mm(1.0))) for each in FALLS
     } == FALLS
-    noisy = [mm(5.0, 0.3), mm(3.5, 0.4)]  # by 1.5 ± 0.5
+    noisy = [mm(5.0, 0.3), mm(3.5, 0.4)]  # the change is 1.5 ± 0.5
     assert said(module.decreases(noisy, by=mm(0.99))) == "holds"
     assert said(module.decreases(noisy, by=mm(1.01))) == "near"
 

@@ -89,7 +89,7 @@ def test_numbers_of_several_units_are_refused_and_never_compared(test, other):
             match="the column time of a table has ms and s: give it one unit",
         ):
             table.rendered()
-    else:  # what stands beside each other need not be compared
+    else:  # cells of one row need not be comparable
         assert "ms" in table.rendered().frame
 
 
@@ -226,7 +226,7 @@ def test_what_has_no_value_says_why(results):
     with pytest.raises(
         ResultsError, match="toy: there is no single row of case nobody"
     ):
-        _ = results.row["nobody"].has_old  # as false as a no, if it were a text
+        _ = results.row["nobody"].has_old  # a text would count as true here
     with pytest.raises(ResultsError, match="toy: soft has no column drift_mm_s"):
         _ = results.row["soft"].drift_mm_s
 

@@ -24,11 +24,11 @@ def thin(text: str) -> str:
 NOISY = {
     (120.6, 1.5): "121",
     (123.4, 2.0): "123",
-}  # half of it leaves the ones; at the noise itself it would be 120
+}  # half the noise is below ten; the noise itself would give 120
 NOISY |= {
     (12.5, 1.0): "13",
     (12.4, 0.75): "12.4",
-}  # moved by just half the noise, and 12 would be by more
+}  # 12.5 differs by exactly half the noise, and 12 by more
 NOISY |= {
     (8.0, 5.0): "8",
     (6.0, 1e-5): "6.00",
@@ -88,7 +88,7 @@ def test_a_number_is_rounded_at_half_its_noise_to_three_digits_or_without_one_to
 BOUNDS = [
     (6.361, 0.01, "6.361", "6.36"),
     (6.369, 0.01, "6.37", "6.369"),
-]  # 6.37 would be off by more than 0.005
+]  # 6.37 would differ by more than 0.005
 BOUNDS += [
     (-6.365, 0.01, "-6.36", "-6.37"),
     (0.31, 0.5, "0.5", "0"),
