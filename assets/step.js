@@ -1,4 +1,4 @@
-// The front page: the pads, the slip and the run time for the reader's own time step.
+// Show the pads, the slip and the run time for the reader's own time step on the front page.
 "use strict";
 
 const choice = document.querySelector("#step-choice");
@@ -22,7 +22,7 @@ function stepTable() {
   }));
 }
 
-/** The value of a column at a step, interpolated between the logarithms of its neighbours, or null outside of what was measured. */
+/** Return the value of a column at a step, interpolated between the logarithms of its neighbours, or null outside of the measured range. */
 function at(steps, cells, step) {
   const points = steps.map((x, index) => [Math.log(x), cells[index]]).filter(([, y]) => y !== null);
   points.sort((a, b) => a[0] - b[0]);

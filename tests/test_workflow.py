@@ -96,9 +96,7 @@ def test_the_workflow_comments_with_the_answer_or_with_why_there_is_none(
 def test_the_newest_release_is_measured_again_on_a_gpu_and_compared_anew(tmp_path):
     given = {"NEWTON": "1.8.0", "WITH": "", "ANSWER": "as before", "STATUS": "0"}
     run_script(tmp_path, 3, AGAIN="true", **given)
-    assert not (tmp_path / "log").exists(), (
-        "a quick run on a CPU repeats to the last bit"
-    )
+    assert not (tmp_path / "log").exists(), "quick runs on a CPU are bit-identical"
     (tmp_path / "nvidia-smi").write_text("#!/bin/bash\nexit 0\n")
     run_script(tmp_path, 3, AGAIN="true", **given)
     calls = (tmp_path / "log").read_text().splitlines()

@@ -1,4 +1,4 @@
-"""Time blocks of frames in turn until the interval of a ratio is narrow enough.
+"""Time blocks of frames alternately until the interval of a ratio is narrow enough.
 
 A round times one block of each case, in the reverse order of the previous round (ABBA),
 so that a drift of the machine cancels. The logarithm of a case's time relative to the

@@ -81,7 +81,7 @@ def derive(results: Results) -> Section:
     )
     off = results.value(
         "slide_departure_as-shipped",
-        "absolute value of that difference, relative to the measured motion",
+        "absolute value of this difference, relative to the measured motion",
         PERCENT * abs(gap / along),
     )
     is_more = greater(slide, along).answer
@@ -90,7 +90,7 @@ def derive(results: Results) -> Section:
         results.value(
             f"missing_term_departure_{row.case}",
             "absolute difference between the slide predicted from the left-out"
-            " acceleration and that of the friction rows, relative to the latter",
+            " acceleration and the slide of the friction rows, relative to the latter",
             departure(row.predicted_slide_mm, row.slide_mm),
         )
         for row in left_out
@@ -109,7 +109,7 @@ def derive(results: Results) -> Section:
         share = results.value(
             f"restored_share_{case}",
             "absolute slide of the friction rows with the term put back, relative to"
-            " that without it",
+            " the slide without it",
             PERCENT * abs(back.slide_mm / plain.slide_mm),
         )
         shares.append(share)

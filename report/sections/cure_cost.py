@@ -33,7 +33,7 @@ def derive(results: Results) -> Section:
     extra = {
         (case, count): results.value(
             f"{case}_extra_{count}",
-            f"time of a frame with {case} over that as shipped, timed in turn, minus"
+            f"time of a frame with {case} divided by the time as shipped, timed in turn, minus"
             " one",
             PERCENT * (rows[case, count].frame_ratio - 1),
         )

@@ -65,7 +65,7 @@ def derive(results: Results) -> Section:
     )
     off = results.value(
         "g_off",
-        "absolute difference between that and the acceleration in the law, relative to"
+        "absolute difference between this and the acceleration in the law, relative to"
         " the latter",
         departure(swing, results.derived["g"]),
     )
@@ -108,7 +108,7 @@ def _by_hand(results: Results, law: Value | None) -> Claim:
     rough = law or _law(results, row)
     off = results.value(
         "rough_off",
-        "absolute difference between that and the drift, relative to the latter",
+        "absolute difference between this and the drift, relative to the latter",
         departure(rough, row.drift_mm_s),
     )
     outcome = at_most(off, 5.0, "nearly all of it")
@@ -138,7 +138,7 @@ def _follows(results: Results, runs: list[Row], laws: dict[str, Value]) -> Claim
         results.value(
             f"off_kept_{row.case}",
             "absolute difference between the drift measured with compensated positions"
-            " and that of the law, relative to the latter",
+            " and the drift that the law predicts, relative to the latter",
             departure(row.drift_mm_s, laws[row.case]),
         )
         for row in runs

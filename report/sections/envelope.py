@@ -109,7 +109,7 @@ def _slip_ratio(results: Results, shake: str):
         return ""
     return results.value(
         f"round_gain_{shake}",
-        "slip with shipped pads over that with stiff pads",
+        "slip with shipped pads divided by the slip with stiff pads",
         shipped.slip_mm / stiff.slip_mm,
     )
 

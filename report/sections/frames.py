@@ -21,7 +21,7 @@ def derive(results: Results) -> Section:
     left = results.row["cube-in-left-finger"].displacement_mm
     right = results.row["cube-in-right-finger"].displacement_mm
     shares = (
-        "displacement of the cube relative to a finger, divided by that relative to the"
+        "displacement of the cube relative to a finger, divided by its displacement relative to the"
         " TCP"
     )
     least = results.value(

@@ -30,7 +30,7 @@ def derive(results: Results) -> Section:
     )
     share = results.value(
         "slip_difference_share",
-        "that difference, relative to the slip with the default gap",
+        "this difference, relative to the slip with the default gap",
         PERCENT * change / abs(slips[0]),
     )
     is_small = negligible(share, 5.0, "too little to explain the slip")

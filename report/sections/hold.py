@@ -64,7 +64,7 @@ def derive(results: Results) -> Section:
     )
     remaining = results.value(
         "stiff_creep_share",
-        "slip of the long hold with stiff pads, relative to that with shipped pads",
+        "slip of the long hold with stiff pads, relative to the slip with shipped pads",
         PERCENT * stiff.slip_mm / slip,
     )
     keeps = all_of(goes_on, at_least(remaining, 50.0, "most of it remains"))
@@ -76,13 +76,13 @@ def derive(results: Results) -> Section:
     warp = results.row["precision-warp"].creep_mm_s
     double_share = results.value(
         "double_share",
-        "creep with positions in double precision, relative to that with positions"
+        "creep with positions in double precision, relative to the creep with positions"
         " rounded to single precision",
         PERCENT * double / single,
     )
     rounded = results.value(
         "rounded_departure",
-        "absolute difference between the creep with rounded positions and that of"
+        "absolute difference between the creep with rounded positions and the creep in"
         " MuJoCo Warp, relative to the latter",
         departure(single, warp),
     )

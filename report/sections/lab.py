@@ -32,7 +32,7 @@ def derive(results: Results) -> Section:
     )
     farther = results.value(
         "midphase_farther",
-        "displacement with the midphase over that without",
+        "displacement with the midphase divided by the displacement without it",
         with_midphase.wander_mm / without.wander_mm,
     )
     outcome = at_least(

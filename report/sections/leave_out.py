@@ -90,7 +90,7 @@ def derive(results: Results) -> Section:
     for count in (1, MANY_COUNT):
         gain = results.value(
             f"cuda_gain_{count}",
-            "time of a frame exactly as shipped over that without the unneeded parts,"
+            "time of a frame exactly as shipped divided by the time without the unneeded parts,"
             " timed in turn",
             1 / timed["cuda", ALL, count].frame_ratio,
         )
@@ -104,7 +104,7 @@ def derive(results: Results) -> Section:
     row = timed["cpu", ALL, 1]
     cpu_gain = results.value(
         "cpu_gain_least",
-        "time of a frame on the CPU exactly as shipped over that without the unneeded"
+        "time of a frame on the CPU exactly as shipped divided by the time without the unneeded"
         " parts, at the lower end of its interval",
         1 / row.frame_ratio / (1 + row.ratio_resolution),
         is_noise=True,
@@ -115,7 +115,7 @@ def derive(results: Results) -> Section:
     after = timed[device, ALL, 1].buffer_bytes_per_world
     saving = results.value(
         "memory_saving",
-        "contact and constraint memory per world exactly as shipped over that without"
+        "contact and constraint memory per world exactly as shipped divided by the memory without"
         " the unneeded parts",
         before / after,
     )
@@ -126,7 +126,7 @@ def derive(results: Results) -> Section:
     differences = [
         results.value(
             f"cuda_{case}_difference".replace("-", "_"),
-            f"slip of {case} minus that of {REFERENCE}, on the same device",
+            f"slip of {case} minus the slip of {REFERENCE}, on the same device",
             row.slip_mm - base,
         )
         for case, row in ran.items()
@@ -138,7 +138,7 @@ def derive(results: Results) -> Section:
     )
     share = results.value(
         "cuda_largest_share",
-        "that difference, relative to the slip of the reference",
+        "this difference, relative to the slip of the reference",
         PERCENT * largest / abs(base),
     )
     bound = relevance(results, base)

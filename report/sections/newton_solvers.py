@@ -121,7 +121,7 @@ def _box_table(results: Results, walk: Value) -> Table:
         if is_turning:
             cell = results.value(
                 f"{name}_{scene}",
-                "growth of the distance from the axis, relative to that distance",
+                "growth of the distance from the axis, relative to the distance",
                 PERCENT * cell,
             )
         bound = walk if is_turning else creep
@@ -185,7 +185,7 @@ def _other_solver_claims(results: Results, rows: RowsBy, times: RowsBy) -> list[
     hands = {
         name: results.value(
             f"{name}_hand",
-            "absolute difference between the amplitude of the hand and that in MuJoCo"
+            "absolute difference between the amplitude of the hand and its amplitude in MuJoCo"
             " Warp, relative to the latter",
             departure(row.hand_amplitude_mm, amplitude),
         )
@@ -214,7 +214,9 @@ def _other_solver_claims(results: Results, rows: RowsBy, times: RowsBy) -> list[
         hold = decided(bool(holding), *cells)
     farther = at_least(slip, bound)
     if farther.name == "fails":
-        farther = Outcome("unknown", "in MuJoCo Warp the slip stays below that as well")
+        farther = Outcome(
+            "unknown", "in MuJoCo Warp the slip stays below the bound as well"
+        )
     ratios = {name: times[name, TIMED_WORLDS[0]].frame_ratio for name in holding}
     ratios = {name: ratio for name, ratio in ratios.items() if ratio.value is not None}
     fastest = min(ratios, key=lambda name: ratios[name].number, default="")
@@ -308,7 +310,7 @@ def _steel_claims(
     )
     strain = results.value(
         "strain",
-        "the share with the arm held still, relative to that in the shake",
+        "the share with the arm held still, relative to the share in the shake",
         PERCENT * used_held / used,
     )
 

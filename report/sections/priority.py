@@ -53,7 +53,7 @@ def derive(results: Results) -> Section:
     )
     share = results.value(
         "cube_slip_share",
-        "that difference, relative to the slip as shipped",
+        "this difference, relative to the slip as shipped",
         PERCENT * change / shipped.slip_mm,
     )
     bound = results.chosen("cube_slip_bound", "a negligible change", 2.0, "%")

@@ -53,7 +53,7 @@ def derive(results: Results) -> Section:
     cheap = results.value(
         "cheap_worlds",
         "largest number of worlds up to which no frame takes longer than cheap_bound"
-        " times that of one world",
+        " times the time of one world",
         _cheap_worlds,
         limit,
         *(cell for row in rows for cell in (row.worlds, row.frame_ms)),
@@ -61,7 +61,7 @@ def derive(results: Results) -> Section:
     times = (row.frame_ms for row in rows if row.worlds.value == cheap.value)
     ratio = results.value(
         "cheap_ratio",
-        "time of a frame with that number of worlds over that of one world",
+        "time of a frame with this number of worlds divided by the time with one world",
         next(times, alone) / alone,
     )
     more = (
@@ -86,15 +86,15 @@ def derive(results: Results) -> Section:
         time = own.frame_ratio * own.world_substeps_per_s
         gain = results.value(
             f"gain_{count}",
-            "time of the same loop over that of our frames, timed in turn, multiplied"
-            " by its speed over that of the benchmark",
+            "time of the same loop divided by the time of our frames, timed in turn, multiplied"
+            " by its speed and divided by the speed of the benchmark",
             time / benchmark.world_substeps_per_s,
         )
         gains.append(gain)
         columns[worlds_name(count)] = [
             results.value(
                 f"length_{name}_{count}".replace("-", "_"),
-                "time of a frame over that of a whole frame, timed in turn",
+                "time of a frame divided by the time of a whole frame, timed in turn",
                 PERCENT * (gain if name == "testspeed" else row.frame_ratio),
             )
             for name, row in loops.items()

@@ -52,7 +52,7 @@ def derive(results: Results) -> Section:
     )
     share = results.value(
         "convergence_share",
-        "that difference, relative to the slip of the baseline",
+        "this difference, relative to the slip of the baseline",
         PERCENT * largest / abs(slip),
     )
     more, tighter = (results.row[case] for case in converged)
@@ -77,12 +77,12 @@ def derive(results: Results) -> Section:
         row = results.row[case]
         reduction = results.value(
             f"{case}_reduction",
-            f"slip of the baseline minus that of {case}",
+            f"slip of the baseline minus the slip of {case}",
             -change_of(results, case),
         )
         share = results.value(
             f"{case}_reduction_share",
-            "that reduction, relative to the slip of the baseline",
+            "this reduction, relative to the slip of the baseline",
             PERCENT * reduction / abs(slip),
         )
         numbers = {column: row[column], "slip": row.slip_mm, "reduction": share}

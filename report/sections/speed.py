@@ -33,7 +33,7 @@ def derive(results: Results) -> Section:
     stiff = results.row["stiff-pads-only"]
     change = results.value(
         "stiff_pads_only_change",
-        "time of a frame with stiff pads over that as shipped, minus one",
+        "time of a frame with stiff pads divided by the time as shipped, minus one",
         PERCENT * (stiff.frame_ratio - 1),
     )
     bound = results.chosen("slower", *SLOWER, "%")

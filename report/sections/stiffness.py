@@ -110,7 +110,7 @@ def derive(results: Results) -> Section:
 
     stiffer = results.value(
         "dmax_stiffness_ratio",
-        "measured stiffness with raised dmax over that as shipped",
+        "measured stiffness with raised dmax divided by the stiffness as shipped",
         hardest.stiffness_n_m / shipped.stiffness_n_m,
     )
     before, after = (
@@ -129,7 +129,7 @@ def derive(results: Results) -> Section:
     )
     measured = results.value(
         "stiffness_ratio",
-        "measured stiffness at the largest ke over that at the smallest",
+        "measured stiffness at the largest ke divided by the stiffness at the smallest",
         stiffest.stiffness_n_m / shipped.stiffness_n_m,
     )
     follows = results.value(
@@ -150,7 +150,7 @@ def derive(results: Results) -> Section:
     )
     share = results.value(
         "ke_alone_share",
-        "that slip relative to the slip as shipped",
+        "this slip relative to the slip as shipped",
         PERCENT * low / shipped.slip_mm,
     )
     stiffnesses = [row.pad_ke for row in held]

@@ -314,7 +314,7 @@ def _follows(results: Results, ladder: Ladder, laws: dict) -> Claim:
     offs = [
         results.value(
             "off_" + "_".join(map(str, key)),
-            "absolute difference between the slip and that of the law, relative to the slip",
+            "absolute difference between the slip and the law, relative to the slip",
             departure(law, ladder.slip(*key)),
         )
         for key, law in compared.items()

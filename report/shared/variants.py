@@ -27,7 +27,7 @@ def variants_claim(
     changes = {
         row: results.value(
             f"{row.case}_difference",
-            f"slip of {row.case} minus that of {base.case}",
+            f"slip of {row.case} minus the slip of {base.case}",
             row.slip_mm - base.slip_mm,
         )
         for row in rows

@@ -1,4 +1,4 @@
-// Elements of the page, made and found.
+// Create and find elements of the page.
 
 /**
  * @param {string} tag @param {Record<string, any>} [attributes] @param {...(Node | string)} children
@@ -15,16 +15,16 @@ export function h(tag, attributes = {}, ...children) {
   return element;
 }
 
-/** Where the page's script lies, and beside it what it loads. */
+/** The folder of the page's script and of the files that it loads. */
 export const HERE = /** @type {HTMLScriptElement} */ (document.currentScript).src;
 
-/** Whether the page came from a server: a browser lets one that was opened from a file load nothing. */
+/** Whether the page came from a server. Browsers do not let a page that was opened from a file load other files. */
 export const isServed = location.protocol.startsWith("http");
 
 /** @param {string} selector @returns {any} */
 export const find = (selector) => document.querySelector(selector);
 
-/** A number with its unit, as people read it. @param {number | null} value @param {string} unit */
+/** Return a number with its unit as text. @param {number | null} value @param {string} unit */
 export function written(value, unit) {
   if (value === null || value === undefined || !Number.isFinite(value)) return "–";
   const digits = Math.abs(value) >= 100 ? 0 : Math.abs(value) >= 10 ? 1 : Math.abs(value) >= 1 ? 2 : 3;

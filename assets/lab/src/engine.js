@@ -1,4 +1,4 @@
-// The engine with what runs in it: MuJoCo's C code as WebAssembly, the shake and the turntable.
+// Run the shake and the turntable in MuJoCo's C engine, compiled to WebAssembly.
 
 import load from "@mujoco/mujoco";
 
@@ -12,8 +12,8 @@ import { turntable } from "./turntable.js";
 export { CASES, CHOICES, RANGES, read, SHIPPED, write } from "./settings.js";
 
 /**
- * The engine out of its compressed file.
- * @param {ArrayBuffer} packed WebAssembly, as gzip packs it or as it is
+ * Load the engine from its compressed file.
+ * @param {ArrayBuffer} packed WebAssembly, compressed with gzip or not
  */
 export async function open(packed) {
   const isPacked = new Uint8Array(packed, 0, 1)[0] === 0x1f;
@@ -22,7 +22,7 @@ export async function open(packed) {
   return new Laboratory(await load({ wasmBinary, printErr: () => undefined }));
 }
 
-/** What can be measured with it. */
+/** The measurements that the engine can make. */
 export class Laboratory {
   /** @param {Engine} mujoco */
   constructor(mujoco) {
@@ -31,7 +31,7 @@ export class Laboratory {
   }
 
   /**
-   * Shake the cube; ``watch`` sees the run after each frame, and its promise is waited for.
+   * Shake the cube. ``watch`` is called with the run after each frame, and its promise is awaited.
    * @param {string} mjcf
    * @param {import("./settings.js").Settings} settings
    * @param {{shakeFrames: number, floor_mm_s: number}} how

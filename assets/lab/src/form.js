@@ -1,4 +1,4 @@
-// Controls: a box and a slider for a number, a choice for a name; what they say is settings.
+// Controls of the settings: a box and a slider for each number, and a choice for each name.
 
 import { h } from "./dom.js";
 
@@ -11,7 +11,7 @@ import { h } from "./dom.js";
 
 const SLIDER_STEPS = 200;
 
-/** A form of controls that says, and is told, what is set. */
+/** A form of controls that returns and accepts settings. */
 export class Form {
   /**
    * @param {string} id @param {Record<string, Control[]>} groups by legend
@@ -67,7 +67,7 @@ export class Form {
     this.sliders[name].value = String(Math.round(SLIDER_STEPS * part));
   }
 
-  /** @param {Record<string, any>} settings those that it has a control for count */
+  /** @param {Record<string, any>} settings those without a control are ignored */
   set(settings) {
     for (const name of Object.keys(this.inputs)) {
       if (!(name in settings)) continue;
@@ -76,7 +76,7 @@ export class Form {
     }
   }
 
-  /** What is set, as text by name. */
+  /** Return the settings as text, by name. */
   get query() {
     return new URLSearchParams(Object.entries(this.inputs).map(([name, input]) => [name, input.value])).toString();
   }

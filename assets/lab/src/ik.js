@@ -1,15 +1,15 @@
-// Inverse kinematics of the arm, step by step as experiments/simulation/arm_ik.py: δ = −Jᵀ (J Jᵀ + λ 1)⁻¹ r.
+// Compute the inverse kinematics of the arm with the steps of experiments/simulation/arm_ik.py: δ = −Jᵀ (J Jᵀ + λ 1)⁻¹ r.
 
 const LAMBDA = { initial: 0.1, factor: 2, least: 1e-5, most: 1e10 };
 const LEAST_GAIN = 1e-3;
 const ARM_DOF_COUNT = 7;
 
-/** The arm of a model, moved in a state of its own. */
+/** Move the arm of a model in a separate state. */
 export class ArmSolver {
   /**
    * @param {import("./engine.js").Engine} mujoco
    * @param {import("./engine.js").Model} model
-   * @param {number[]} ready coordinates to begin with [rad]
+   * @param {number[]} ready initial coordinates [rad]
    */
   constructor(mujoco, model, ready) {
     this.mujoco = mujoco;
@@ -21,7 +21,7 @@ export class ArmSolver {
   }
 
   /**
-   * Take some steps towards a pose of the TCP, from where the last call ended.
+   * Take some steps towards a pose of the TCP, from the end of the last call.
    * @param {number[]} position [m]
    * @param {number[]} rotation unit quaternion (w, x, y, z)
    * @param {number} iterations
@@ -52,7 +52,7 @@ export class ArmSolver {
   }
 
   /**
-   * How far the TCP is off, in place and as a rotation vector, and the columns of its Jacobian.
+   * Return the error of the TCP's position and its rotation vector, and the columns of its Jacobian.
    * @param {number[]} angles
    * @param {number[]} position
    * @param {number[]} rotation
@@ -85,7 +85,7 @@ function dot(a, b) {
 }
 
 /**
- * The x for which (J Jᵀ + λ 1) x = r, by Cholesky's decomposition.
+ * Return the x for which (J Jᵀ + λ 1) x = r, by Cholesky's decomposition.
  * @param {number[][]} columns @param {number} damping @param {number[]} right
  */
 function solved(columns, damping, right) {
@@ -112,7 +112,7 @@ function solved(columns, damping, right) {
 }
 
 /**
- * The rotation vector [rad] that is between two unit quaternions (w, x, y, z).
+ * Return the rotation vector [rad] between two unit quaternions (w, x, y, z).
  * @param {number[]} now @param {number[]} wanted
  */
 export function turnBetween(now, wanted) {
@@ -127,7 +127,7 @@ export function turnBetween(now, wanted) {
 }
 
 /**
- * The unit quaternion (w, x, y, z) of a rotation matrix, row by row.
+ * Return the unit quaternion (w, x, y, z) of a rotation matrix in row order.
  * @param {ArrayLike<number>} m
  */
 export function quaternion(m) {

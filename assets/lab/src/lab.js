@@ -1,4 +1,4 @@
-// lab.html: settings, runs, what they show beside the tracked ones, sweeps and the turntable.
+// Run lab.html: settings, runs and their comparison with the tracked ones, sweeps and the turntable.
 
 import { find, h, HERE, isServed, written } from "./dom.js";
 import { Form } from "./form.js";
@@ -63,7 +63,7 @@ const SHOWN = [
   ["friction used, at most", "cone_use", "of 1"],
   ["time of a step", "step_ms", "ms"],
 ];
-/** Names of tracked curves that stand behind one's own, and their colours. */
+/** Names and colours of the tracked curves behind the reader's own curve. */
 const BEHIND = { "as-shipped": "--series-2", "stiff-pads": "--series-1" };
 
 const place = find("#lab-bench");
@@ -112,7 +112,7 @@ function begin() {
     guarded(measure, status).finally(() => {
       run.disabled = false;
       cancel.disabled = true;
-      if (slip.textContent === SHAKING) slip.textContent = NOT_RUN; // it was cancelled, or failed
+      if (slip.textContent === SHAKING) slip.textContent = NOT_RUN; // the run was cancelled or failed
     });
   }
 
@@ -133,7 +133,7 @@ function begin() {
     const draw = () => plot(svg, [...behind, { name: "this run", colour: "--series-3", points }], { x: "time of the shake [s]", y: "displacement [mm]" });
     draw();
     view.begin(settings.edge_mm / 1e3);
-    cancel.disabled = false; // not before there is something to cancel
+    cancel.disabled = false; // there is nothing to cancel before
     const how = { shakeFrames: SHAKE_FRAMES, floor_mm_s: tracked.rows[0].creep_floor_mm_s };
     const row = await pool.run({ kind: "shake", mjcf: tracked.mjcf, settings, how }, ({ frames, shaken }) => {
       for (const moved of view.add(frames, shaken)) points.push([points.length * FRAME_S, moved]);
@@ -191,7 +191,7 @@ function sharing(row, settings) {
   return [block("The row, as JSON with the records' columns", json), block("The same in Newton", python)];
 }
 
-/** What sets the same in Newton. @param {import("./settings.js").Settings} settings */
+/** Return the code that makes the same settings in Newton. @param {import("./settings.js").Settings} settings */
 function newtonLines({ ke, kd, mu, impratio, cone, integrator, substeps }) {
   return [
     "for shape in pads:  # shapes of the two fingers",

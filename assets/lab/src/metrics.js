@@ -1,5 +1,5 @@
-// Numbers and classes of a run, in the definitions of experiments/facts/metrics.py and classes.py. Here a shake may be slower
-// than the lift before it, which no case there is.
+// Compute the numbers and the class of a run as defined in experiments/facts/metrics.py and classes.py. Here a shake may be
+// slower than the lift before it, which does not occur in the cases there.
 
 import { LIFT_PEAK_M_S } from "./task.js";
 
@@ -12,8 +12,9 @@ const GROWTH_SPEED_RATIO = 0.1;
 const FRAME_S = 1 / 60;
 
 /**
- * The cube in the TCP's frame since the first frame of the shake [m], and the component along the shake's main axis.
- * @param {{cube: number[], tcp: number[], matrix: ArrayLike<number>}[]} frames of the shake; matrix is of the TCP, row by row
+ * Return the displacement of the cube in the TCP frame since the first frame of the shake [m], and its component along the
+ * main axis of the shake.
+ * @param {{cube: number[], tcp: number[], matrix: ArrayLike<number>}[]} frames of the shake; matrix is the rotation of the TCP in row order
  */
 export function displacement(frames) {
   const relative = frames.map(({ cube, tcp, matrix }) => inFrame(matrix, cube.map((value, axis) => value - tcp[axis])));
@@ -25,10 +26,10 @@ export function displacement(frames) {
 /** @param {ArrayLike<number>} matrix @param {number[]} v */
 const inFrame = (matrix, v) => [0, 1, 2].map((axis) => matrix[axis] * v[0] + matrix[3 + axis] * v[1] + matrix[6 + axis] * v[2]);
 
-/** Length of the last displacement [mm]. @param {number[][]} vector */
+/** Return the length of the last displacement [mm]. @param {number[][]} vector */
 export const slipMm = (vector) => 1e3 * Math.hypot(...vector[vector.length - 1]);
 
-/** Least-squares slope of a series in steps of a frame, per second. @param {number[]} values */
+/** Return the least-squares slope per second of a series with one value per frame. @param {number[]} values */
 export function slope(values) {
   const middle = (values.length - 1) / 2;
   let [up, down] = [0, 0];
@@ -39,13 +40,13 @@ export function slope(values) {
   return up / down / FRAME_S;
 }
 
-/** Largest speed at which the hand is driven [m/s], by the lift or the shake. @param {{shake_amplitude_m: number, shake_frequency_hz: number}} of */
+/** Return the largest speed at which the lift or the shake drives the hand [m/s]. @param {{shake_amplitude_m: number, shake_frequency_hz: number}} of */
 function drivePeak({ shake_amplitude_m, shake_frequency_hz }) {
   return Math.max(LIFT_PEAK_M_S, shake_amplitude_m * 2 * Math.PI * shake_frequency_hz * DRIVE_SHAPE);
 }
 
 /**
- * Kinetic energy per mass [J/kg] less the work of gravity since the first frame, not below 0.
+ * Return the kinetic energy per mass [J/kg] minus the work of gravity since the first frame, at least 0.
  * @param {number[][]} positions @param {number} gravity
  */
 function excessEnergy(positions, gravity) {
@@ -57,7 +58,7 @@ function excessEnergy(positions, gravity) {
   });
 }
 
-/** @param {any} of a case @param {number[][]} relative the cube against the TCP in the shake, world axes */
+/** @param {any} of a case @param {number[][]} relative positions of the cube relative to the TCP in the shake, in world axes */
 function isEnergyGrowing(of, relative) {
   const cycle = Math.round(1 / (of.shake_frequency_hz * FRAME_S));
   const last = relative.slice(-2 * cycle - 1);
@@ -68,7 +69,7 @@ function isEnergyGrowing(of, relative) {
   return Math.sqrt(2 * after) > GROWTH_SPEED_RATIO * drivePeak(of) && after >= GROWTH_RATIO * before;
 }
 
-/** How fast the cube moves in the grasp over the last whole period of the shake [mm/s]. @param {any} of @param {number[][]} vector */
+/** Return the speed of the cube in the grasp over the last whole period of the shake [mm/s]. @param {any} of @param {number[][]} vector */
 export function creepMmS(of, vector) {
   const period = Math.min(Math.round(2 / (of.shake_frequency_hz * FRAME_S)), vector.length - 1);
   if (period < 1) return 0;
@@ -77,11 +78,11 @@ export function creepMmS(of, vector) {
 }
 
 /**
- * How a run ended: the first that fits of non-finite, exploded, dropped, creeping, holding.
+ * Return how a run ended: the first of non-finite, exploded, dropped, creeping and holding that applies.
  * @param {any} of a case
- * @param {{cube: number[][], tcp: number[][], shaken: number, failure: string}} run positions of all frames, where the shake begins
+ * @param {{cube: number[][], tcp: number[][], shaken: number, failure: string}} run positions of all frames, and the first frame of the shake
  * @param {number[][]} vector displacement
- * @param {number} floor_mm_s creep that can't be told from none
+ * @param {number} floor_mm_s largest creep that cannot be distinguished from zero
  */
 export function classify(of, { cube, tcp, shaken, failure }, vector, floor_mm_s) {
   if (failure || ![...cube, ...tcp].flat().every(Number.isFinite)) return "non-finite";

@@ -1,4 +1,4 @@
-// A plot of lines and points, as SVG in the colours of the page.
+// Plot lines and points as SVG in the colours of the page.
 
 const HEIGHT = 260;
 const [LEFT, RIGHT, TOP, BOTTOM] = [58, 14, 14, 40];
@@ -21,7 +21,7 @@ function shape(tag, attributes, text) {
   return element;
 }
 
-/** About so many round numbers between two. @param {number} low @param {number} high @param {number} most */
+/** Return about this many round numbers between two numbers. @param {number} low @param {number} high @param {number} most */
 function ticks(low, high, most) {
   const rough = (high - low) / most || 1;
   const power = 10 ** Math.floor(Math.log10(rough));
@@ -31,7 +31,7 @@ function ticks(low, high, most) {
   return found;
 }
 
-/** Powers of ten and, where these are few, twice and five times them. @param {number} low @param {number} high */
+/** Return powers of ten and, if there are few of them, also twice and five times each. @param {number} low @param {number} high */
 function logTicks(low, high) {
   const factors = Math.log10(high / low) > 2.5 ? [1] : [1, 2, 5];
   const found = [];
@@ -43,7 +43,7 @@ function logTicks(low, high) {
  * Draw series into an SVG element.
  * @param {SVGElement} svg
  * @param {Series[]} series
- * @param {{x: string, y: string, isLog?: boolean, least?: number}} axes labels; whether x is; how far y reaches at least
+ * @param {{x: string, y: string, isLog?: boolean, least?: number}} axes labels; whether x is logarithmic; the least upper end of y
  */
 export function plot(svg, series, { x: xLabel, y: yLabel, isLog = false, least = 0 }) {
   const width = Math.max(svg.clientWidth, 260);

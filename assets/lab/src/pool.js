@@ -1,4 +1,4 @@
-// Engines in workers: the first for what is watched, all for a sweep.
+// Run engines in workers: the first worker runs watched runs, and all workers run a sweep.
 
 /**
  * @typedef {Object} Asked
@@ -8,7 +8,7 @@
  * @property {{shakeFrames: number, floor_mm_s: number}} [how]
  */
 
-/** One worker, and what it was asked. */
+/** One worker and its open requests. */
 class Bench {
   /** @param {URL} script */
   constructor(script) {
@@ -57,13 +57,13 @@ export class Pool {
     return this.benches[index];
   }
 
-  /** Run one thing; ``watch`` hears of its frames. @param {Asked} asked @param {(message: any) => void} [watch] @returns {Promise<any>} */
+  /** Run one request; ``watch`` is called with its frames. @param {Asked} asked @param {(message: any) => void} [watch] @returns {Promise<any>} */
   run(asked, watch) {
     return this.#bench(0).ask({ ...asked, id: ++this.count }, watch);
   }
 
   /**
-   * Run many, side by side; each is told of when it is done.
+   * Run many requests in parallel; ``tell`` is called after each of them.
    * @param {Asked[]} list @param {(index: number, row: any) => void} tell
    */
   async runAll(list, tell) {
@@ -80,12 +80,12 @@ export class Pool {
     await Promise.all(Array.from({ length: Math.min(this.size, list.length) }, (_, index) => work(this.#bench(index))));
   }
 
-  /** End what runs; it rejects with "cancelled". */
+  /** End the running requests; they reject with "cancelled". */
   cancel() {
     this.cancelled = this.count;
     for (const { worker } of this.benches) worker.postMessage({ kind: "cancel", id: this.count });
   }
 }
 
-/** How many workers are worth while here. */
+/** Return the number of workers that are useful on this machine. */
 export const coreCount = () => Math.max(1, Math.min(navigator.hardwareConcurrency || 2, 4));

@@ -1,4 +1,4 @@
-// What can be set, as a person sets it: its range, its shipped value, and what an address says.
+// Define the settings that a reader can change: their ranges, their shipped values, and their form in an address.
 
 /**
  * @typedef {Object} Settings
@@ -9,7 +9,7 @@
  * @property {string} cone
  * @property {number} substeps steps of the engine in a frame of 1/60 s
  * @property {string} integrator
- * @property {string} term what friction rows get back: off, on, centred
+ * @property {string} term the term in the friction rows: off, on, centred
  * @property {number} grip_n force of each finger [N]
  * @property {number} mass_g of the cube [g]
  * @property {number} edge_mm of the cube [mm]
@@ -18,7 +18,7 @@
  * @property {number} gravity_m_s2 downward [m/s²]
  */
 
-/** Least, most, and whether the control's steps are ratios. @type {Record<string, [number, number, boolean]>} */
+/** Smallest and largest value, and whether the steps of the control are ratios. @type {Record<string, [number, number, boolean]>} */
 export const RANGES = {
   ke: [100, 1e7, true],
   kd: [5, 1e5, true],
@@ -56,7 +56,7 @@ export const SHIPPED = {
   gravity_m_s2: 9.81,
 };
 
-/** Settings that have a name, in which each differs from the shipped ones. @type {Record<string, Partial<Settings>>} */
+/** Named settings, as differences from the shipped ones. @type {Record<string, Partial<Settings>>} */
 export const CASES = {
   "as shipped": {},
   "stiff pads": { ke: 2.5e5, kd: 1e3 },
@@ -67,7 +67,7 @@ export const CASES = {
 };
 
 /**
- * Settings out of what an address says, each in its range; what it does not say, or says badly, is as shipped.
+ * Read settings from an address, each within its range. Missing and invalid ones are as shipped.
  * @param {string} query such as kd=400&cone=pyramidal
  * @returns {Settings}
  */
@@ -88,7 +88,7 @@ function taken(name, text) {
   return name === "substeps" ? Math.round(within) : within;
 }
 
-/** What an address says of settings: those that are not as shipped. @param {Settings} settings */
+/** Return the part of an address with the settings that are not as shipped. @param {Settings} settings */
 export function write(settings) {
   return Object.entries(settings)
     .filter(([name, value]) => value !== SHIPPED[/** @type {keyof Settings} */ (name)])
@@ -97,7 +97,7 @@ export function write(settings) {
 }
 
 /**
- * Settings as the parameters of a case, with the names and units of the records' columns.
+ * Return settings as the parameters of a case, with the names and units of the records' columns.
  * @param {Settings} settings
  */
 export function caseOf(settings) {

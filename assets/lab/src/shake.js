@@ -1,4 +1,4 @@
-// One run of the shake test in the engine, frame by frame.
+// Run the shake test in the engine, frame by frame.
 
 import { ArmSolver } from "./ik.js";
 import { classify, creepMmS, displacement, slipMm, slope } from "./metrics.js";
@@ -10,13 +10,13 @@ const SETUP_FRAME_LIMIT = 600;
 const PAD_DMAX = 0.95;
 const CUBE_PLACE = [0, -0.44];
 
-/** The shake of one case, which can be run on in parts. */
+/** The shake of one case, which can be run in parts. */
 export class Shake {
   /**
    * @param {import("./engine.js").Engine} mujoco
-   * @param {string} mjcf the scene as the engine has it
+   * @param {string} mjcf the scene
    * @param {import("./settings.js").Settings} settings
-   * @param {number} shakeFrames how many frames of the shake
+   * @param {number} shakeFrames number of frames of the shake
    */
   constructor(mujoco, mjcf, settings, shakeFrames) {
     this.mujoco = mujoco;
@@ -42,7 +42,7 @@ export class Shake {
     /** @type {number[]} */
     this.axis = [1, 0, 0];
     this.shaken = -1;
-    this.leftOut = 0; // ∫ J̇ q̇ dt of the cube's point against the hand's, along the main axis [m/s]
+    this.leftOut = 0; // ∫ J̇ q̇ dt of the cube's point relative to the hand's, along the main axis [m/s]
     /** @type {number[]} */
     this.leftOuts = [];
     this.force = new mujoco.DoubleBuffer(6);
@@ -83,7 +83,7 @@ export class Shake {
     if (task.phase === PHASE.shake) this.watch(matrix);
   }
 
-  /** Add up what moves the cube in the shake. @param {number[]} matrix of the TCP */
+  /** Add the causes of the cube's motion in the shake. @param {number[]} matrix of the TCP */
   watch(matrix) {
     if (this.shaken < 0) {
       this.shaken = this.frames.length - 1;
@@ -98,7 +98,7 @@ export class Shake {
     this.coneUse = Math.max(this.coneUse, this.coneUseNow());
   }
 
-  /** Largest tangential force over friction times normal force of a contact. */
+  /** Return the largest ratio of tangential force to friction times normal force of a contact. */
   coneUseNow() {
     const { mujoco, model, data } = this;
     const { force } = this;
@@ -115,7 +115,7 @@ export class Shake {
     return largest;
   }
 
-  /** Depth of the loaded contacts now, in the mean [mm]. */
+  /** Return the present mean depth of the loaded contacts [mm]. */
   penetrationMm() {
     const contacts = this.data.contact;
     const depths = [];
@@ -128,7 +128,7 @@ export class Shake {
     return depths.length ? depths.reduce((sum, depth) => sum + depth, 0) / depths.length : null;
   }
 
-  /** What the run shows, in the columns of the records. @param {number} floor_mm_s */
+  /** Return the results of the run, in the columns of the records. @param {number} floor_mm_s */
   row(floor_mm_s) {
     const frames = this.shaken < 0 ? [] : this.frames.slice(this.shaken);
     const { vector, along } = displacement(frames);
@@ -147,7 +147,7 @@ export class Shake {
     return { ...this.case, class: kind, dropped: kind === "dropped", ...numbers, reason, step_ms: this.engine_ms / this.stepCount, shake_duration_s: frames.length / FRAME_RATE };
   }
 
-  /** The law's: ½ (dmax · timeconst − h) of what J̇ q̇ drifts; with the term on, what that leaves [mm/s]. */
+  /** Return the drift that the law predicts, ½ (dmax · timeconst − h) J̇ q̇; with the term, only the remaining part [mm/s]. */
   predictedDriftMmS() {
     const h = this.model.opt.timestep;
     const b = damping(h, this.solref, [0, PAD_DMAX]);
@@ -170,7 +170,7 @@ export class Shake {
   }
 }
 
-/** timeconst [s] and damping ratio that Newton makes of ke and kd. @param {{pad_ke: number, pad_kd: number}} of */
+/** Return the timeconst [s] and the damping ratio that Newton computes from ke and kd. @param {{pad_ke: number, pad_kd: number}} of */
 export const padSolref = ({ pad_ke, pad_kd }) => [2 / pad_kd, pad_kd / (2 * Math.sqrt(pad_ke))];
 
 /**
@@ -205,7 +205,7 @@ function applyCase(mujoco, model, of) {
   data.delete();
 }
 
-/** What the engine calls by a name. @param {any} names @param {string} name @returns {number} */
+/** Return the value of a name in the engine. @param {any} names @param {string} name @returns {number} */
 export const numberOf = (names, name) => names[name].value;
 
 /** @param {import("./engine.js").Data} data @param {number} frame */
@@ -214,7 +214,7 @@ function failureOf(data, frame) {
   return `not finite in frame ${frame}`;
 }
 
-/** Whether the engine began anew, as it does where a number is no number. @param {import("./engine.js").Data} data */
+/** Return whether the engine was reset, which happens if a number is not finite. @param {import("./engine.js").Data} data */
 function isReset(data) {
   return data.time === 0;
 }

@@ -1,9 +1,9 @@
-// The replay's stage, for one run.
+// Show one run on the stage of the replay.
 
 import { Stage } from "../../replay/src/stage.js";
 import { quaternion } from "./ik.js";
 
-/** @param {number[]} q (w, x, y, z) @param {number[]} r @returns {number[]} the first's inverse times the second, as (x, y, z, w) */
+/** @param {number[]} q (w, x, y, z) @param {number[]} r @returns {number[]} the inverse of the first times the second, as (x, y, z, w) */
 function within([w, x, y, z], [a, b, c, d]) {
   return [w * b - x * a - y * d + z * c, w * c + x * d - y * a - z * b, w * d - x * c + y * b - z * a, w * a + x * b + y * c + z * d];
 }

@@ -1,4 +1,4 @@
-// The task: approach, descend, grasp, lift, shake, as experiments/simulation/task.py has it for one world.
+// Run the task (approach, descend, grasp, lift, shake) as experiments/simulation/task.py does, for one world.
 
 import { quaternion, turnBetween } from "./ik.js";
 
@@ -9,7 +9,7 @@ const PHASE_SECONDS = [0.25, 1.0, 0.75, 1.5];
 export const FINGER_OPEN = 0.035;
 const APPROACH_HEIGHT = 0.1;
 const LIFT_HEIGHT = 0.2;
-/** In the middle of the lift, whose way is s²(3 − 2s). */
+/** Peak speed, in the middle of the lift, whose path is s²(3 − 2s). */
 export const LIFT_PEAK_M_S = (1.5 * LIFT_HEIGHT) / PHASE_SECONDS[PHASE.lift];
 const SHAKE_RATIO = [0.65, 0.35];
 const POSITION_TOLERANCE = 0.005;
@@ -19,7 +19,7 @@ export const IK_ITERATIONS = 8;
 const TOOL_DOWN = [0, 1, 0, 0];
 export const READY = [0, 0.5, 0, -1.5, 0, 2, Math.PI / 4];
 
-/** Where the TCP and the fingers should be, frame by frame. */
+/** Compute the targets of the TCP and the fingers, frame by frame. */
 export class Task {
   /**
    * @param {import("./ik.js").ArmSolver} solver
@@ -41,11 +41,11 @@ export class Task {
   }
 
   /**
-   * Advance the clock by a frame, and solve for where the TCP should be then.
+   * Advance the clock by a frame, and solve for the target of the TCP at this time.
    * @param {number[]} cube its position now [m]
    */
   plan(cube) {
-    const t = (this.elapsed = Math.fround(this.elapsed + FRAME_S)); // in single precision, whose sums end phases
+    const t = (this.elapsed = Math.fround(this.elapsed + FRAME_S)); // in single precision, because this sum decides when phases end
     const { start, phase, shake } = this;
     let { position, rotation } = start;
     let [from, to] = [FINGER_OPEN, FINGER_OPEN];
@@ -68,7 +68,7 @@ export class Task {
   }
 
   /**
-   * What the joints are told in this frame; ends the phase when its time is up and the TCP where it wants it.
+   * Return the joint targets of this frame. The phase ends when its time is over and the TCP has reached its target.
    * @param {{position: number[], rotation: number[]}} tcp
    * @returns {number[]} targets of the arm [rad] and both fingers [m]
    */
@@ -88,7 +88,7 @@ export class Task {
 }
 
 /**
- * Where the shake's target is from its middle [m].
+ * Return the position of the shake's target relative to its middle [m].
  * @param {{amplitude_m: number, frequency_hz: number}} shake @param {number} t [s]
  */
 export function shakeOffset({ amplitude_m, frequency_hz }, t) {
@@ -106,7 +106,7 @@ function slerp(from, to, part) {
   return from.map((value, index) => a * value + sign * b * to[index]);
 }
 
-/** The pose of a site now. @param {import("./engine.js").Data} data @param {number} site */
+/** Return the present pose of a site. @param {import("./engine.js").Data} data @param {number} site */
 export function sitePose(data, site) {
   return { position: Array.from(data.site_xpos.subarray(3 * site, 3 * site + 3)), rotation: quaternion(data.site_xmat.subarray(9 * site, 9 * site + 9)) };
 }

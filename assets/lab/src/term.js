@@ -1,6 +1,6 @@
-// What the contact rows lack, J̇ q̇, put back as packages/contact-bias/contact_bias_c.py does.
+// Add the missing term J̇ q̇ to the contact rows, as packages/contact-bias/contact_bias_c.py does.
 
-/** Puts the term back in every step of one model. */
+/** Adds the term in every step of one model. */
 export class Term {
   /**
    * @param {import("./engine.js").Engine} mujoco @param {import("./engine.js").Model} model
@@ -15,7 +15,7 @@ export class Term {
     this.buffers = [0, 1].map(() => new mujoco.DoubleBuffer(3 * model.nv));
   }
 
-  /** One step of the engine with it. */
+  /** Run one step of the engine with the term. */
   step() {
     const { mujoco, model, data } = this;
     mujoco.mj_step1(model, data);
@@ -57,7 +57,7 @@ export class Term {
     }
   }
 
-  /** J̇ q̇ of a contact's second geom against its first, in the world [m/s², rad/s²]. @param {any} contact */
+  /** Return J̇ q̇ of the second geom of a contact relative to the first, in the world [m/s², rad/s²]. @param {any} contact */
   velocityProduct(contact) {
     const pos = Array.from(contact.pos);
     const [first, second] = Array.from(contact.geom, (geom) => this.model.geom_bodyid[geom]);
@@ -72,7 +72,7 @@ export class Term {
 }
 
 /**
- * J̇ q̇ of a body's point: linear and angular, in the world.
+ * Return J̇ q̇ of a point on a body: linear and angular, in the world.
  * @param {{mujoco: any, model: any, data: any, buffers: any[]}} of @param {number} body @param {number[]} pos
  */
 export function pointBias({ mujoco, model, data, buffers }, body, pos) {
@@ -91,7 +91,7 @@ export function pointBias({ mujoco, model, data, buffers }, body, pos) {
 }
 
 /**
- * b [1/s] of a row (MuJoCo documentation, "Solver parameters").
+ * Return b [1/s] of a row (MuJoCo documentation, "Solver parameters").
  * @param {number} step_s @param {ArrayLike<number>} solref @param {ArrayLike<number>} solimp
  */
 export function damping(step_s, solref, solimp) {

@@ -1,4 +1,4 @@
-// What the page's record has: the scene, the tracked runs, and which of them some settings are.
+// Read the page's record: the scene, the tracked runs, and the tracked run of some settings.
 
 import { caseOf, SHIPPED } from "./settings.js";
 
@@ -21,7 +21,7 @@ export async function readTracked() {
 }
 
 /**
- * The tracked run of some settings, where there is one.
+ * Return the tracked run of some settings, if there is one.
  * @param {Tracked} tracked @param {import("./settings.js").Settings} settings
  */
 export function runOf({ rows }, settings) {
@@ -34,7 +34,7 @@ export function runOf({ rows }, settings) {
 }
 
 /**
- * The displacement along the shake of a tracked run [s, mm].
+ * Return the displacement of a tracked run along the shake [s, mm].
  * @param {Tracked} tracked @param {string} name of its case
  * @returns {Promise<[number, number][]>}
  */

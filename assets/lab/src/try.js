@@ -1,4 +1,4 @@
-// The front page: one number to change, how far the cube slips by the law, Run, and how far it does.
+// The trial on the front page: one number to change, the slip that the law predicts, a button, and the measured slip.
 
 import { find, h, HERE, isServed, written } from "./dom.js";
 import { Pool } from "./pool.js";
@@ -20,7 +20,7 @@ function begin() {
   const law = lawOf(place);
   const tell = () => {
     said.textContent = `kd = ${value()}${law ? `, by the law ${written(law(value()), "mm")}` : ""}`;
-    slip.textContent = ""; // what was measured is of another kd
+    slip.textContent = ""; // the measured slip belongs to another kd
   };
   kd.addEventListener("input", tell);
   tell();
@@ -52,8 +52,8 @@ function begin() {
 }
 
 /**
- * The shipped slip by the law of the drift: it goes with dmax · timeconst − h, where no timeconst counts as less than two
- * steps. The page has its numbers.
+ * Return the slip by kd that the law of the drift predicts. It is proportional to dmax · timeconst − h, with a timeconst of at
+ * least two steps. The page contains the numbers of the law.
  * @param {HTMLElement} place @returns {((kd: number) => number) | null}
  */
 function lawOf(place) {

@@ -1,4 +1,4 @@
-// A box on a table that turns, as experiments/turntable.py has it: how fast it walks outward, and by the law.
+// Measure how fast a box on a turning table walks outward, and compare it with the law, as experiments/cure/turntable.py does.
 
 import { numberOf } from "./shake.js";
 import { damping, Term } from "./term.js";
@@ -43,7 +43,8 @@ ${FEET.map(([x, y]) => `<geom type="sphere" size="0.01" pos="${x} ${y} -0.04" ma
 </mujoco>`;
 
 /**
- * Growth of the box's distance from the axis [1/s], measured and by the law; null with a reason where it leaves the table.
+ * Return the measured and the predicted growth of the box's distance from the axis [1/s]; null with a reason if the box
+ * leaves the table.
  * @param {import("./engine.js").Engine} mujoco @param {Turning} turning
  */
 export function turntable(mujoco, turning) {
@@ -73,7 +74,7 @@ export function turntable(mujoco, turning) {
   }
 }
 
-/** Slope of the logarithm of the distance once the box has settled. @param {[number, number][]} path */
+/** Return the slope of the logarithm of the distance after the box has settled. @param {[number, number][]} path */
 function growth(path) {
   const points = path.filter(([time]) => time >= SETTLE_S - 1e-9).map(([time, radius]) => [time, Math.log(radius)]);
   const [x, y] = [0, 1].map((axis) => points.reduce((sum, point) => sum + point[axis], 0) / points.length);
@@ -81,7 +82,7 @@ function growth(path) {
 }
 
 /**
- * How many contacts carry force, and R / n of their friction rows [1/kg].
+ * Return the number of contacts that carry force, and R / n of their friction rows [1/kg].
  * @param {import("./engine.js").Engine} mujoco @param {import("./engine.js").Model} model @param {import("./engine.js").Data} data
  */
 function loadedContacts(mujoco, model, data) {
@@ -94,7 +95,7 @@ function loadedContacts(mujoco, model, data) {
     mujoco.mj_contactForce(model, data, index, force);
     if (contact.efc_address >= 0 && force.GetView()[0] > 0) {
       const row = contact.efc_address;
-      // Of a pyramid, two edges make a direction, each with μ² of what it yields.
+      // In a pyramid, two edges form a direction, and each of them yields by μ².
       rows.push(isElliptic ? data.efc_R[row + 1] : data.efc_R[row] / (2 * contact.friction[0] ** 2));
     }
     contact.delete();
@@ -103,7 +104,7 @@ function loadedContacts(mujoco, model, data) {
   return { count: rows.length, softness: rows.reduce((sum, value) => sum + value, 0) / rows.length ** 2 };
 }
 
-/** By the law of experiments/turntable.py. @param {Turning} turning @param {import("./engine.js").Model} model @param {number} softness_1_kg */
+/** Return the growth by the law of experiments/cure/turntable.py. @param {Turning} turning @param {import("./engine.js").Model} model @param {number} softness_1_kg */
 function predicted({ turn_rad_s: turn, step_s: h, integrator, term }, model, softness_1_kg) {
   const b = damping(h, model.geom_solref.slice(0, 2), model.geom_solimp.slice(0, 5));
   const left = { off: 1, on: 0, centred: 0.5 * h * b }[term] ?? 1;

@@ -1,9 +1,9 @@
-// The run in 3D, drawn as it is computed; without WebGL, and for who wants no motion, nothing or the end alone.
+// Draw the run in 3D while it is computed. Without WebGL nothing is drawn, and with reduced motion only the end.
 
 import { HERE } from "./dom.js";
 import { DROP_DISTANCE } from "./metrics.js";
 
-/** Between two pictures: the engine needs the processor more. */
+/** Time between two pictures, because the engine needs most of the processor [ms]. */
 const EVERY_MS = 120;
 const BASE_M = [-0.5, -0.5, 0];
 
@@ -23,14 +23,14 @@ export class View {
     this.drawn_ms = 0;
   }
 
-  /** Forget the last run. @param {number} edge_m */
+  /** Remove the last run. @param {number} edge_m */
   begin(edge_m) {
     this.states = [];
     this.from = undefined;
     this.shaken = -1;
     this.edge_m = edge_m;
     this.stage ??= import(new URL("stage.js", HERE).href).then(({ open }) => {
-      this.element.hidden = false; // first: what is not shown has no size
+      this.element.hidden = false; // this comes first, because hidden elements have no size
       return open(this.element, { edge_m, base_m: BASE_M });
     }).catch(() => {
       this.element.hidden = true;
@@ -39,8 +39,8 @@ export class View {
   }
 
   /**
-   * Take frames of the run; returns how far the cube has moved in those of the shake [mm].
-   * @param {any[]} frames @param {number} shaken which frame of all is the first of the shake, or −1
+   * Add frames of the run, and return the displacement of the cube in the frames of the shake [mm].
+   * @param {any[]} frames @param {number} shaken the index of the first frame of the shake, or −1
    * @returns {number[]}
    */
   add(frames, shaken) {

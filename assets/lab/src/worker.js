@@ -1,8 +1,8 @@
-// A worker: one engine, which runs what it is sent, one after the other.
+// A worker with one engine, which runs its requests one after the other.
 
 import { open } from "./engine.js";
 
-/** How long it runs between two looks at what else it was sent [ms]. */
+/** Time between two checks for new requests [ms]. */
 const PATIENCE_MS = 40;
 
 /** @type {Promise<import("./engine.js").Laboratory> | undefined} */

@@ -1,4 +1,4 @@
-// The displacement over the time of the shake, with a cursor that can be dragged.
+// Draw the displacement over the time of the shake, with a cursor that can be dragged.
 
 import { change, shape } from "./drawing.js";
 
@@ -25,7 +25,7 @@ export class Curve {
     svg.addEventListener("pointermove", (event) => event.buttons && to(event));
   }
 
-  // The axes and curves of some runs; colours are classes of the stylesheet.
+  // Draw the axes and curves of some runs; colours are classes of the stylesheet.
   show(runs) {
     const { svg } = this;
     svg.replaceChildren();

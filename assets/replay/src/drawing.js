@@ -1,4 +1,4 @@
-// Shapes of SVG.
+// Create shapes of SVG.
 
 const NAMESPACE = "http://www.w3.org/2000/svg";
 

@@ -1,4 +1,4 @@
-// replay.html: the time, the controls, and what they change.
+// Run replay.html: the time, the controls and their effects.
 
 import { Curve } from "./curve.js";
 import { readShakes } from "./runs.js";
@@ -6,7 +6,7 @@ import { Section } from "./section.js";
 import { Stage } from "./stage.js";
 
 const KEY_STEP_S = 1 / 30;
-const LEAD_S = 1; // how long before the shake it begins to play
+const LEAD_S = 1; // time before the shake at which the replay begins [s]
 
 const find = (selector) => document.querySelector(selector);
 const all = (selector) => [...document.querySelectorAll(selector)];
@@ -23,10 +23,10 @@ const stage = begun();
 const curve = new Curve(find("#curve"), (seconds) => seek(seconds));
 const sections = all(".run svg").map((svg, number) => new Section(svg, scene.edge_m, `var(--run-${number})`));
 
-// The stage in the place of what rests; where there is no WebGL, that stays.
+// Replace the still picture by the stage. Without WebGL the picture remains.
 function begun() {
   const { classList } = document.documentElement;
-  classList.add("moving"); // first: what is not shown has no size
+  classList.add("moving"); // this comes first, because hidden elements have no size
   try {
     return new Stage(find("#stage canvas"), scene, () => draw());
   } catch (error) {

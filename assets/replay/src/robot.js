@@ -1,4 +1,4 @@
-// The robot as a tree of three.js objects, moved by its joints.
+// Build the robot as a tree of three.js objects that its joints move.
 
 import { BufferAttribute, BufferGeometry, Color, Group, Mesh, MeshLambertMaterial, SRGBColorSpace, Vector3 } from "three";
 
@@ -21,7 +21,7 @@ function* spread(vertices, corners) {
   for (const corner of corners) yield* vertices.subarray(3 * corner, 3 * corner + 3);
 }
 
-// Of each corner the mean, by area, of the triangles about it that meet at no edge.
+// Each corner gets the mean normal, weighted by area, of the triangles around it that do not meet at an edge.
 function normals(vertices, corners) {
   const point = (corner) => new Vector3().fromArray(vertices, 3 * corner);
   const about = Array.from({ length: vertices.length / 3 }, () => []);

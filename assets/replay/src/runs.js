@@ -1,4 +1,4 @@
-// The runs of the page: what report/packed.py packed, by columns, as whole numbers between a lowest and a highest value.
+// Unpack the runs of the page. report/media/packed.py packs each column as whole numbers between its smallest and largest value.
 
 const WIDEST = 65535;
 
@@ -25,7 +25,7 @@ class Run {
     return this.left_grasp_s === null || time < this.left_grasp_s;
   }
 
-  // Everything at a time, between two kept frames in proportion.
+  // Return the state at a time, interpolated linearly between two kept frames.
   at(time) {
     const place = Math.min(Math.max((time - this.start_s) / this.step_s, 0), this.count - 1);
     const index = Math.min(Math.floor(place), this.count - 2);

@@ -1,10 +1,10 @@
-// The grasp cut open along the direction in which the fingers close: how deep the cube is in the pads, and what presses.
+// Draw a section of the grasp along the direction in which the fingers close: the depth of the cube in the pads, and the forces.
 
 import description from "robot";
 
 import { change, shape } from "./drawing.js";
 
-const WIDTH = 92; // [mm], of the whole drawing
+const WIDTH = 92; // width of the whole drawing [mm]
 const TOP = -31;
 const HEIGHT = 57;
 const ARROW_MM_N = 0.55;
@@ -30,7 +30,7 @@ export class Section {
     this.arrows = [1, -1].map(() => shape(svg, "path", { class: "arrow" }));
   }
 
-  // Everything in mm in the TCP frame: y to the right, z, which points to the ground, down.
+  // Positions are in mm in the TCP frame: y points to the right, and z, which points to the ground, down.
   draw(state) {
     const [, y, z] = state.position.map((place) => 1e3 * place);
     const [qx, qy, qz, qw] = state.quaternion;
@@ -53,7 +53,7 @@ export class Section {
         width: shown ? deep : 0,
         height: Math.max(bottom - top, 0),
       });
-      // Each pad bears half of what all contacts carry.
+      // Each pad carries half of the force of all contacts.
       const length = shown ? (ARROW_MM_N * state.normal_n) / 2 : 0;
       const tip = side * (face + 8);
       const tail = tip + side * (length + 3);

@@ -1,4 +1,4 @@
-// The 3D view: a pane for each run of a shake, all seen by the same camera.
+// Show the runs of a shake in 3D, in one pane each with the same camera.
 
 import {
   BoxGeometry,
@@ -28,7 +28,7 @@ const CUBE_RGB = [
   [0.87, 0.37, 0.08],
   [0.1, 0.45, 0.82],
 ];
-// Where the camera looks [m], from how far [m] and from which side [°]; it rides with the hand, or stands still.
+// Target [m], distance [m] and direction [°] of the camera, which moves with the hand or stands still.
 const VIEWS = {
   arm: { rides: false, target: [-0.22, -0.45, 0.32], distance: 1.8, azimuth: -45, elevation: 16 },
   pads: { rides: true, target: [0, 0, -0.006], distance: 0.22, azimuth: -58, elevation: 12 },
@@ -37,16 +37,16 @@ const VIEWS = {
 const FIELD_DEG = 30;
 const NEAREST_M = 0.12;
 const FARTHEST_M = 4;
-const AT_REST = 2; // pixels of the canvas for one of the page, across, while nothing moves
-const SLOW_MS = 30; // while it plays and frames take longer than this in the mean, there are fewer
-const FAST_MS = 18; // and where they take less than this, more again
+const AT_REST = 2; // width of a pixel of the page in pixels of the canvas, while nothing moves
+const SLOW_MS = 30; // if frames take longer than this on average during playback, there are fewer pixels
+const FAST_MS = 18; // if they take less than this, there are more pixels again
 const FEWEST = 0.6;
 const FRAME_COUNT = 8;
 
 class Pane {
   constructor(edge, number) {
     this.scene = new Scene();
-    this.world = new Group(); // all of it moves when the camera rides with the hand
+    this.world = new Group(); // all objects move if the camera moves with the hand
     this.scene.add(this.world, new HemisphereLight(0xffffff, 0x8a8f96, 1.9));
     const sun = new DirectionalLight(0xffffff, 2.0);
     sun.position.set(0.42, -0.7, 0.9);
@@ -103,7 +103,7 @@ export class Stage {
     this.redraw();
   }
 
-  // Colours of the page: what is behind, the lines on the ground, and the edges where the cube was.
+  // Colours of the page: the background, the lines on the ground, and the edges at the cube's first position.
   colour({ back, lines, edges }) {
     this.back = new Color(back);
     for (const pane of this.panes) {
@@ -114,14 +114,14 @@ export class Stage {
     }
   }
 
-  // Without a graphics card the pixels are what takes time: a frame that took `frame_ms` while it plays may cost some.
+  // Without a graphics card, the pixels take most of the time. A frame that took `frame_ms` may reduce their number.
   draw(runs, states, magnified, time, frame_ms) {
     if (frame_ms) this.#measure(frame_ms);
     const { clientWidth: width, clientHeight: height } = this.canvas.parentElement;
     this.#size(width, height, frame_ms ? this.pixels : AT_REST);
     const share = width / runs.length;
     this.camera.aspect = share / height;
-    // A narrow pane sees as much to the sides as a square one.
+    // A narrow pane shows as much to the sides as a square one.
     this.camera.fov = this.camera.aspect < 1 ? 2 * Math.atan(Math.tan((FIELD_DEG / 2) * DEG) / this.camera.aspect) / DEG : FIELD_DEG;
     this.camera.updateProjectionMatrix();
     const { target, distance, azimuth, elevation, rides } = this.view;
@@ -145,7 +145,7 @@ export class Stage {
     });
   }
 
-  // Only when it changes: a canvas that is given a size begins anew.
+  // Set the size only if it changes, because this clears the canvas.
   #size(width, height, pixels) {
     const size = [width, height, pixels].join();
     if (size === this.size) return;

@@ -72,7 +72,7 @@ def derive(results: Results) -> Section:
         results.value(
             f"left_{name}",
             "absolute growth of the distance from the axis with the exact term,"
-            " relative to that without it",
+            " relative to the growth without it",
             PERCENT * abs(exact.growth_per_s / plain.growth_per_s),
         )
         for name, plain, exact in pairs(TABLE, "exact")

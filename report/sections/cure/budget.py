@@ -87,7 +87,7 @@ def derive(results: Results) -> Section:
     )
     share = results.value(
         "held_share",
-        "slip of the root cure on stiff pads, relative to that as shipped",
+        "slip of the root cure on stiff pads, relative to the slip as shipped",
         PERCENT * slip / shipped,
     )
     lost = results.derived["limit_lost_firm"]

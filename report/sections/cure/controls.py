@@ -39,7 +39,7 @@ def derive(results: Results) -> Section:
         results.value(
             f"{row.case}_off",
             "absolute difference between the growth of the distance from the axis and"
-            " that of the law, relative to the latter",
+            " the growth that the law predicts, relative to the latter",
             departure(row.growth_per_s, row.predicted_growth_per_s),
         )
         for row in rows_of("turning")
@@ -64,7 +64,7 @@ def derive(results: Results) -> Section:
     hinges = results.value("hinges_drift", slower, extreme(min, drifts("two-hinges")))
     apart = results.value(
         "hinges_off",
-        "absolute difference of both, relative to one hinge",
+        "absolute difference between two hinges and one, relative to one hinge",
         departure(hinges, hinge),
     )
     joints_turn = all_of(
@@ -86,12 +86,12 @@ def derive(results: Results) -> Section:
     rounded, kept, best = (results.row[case] for case in ("rounded", "kept", "best"))
     gain = results.value(
         "kept_gain",
-        "slip with rounded positions over that with compensated ones",
+        "slip with rounded positions divided by the slip with compensated ones",
         rounded.slip_mm / kept.slip_mm,
     )
     rest = results.value(
         "best_share",
-        "slip with the cure, relative to that with rounded positions",
+        "slip with the cure, relative to the slip with rounded positions",
         PERCENT * best.slip_mm / rounded.slip_mm,
     )
     helps = all_of(

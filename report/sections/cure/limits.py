@@ -75,10 +75,10 @@ def _line(results: Results, variant: str, tried: list[Runs]) -> dict[str, Any]:
             "kept", "runs that keep the cube without the cure", kept
         ),
         "lost of these": count(
-            "limit_lost", "runs among these that lose it with the cure", lost
+            "limit_lost", "runs among these that lose the cube with the cure", lost
         ),
         "kept only with it": count(
-            "won", "runs that keep it only with the cure", gained
+            "won", "runs that keep the cube only with the cure", gained
         ),
         "lost cases": some_html([case_html(runs["plain"]) for runs in lost]) or "none",
     }

@@ -69,7 +69,7 @@ def derive(results: Results) -> Section:
     offs = [
         results.value(
             f"{case}_off",
-            "absolute difference between the growth and that of the law, relative to"
+            "absolute difference between the growth and the law, relative to"
             " the latter",
             departure(growth, law[case]),
         )
@@ -124,7 +124,7 @@ def derive(results: Results) -> Section:
     )
     rough_off = results.value(
         "rough_off",
-        "absolute difference between that and the measured growth, relative to the"
+        "absolute difference between this and the measured growth, relative to the"
         " latter",
         departure(rough, plain),
     )

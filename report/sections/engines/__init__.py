@@ -101,7 +101,7 @@ def derive(results: Results) -> Section:
     )
     halved = results.value(
         "kept",
-        "walk in MJX with half the step, relative to that with the whole step",
+        "walk in MJX with half the step, relative to the walk with the whole step",
         PERCENT * mjx.short_walk / mjx.walk,
     )
     tests = [
@@ -131,7 +131,7 @@ def derive(results: Results) -> Section:
     shipped, soft = (results.row[f"fet028-pad-kd-{kd}"] for kd in (100, 5))
     more = results.value(
         "soft_times",
-        "slip with less damped pads over that as shipped",
+        "slip with less damped pads divided by the slip as shipped",
         soft.slip_mm / shipped.slip_mm,
     )
     passes = all_of(
@@ -159,7 +159,7 @@ def derive(results: Results) -> Section:
 
 def _lines(results: Results) -> Iterator[Line]:
     def line(key: str, name: str, release: str, whole, half, sink) -> Line:
-        formula = "growth of the distance from the axis, relative to that distance"
+        formula = "growth of the distance from the axis, relative to the distance"
         walk = results.value(f"{key}_walk", formula, PERCENT * whole)
         halved = results.value(f"{key}_short_walk", formula, PERCENT * half)
         sinking = results.value(

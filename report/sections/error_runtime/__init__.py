@@ -59,12 +59,12 @@ def derive(results: Results) -> Section:
     soft, stiff = map(points.converged, runs.PADS)
     stays = results.value(
         "pads_stays",
-        "converged grasp error of shipped pads, relative to that as shipped",
+        "converged grasp error of shipped pads, relative to the error as shipped",
         PERCENT * soft / shipped[GRASP],
     )
     gain = results.value(
         "pads_gain",
-        "converged grasp error with shipped pads over that with stiff pads",
+        "converged grasp error with shipped pads divided by the error with stiff pads",
         soft / stiff,
     )
     resolution = results.value(
@@ -87,7 +87,7 @@ def derive(results: Results) -> Section:
     # themselves come from different rounds.
     cost = results.value(
         "rk4_warp_cost",
-        "run time of RK4 over that as shipped, from the ratios of both to the shipped"
+        "run time of RK4 divided by the time as shipped, from both ratios to the shipped"
         " settings in Warp, timed in turn",
         rk4.time_ratio / shipped.time_ratio,
     )
@@ -121,7 +121,9 @@ def derive(results: Results) -> Section:
         combined(partial(quantile, 0.1), *plotted),
     )
     margin = results.value(
-        "reference_margin", "this error over that of the reference", least / worst
+        "reference_margin",
+        "this error divided by the error of the reference",
+        least / worst,
     )
 
     # These settings change the effort: solver, iterations, line search, and contacts
@@ -151,7 +153,7 @@ def derive(results: Results) -> Section:
     )
     share = results.value(
         "effort_share",
-        "that change, relative to the numerical error as shipped",
+        "this change, relative to the numerical error as shipped",
         PERCENT * change / shipped[ERROR],
     )
     count = results.value(
@@ -251,12 +253,12 @@ def _crossover(results: Results, points: Points) -> Claim:
     )
     lead = results.value(
         "one_core_advantage",
-        "speed of C on one core over that of Warp with one world",
+        "speed of C on one core divided by the speed of Warp with one world",
         core / rates[0],
     )
     gain = results.value(
         "worlds_gain",
-        "speed of Warp with the most worlds over that of C on one core",
+        "speed of Warp with the most worlds divided by the speed of C on one core",
         rates[-1] / core,
     )
     is_ahead = [

@@ -68,7 +68,7 @@ def derive(results: Results) -> Section:
     departures = [
         results.value(
             f"{row.case}_from_law",
-            "absolute difference between the steady rate and that of the law, relative"
+            "absolute difference between the steady rate and the rate of the law, relative"
             " to the latter",
             departure(row.steady_creep_mm_s, row.predicted_creep_mm_s),
         )

@@ -77,13 +77,13 @@ def derive(results: Results) -> Section:
     )
     drop_off = results.value(
         "ball_drop_off",
-        "absolute difference between the time of the drop and that time, relative to"
+        "absolute difference between the time of the drop and this time, relative to"
         " the latter",
         departure(ball.median_drop_s, passes),
     )
     gap = results.value(
         "ball_drop_spread",
-        "time of the last drop of the ball minus that of the first",
+        "time of the last drop of the ball minus the time of the first",
         ball.last_drop_s - ball.first_drop_s,
     )
     ball_off = results.value(
@@ -103,7 +103,7 @@ def derive(results: Results) -> Section:
     drop = results.row["cube-2ms-published-c"].median_drop_s
     share = results.value(
         "cube_drop_share",
-        "time of the drop over the time at which creep alone would move the cube out",
+        "time of the drop divided by the time at which creep without a shake would move the cube out",
         PERCENT * drop / when,
     )
     shaken_out = at_most(share, 80.0, "well before that time").having_read(

@@ -177,7 +177,7 @@ def gain_goes(results: Results) -> Claim:
     gains = [
         results.value(
             f"step_gain_{number}",
-            f"creep in shipped pads over that in stiff ones, {number} substeps",
+            f"creep in shipped pads divided by the creep in stiff ones, {number} substeps",
             creeps["as-shipped", number] / creeps["stiff", number],
         )
         for number in counts
@@ -337,7 +337,7 @@ def overlap(results: Results) -> Claim:
     shares = [
         results.value(
             f"exit_share_{row.case}",
-            "exit speed relative to that of an undamped spring",
+            "exit speed relative to the speed from an undamped spring",
             PERCENT * row.exit_speed_mm_s / row.exit_bound_mm_s,
         )
         for row in rows
@@ -366,7 +366,7 @@ def long(results: Results) -> Claim:
     bound = results.chosen("long_growth_bound", "hardly faster", GROWTH_LARGEST)
     growth = results.value(
         "long_growth",
-        "creep per cycle in the last tenth over that in the first",
+        "creep per cycle in the last tenth divided by the creep in the first",
         last / first,
     )
     is_lost = not all(map(is_stable, rows))

@@ -122,7 +122,7 @@ def _change(
 ) -> Value:
     return results.value(
         name,
-        "slip in the later release minus that in the earlier one, relative to the"
+        "slip in the later release minus the slip in the earlier one, relative to the"
         " oldest",
         PERCENT * (after - before) / whole,
         across=True,
@@ -167,7 +167,7 @@ def _same_speed(results: Results, ends: Ends) -> Claim:
     numbers: dict[str, Any] = {
         name: results.value(
             f"frame_ratio_{name}",
-            f"{name} ratio of the time of a frame to that in the older release",
+            f"{name} ratio of the time of a frame to the time in the older release",
             combined(choose, *ratios),
             across=True,
         )

@@ -208,8 +208,8 @@ def _which_package(
         if any(old[name] != new[name] for name in names):
             if any(new[name] == MISSING for name in names):
                 return (
-                    "the package cannot be determined, because one is missing in one "
-                    "of the editions"
+                    "the package cannot be determined, because a package is missing in "
+                    "one of the editions"
                 )
             groups.append(names)
             pins += [f"{name}=={new[name]}" for name in names]

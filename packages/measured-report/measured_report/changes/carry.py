@@ -136,7 +136,7 @@ def _check_out_measured(record: Record, root: Path) -> str:
             if candidate.code == identity.code:
                 return git(root, "rev-parse", "HEAD")
     raise ReportError(
-        f"its measured code is not in the {COMMIT_LIMIT} newest commits of its "
+        f"the code that measured it is not in the {COMMIT_LIMIT} newest commits of its "
         f"files: use make rerun SECTION={record.section}"
     )
 

@@ -128,8 +128,8 @@ def release_of(
         if package not in settings.packages[1:] or not VERSION.fullmatch(version):
             names = ", ".join(settings.packages[1:]) or "none"
             raise UsageError(
-                f"WITH={pins} is not a list of PACKAGE==1.2.3: use packages of "
-                f"report.toml ({names})"
+                f"WITH={pins} is not a list of PACKAGE==1.2.3: use only packages "
+                f"that report.toml lists ({names})"
             )
         versions[package] = full_version(version)
     return replace(release, pins=tuple(sorted(versions.items())))

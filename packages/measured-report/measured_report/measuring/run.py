@@ -118,14 +118,14 @@ class Section:
         if batch.name in self.killed:
             self.fail(
                 f"the process of {batch.name} was killed twice, the second time "
-                "alone: use less memory"
+                "while it ran by itself: use less memory"
             )
         elif not self.is_over:
             self.killed.add(batch.name)
             self.waiting = [*self.waiting, batch]
             tqdm.write(
                 f"the process of {self.name}/{batch.name} was killed; the batch is "
-                "measured again alone",
+                "measured again by itself",
                 file=sys.stderr,
             )
 

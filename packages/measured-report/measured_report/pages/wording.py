@@ -226,7 +226,9 @@ def _names_of(
             reason = "it cannot be derived from the record of this edition"
             command = edition.project.rerun(anchor)
             title = f"The {kind} {name} is left out here"
-            return macros().left_out(title, f"{reason}; {command} measures it")
+            return macros().left_out(
+                title, f"{reason}. Run {command} to measure it again"
+            )
         if name not in parts[kind]:
             present = ", ".join(parts[kind]) or "none"
             raise ReportError(

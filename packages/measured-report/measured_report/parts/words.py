@@ -20,8 +20,8 @@ parts can name only the numbers that Python passes to the claim, figure or table
 Outside of these parts, the template of a section can name ``row["north"].lean_mm``,
 ``rows``, the derived ``value.lean``, ``release``, ``table(name)``, ``figure(name)``,
 ``download(name)`` and ``holds("section.claim")``. The template of a page can name
-``sections.tower.claim("leans")``, its tables and figures in the same form, and
-``measured``, the names of the sections that have a record.
+``sections.tower.claim("leans")``, and in the same form the tables and figures of a
+section. ``measured`` contains the names of the sections with a record.
 """
 
 import re

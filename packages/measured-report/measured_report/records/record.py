@@ -85,10 +85,14 @@ class Carried(Struct, frozen=True, forbid_unknown_fields=True):
 
     def __str__(self) -> str:
         change = (
-            f"from the code of {self.old} to that of {self.new} on {self.date[:10]}"
+            f"the measured code changed from {self.old} to {self.new} on "
+            f"{self.date[:10]}"
         )
-        proof = f"all {self.cells} cells have the same bits in the quick profile"
-        return f"{change}: {proof}; the full profile was not run again"
+        proof = (
+            f"the quick profile was run again with both, and all {self.cells} cells "
+            "are bit-identical"
+        )
+        return f"{change}; {proof}; the full profile was not run again"
 
 
 REQUIRED: Mapping[str, Mapping[str, Any]] = {

@@ -117,7 +117,9 @@ def _stray_results(edition: Edition) -> list[str]:
     names = sections(edition.project.root)
     for path in files_in(results, "*.json"):
         if path.stem not in names and path not in edition.plugins.data:
-            lines.append(f"{short_path(path)} is not a section's: rename or remove it")
+            lines.append(
+                f"{short_path(path)} does not belong to a section: rename or remove it"
+            )
     for name, chapter in edition.chapters.items():
         cases = chapter.results.record.traces
         traces = {trace_path(chapter.results.path, case) for case in cases}

@@ -135,9 +135,7 @@ def test_a_killed_worker_costs_nothing_but_what_it_measured(
     with cluster_pools(scheduler) as pools:
         assert not Loop([whole, mortal], *pools).run()
         assert Loop([doomed], *pools).run()
-    reason = (
-        "the process of die was killed twice, the second time alone: use less memory"
-    )
+    reason = "the process of die was killed twice, the second time while it ran by itself: use less memory"
     assert (
         f"doomed could not be measured (an existing record is kept): {reason}"
         in capsys.readouterr().err

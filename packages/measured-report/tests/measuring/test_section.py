@@ -121,10 +121,10 @@ def test_a_killed_process_costs_nothing_but_what_it_measured(toy, log, capsys):
     )
     lines, reason = (
         capsys.readouterr().err,
-        "the process of die was killed twice, the second time alone: use less memory",
+        "the process of die was killed twice, the second time while it ran by itself: use less memory",
     )
     assert (
-        "the process of mortal/die was killed; the batch is measured again alone"
+        "the process of mortal/die was killed; the batch is measured again by itself"
         in lines
     )
     assert (

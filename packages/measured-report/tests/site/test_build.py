@@ -121,7 +121,7 @@ def test_results_that_nothing_reads_are_named(toy):
     strays = [note for note in notes if note.endswith("remove it")]
     assert strays == [
         "results/newtn-1.4.0 is not an edition: rename or remove it",
-        "newton-1.4.0/toyy.json is not a section's: rename or remove it",
+        "newton-1.4.0/toyy.json does not belong to a section: rename or remove it",
         "newton-1.4.0/toy.soft.csv.gz is not a trace of toy: remove it",
     ]
 
@@ -246,7 +246,7 @@ CLAIM = 'claims=[Claim("helps", at_least(gain, bound), {"gain": gain})]'
         (
             (CLAIM, f"{CLAIM}[: len(rows) - 1]"),
             "The claim helps is left out here: it cannot be derived from the record "
-            "of this edition; make rerun SECTION=toy NEWTON=1.8.0 measures it.",
+            "of this edition. Run make rerun SECTION=toy NEWTON=1.8.0 to measure it again.",
         ),
         (
             ("trace = ", "rows = results.rows[1].case\n    trace = "),

@@ -4,7 +4,7 @@
 
 const root = document.documentElement;
 
-/* Colour scheme: that of the system, light, or dark. */
+/* Colour scheme: the system's own, light, or dark. */
 
 const SCHEMES = ["auto", "light", "dark"];
 
@@ -152,7 +152,7 @@ function addSorting(table) {
 }
 
 function tableAsCsv(table) {
-  // A spreadsheet takes a text that begins with one of these characters for a formula.
+  // Spreadsheets treat a text that begins with one of these characters as a formula.
   const inert = (text) => (/^[=+\-@\t\r\n＝＋－＠]/.test(text) && Number.isNaN(Number(text)) ? `'${text}` : text);
   const quote = (text) => (/[",\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text);
   const line = (row) => [...row.cells].map((cell) => quote(inert(plainText(cell)))).join(",");
