@@ -211,7 +211,7 @@ def mean_along_shake_m_s2(simulation: Simulation) -> float:
 def _at_end_of_step(engine: mujoco.MjModel, data: mujoco.MjData) -> mujoco.MjData:
     """Return the same state with updated kinematics.
 
-    After a step, ``data`` still contains the kinematics of the beginning of the step.
+    After a step, ``data`` still contains the kinematics at the start of the step.
     """
     now = mujoco.MjData(engine)
     now.qpos[:], now.qvel[:] = data.qpos, data.qvel

@@ -75,7 +75,7 @@ def measure_round(conditions: Conditions) -> list[dict]:
 def measure_map(
     conditions: Conditions, sides: Mapping[str, Case]
 ) -> dict[str, np.ndarray]:
-    """Return a table of all cells of a map, which form one batch."""
+    """Return a table of all cells in a map, which form one batch."""
     cells = map_cells(sides, MAP_SIZE[conditions.profile])
     traces = conditions.simulate(cells, title="envelope map")
     summaries = [

@@ -16,7 +16,7 @@ from measured_report.measuring.batch import Batch, Plan
 
 SUBSTEPS = {"full": (1, 2, 4, 8, 16, 32, 64, 128), "quick": (4, 16)}
 LONGEST = {"newton-elliptic": 128, "rk4": 16}
-"""Largest number of substeps of the most and least expensive settings; others have 64."""
+"""Largest number of substeps for the most and least expensive settings; others have 64."""
 CONTACTS = {
     "newton-elliptic": {},
     "newton-pyramidal": {"cone": "pyramidal"},
@@ -26,7 +26,7 @@ CONTACTS = {
 KD_FACTORS = (0.125, 0.25, 0.5, 1.0, 2.0)
 """kd times the step, with a damping ratio of 1; the rule is 1."""
 KE_FACTORS = (1 / 16, 1 / 4, 2.0, 4.0, 16.0)
-"""ke relative to that of the rule, with the kd of the rule."""
+"""ke relative to the ke of the rule, with the kd of the rule."""
 RULE = "kd-1"
 REMEDY_PADS = ("shipped", "stiff", RULE)
 

@@ -351,7 +351,7 @@ CLAIM = re.compile(r'data-claim="([^"]*)" data-outcome="([^"]*)"( data-opposite)
 
 
 def text_of(editions: Mapping[str, Edition], release: str) -> str:
-    """Return the text of all pages of the release, which must have all sections."""
+    """Return the text of all pages in the release, which must have all sections."""
     lost = [state for state in editions[release].left_out if state.kind != "missing"]
     assert not lost, f"lost: {[state.notes for state in lost]}"
     pages = contents(editions, TEMPLATES, release)

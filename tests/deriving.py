@@ -3,9 +3,9 @@
 A test sets cells by case, ``{"pad-mu-0.2": {"slip_mm": 6.5}}``; later ones override
 earlier ones. In a case ``*`` stands for any text, and the cells are then set only in
 rows that have the column. A case may be followed by its device and number of worlds,
-``"without-all cuda 1"``. A case set to None has no rows. ``("poses", "arc"): 0.1`` sets
+``"without-all cuda 1"``. To remove the rows of a case, set it to ``None``. ``("poses", "arc"): 0.1`` sets
 a value of another section, ``("cure", "plain-c"): {...}`` cells of another section, and
-``(NOISE, "slip_mm"): 0.1`` the noise of each number of a column.
+``(NOISE, "slip_mm"): 0.1`` the noise of each number in a column.
 """
 
 from collections.abc import Iterable, Mapping
@@ -254,6 +254,6 @@ def assert_found(
     release: str = "1.4.0",
     frame: pd.DataFrame | None = None,
 ) -> None:
-    """Assert that a section with some cells set finds what is expected."""
+    """Assert that a section with some cells set finds the expected numbers."""
     found = found_with(section, *changes, release=release, frame=frame)
     assert only(found, expected) == near(expected)

@@ -171,9 +171,7 @@ class Perturbation:
         records: Mapping[str, Record],
         traces: Mapping[str, str],
     ) -> PerturbedResults:
-        """Return the perturbed results of a section, from which no value has been
-        derived yet.
-        """
+        """Return the perturbed results of a section before any value is derived."""
         tracked = self.releases[release][name].results
         record = records.get(tracked.source, tracked.record)
         noise = records.get(

@@ -110,7 +110,7 @@ def room_of(module: str) -> str:
 
 @cache
 def arrows() -> frozenset[tuple[str, str]]:
-    """Return pairs of folders, the first of which imports the second.
+    """Return pairs of folders in which the first folder imports the second.
 
     Packages are left out because every folder may import them.
     """
@@ -270,7 +270,7 @@ OF_LANGUAGES = re.compile(r"\bpad(?:Start|End)\b")
 
 
 def generator_files() -> dict[str, str]:
-    """Return the texts of all files of the generator, by path."""
+    """Return the texts of all files in the generator, by path."""
     files = [
         path
         for path in sorted((GENERATOR / "measured_report").rglob("*"))

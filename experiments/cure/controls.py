@@ -46,7 +46,7 @@ HINGE, SLIDE = (
     '<joint type="slide" axis="{axis}" {spring}/>',
 )
 SWING = f'stiffness="{1e3 * SHAKE_RAD_S**2}" armature="1000"'
-# Offset of the middle of the arc's radial motion from its lowest point.
+# Distance between the middle of the arc's radial motion and its lowest point.
 ARC_M = SHAKE_M**2 / (4.0 * PLACE_M)
 # The radial motion has twice the frequency of the shake.
 ALONG = f'springref="{-ARC_M}" stiffness="{4e3 * SHAKE_RAD_S**2}" armature="1000"'

@@ -47,7 +47,7 @@ from experiments.simulation.timing import (
 from measured_report.measuring.batch import Batch, Plan
 
 REFERENCE_SUBSTEPS = {"full": 1024, "quick": 128}
-"""Number of substeps of the reference.
+"""Number of substeps in the reference.
 
 A second reference with half as many substeps shows how well it has converged.
 """

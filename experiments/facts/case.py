@@ -137,7 +137,7 @@ class Case:
     """IK iterations per frame.
 
     The scene as shipped has 24. On the CPU, iterations after the eighth did not change
-    any bit of the positions of the TCP and the cube.
+    any bit in the positions of the TCP and the cube.
     """
     state_sync: bool = False
     """Whether Newton's state and targets are written into the engine before every
@@ -289,7 +289,7 @@ HOLD = replace(
 FIXED = replace(LEAN, name="fixed", pad_ke=STIFF_PADS.pad_ke, pad_kd=STIFF_PADS.pad_kd)
 """The recommended scene: stiff pads, without parts that it does not need."""
 
-# Parts of the cure, alone and together, as fields of a case.
+# Parts of the cure, one at a time and together, as fields of a case.
 TERMS = {
     "plain": {},
     "term": {"contact_bias": True},

@@ -94,7 +94,7 @@ def clips_state(project: Project) -> State:
 
 
 def files_of(record: Record) -> list[tuple[str, str]]:
-    """Return the name and digest of each file of a record."""
+    """Return the name and digest of each file in a record."""
     return [
         (row[kind], row[f"{kind}_sha256"])
         for row in record.rows

@@ -145,7 +145,7 @@ def shake_mean(trace: Trace, column: str) -> float:
 def slide_mm(trace: Trace) -> float:
     """Return the slide along the main axis over the shake [mm].
 
-    This is the integral of the velocity of the loaded friction rows.
+    This is the integrated velocity of the loaded friction rows.
     """
     return 1e3 * float(
         trace.column("slide_m_s")[trace.phase == SHAKE].sum() * trace.frame_dt
@@ -191,7 +191,7 @@ class Grasp:
 def grasp(rows: ContactRows) -> Grasp | None:
     """Return numbers about the loaded contacts in a frame, or None if there are none.
 
-    The solver parameters are those of the contact with the largest force.
+    The solver parameters belong to the contact with the largest force.
     """
     normal = rows.force_n[:, 0]
     loaded = normal > 0.0

@@ -92,7 +92,7 @@ class Trace:
     # The requested frames with all their contacts.
     contact_rows: tuple[ContactRows, ...] = field(default=())
     world_count: int = 1  # number of worlds that were simulated together
-    # Wall time of all frames of the batch, without building, compiling and capturing.
+    # Wall time of all frames in the batch, without building, compiling and capturing.
     wall_s: float = 0.0
 
     def column(self, name: str) -> np.ndarray:

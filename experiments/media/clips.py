@@ -24,7 +24,7 @@ FRAME_RATE = 30
 WIDTH, HEIGHT = 1280, 720
 HEAD = 92  # height of the line with the names and the numbers [pixels]
 PANEL_HEIGHT = 448
-"""Height of the picture of a run [pixels].
+"""Height of a run's picture [pixels].
 
 Both pictures are at the bottom, so that the controls of a player cover only the ground.
 """

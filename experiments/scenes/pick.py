@@ -43,7 +43,7 @@ TOUCHED_M = {"cube": 0.02, "ball": 0.0}
 
 They touch a ball at a single point.
 """
-SPREAD_RAD = 0.025  # standard deviation of the targets of a shake
+SPREAD_RAD = 0.025  # standard deviation of a shake's targets
 END_S = {"full": 20.0, "quick": 6.0}
 SEED_COUNT = {"full": 8, "quick": 2}
 LOST_M = 0.04  # height below which an object counts as dropped after the lift

@@ -1,4 +1,4 @@
-"""Predict the parts of a held cube's slip from the motion of the arm alone.
+"""Predict the parts of a held cube's slip only from the motion of the arm.
 
 Let u = J q̇ be the velocity of the cube's centre relative to the hand, and g = J̇ q̇
 the part of its acceleration that remains for q̈ = 0. A friction row aims at J q̈ = -b u

@@ -49,7 +49,7 @@ one frame.
 """
 LARGE_BATCH = 8192  # a batch of this size or larger has one frame per block
 BUILD_COUNT = {"cuda": 2, "cpu": 1}
-"""Number of builds of each simulation that needs at most SHARE_AGAIN.
+"""How often each simulation that needs at most SHARE_AGAIN is built.
 
 See ``paired_timing`` for the reason.
 """

@@ -24,7 +24,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-# Half of the interval of a ratio that is narrow enough, relative to the ratio.
+# Largest half-width of a ratio's interval that is narrow enough, relative to the ratio.
 RESOLUTION = 0.01
 BATCH_COUNT = 8
 LOOK_COUNT = 5  # looks after 8, 16, 32, 64 and 128 rounds, each with an error of 1 %
@@ -103,7 +103,7 @@ def _compared(times: Sequence[float], reference: Sequence[float]) -> PairedTimes
 
 
 def pool_builds(cases: Sequence[Sequence[PairedTimes]]) -> list[PairedTimes]:
-    """Return the pooled times of the builds of each case in one comparison.
+    """Return the times of each case in one comparison, pooled over its builds.
 
     The first case is the reference. The scatter between builds is assumed to be equal
     for all cases. If no case has two builds, the times are returned unchanged.

@@ -85,8 +85,8 @@ class Scene:
     """A finalized batch with the indices of its parts within one world."""
 
     model: newton.Model  # all worlds and the ground
-    robot: newton.Model  # the arm alone, for the inverse kinematics
-    links: dict[str, Link]  # place of each of TRACKED_BODIES
+    robot: newton.Model  # only the arm, for the inverse kinematics
+    links: dict[str, Link]  # places of TRACKED_BODIES
     pads: tuple[int, ...]  # shape indices of the finger boxes
     cube: int  # shape index of the cube
 

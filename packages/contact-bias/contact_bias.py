@@ -16,7 +16,7 @@ launch with a few operations per contact and allocates no memory. The launch can
 of a captured graph.
 
 J̇ q̇ is the acceleration of the second body's material point at the contact, relative
-to that of the first body, for q̈ = 0. If the bodies stick, they move as one, so the
+to the first body's point, for q̈ = 0. If the bodies stick, they move together, so the
 motion of the contact point and the rotation of its frame do not matter. Normal rows
 are not changed by default. They control a distance, so their errors do not add up. On a
 rolling body the material point accelerates towards the centre of the body, although the

@@ -136,11 +136,11 @@ class Surface:
     """A geom at a contact, in the two tangents of the contact."""
 
     bend: wp.mat22
-    """How far the outward normal rotates per distance along the surface [1/m]."""
+    """Rotation of the outward normal per distance along the surface [1/m]."""
     sharp: wp.mat22
     """This projects onto directions across an edge, in which the contact cannot move."""
     varying: float
-    """How fast the curvature changes, per distance along the surface [1/m]."""
+    """Relative change of the curvature per distance along the surface [1/m]."""
 
 
 @wp.func

@@ -5,7 +5,7 @@
     python -m contact_tumbles --quick    # 192 pairs, for a CPU
 
 Each world is run with and without the term. For both, the benchmark records the largest
-energy relative to that of the body at rest, and the largest height. The spins are slow
+energy relative to the energy of the body at rest, and the largest height. The spins are slow
 enough for the term to have an effect. Tumbling is chaotic, and the time step causes an
 error too, so some worlds gain energy without the term. To see the effect of the term,
 compare the pairs in which only one of the two worlds gains energy or rises higher.

@@ -20,7 +20,7 @@ PROGRAM = "experiments.simulation.headline"  # the program that measures the hea
 SECTION = "reproduction"
 # Suffixes of tracked cases: measured on the device of the record, and on its CPU.
 SUFFIXES = ("", "-warp-cpu")
-LINE = "{:12}{:>12}{:>14}{:>14}   {:10}{}"  # format of a row of the printed table
+LINE = "{:12}{:>12}{:>14}{:>14}   {:10}{}"  # format of a row in the printed table
 WORDS = {
     "holds": "agrees",
     "cannot tell": "cannot tell: measure again",

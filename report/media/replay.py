@@ -17,7 +17,7 @@ from measured_report.values.format import format_number
 from report.media.clips import Clips
 
 REPLAY = "replay.html"
-SHAKES = {  # the choices of the page, and the cases and names of the runs of each
+SHAKES = {  # the choices of the page, and for each the cases and names of its runs
     "3 cm": {"as-shipped": "shipped pads", "stiff-pads": "stiff pads"},
     "10 cm": {"as-shipped-10cm": "shipped pads", "stiff-pads-10cm": "stiff pads"},
     "held still": {"hold-60s": "shipped pads, held still"},

@@ -80,8 +80,7 @@ def derive(results: Results) -> Section:
         name = f"{device}_{case}_{worlds}_less".replace("-", "_")
         return results.derived.get(name) or results.value(
             name,
-            "reduction of the time of a frame relative to exactly as shipped, timed in"
-            " turn",
+            "reduction of the frame time relative to exactly as shipped, timed in turn",
             PERCENT * (1 - timed[device, case, worlds].frame_ratio),
         )
 
@@ -120,7 +119,7 @@ def derive(results: Results) -> Section:
         before / after,
     )
 
-    # The slip of a case is the same in its rows of all numbers of worlds.
+    # All rows of a case have the same slip, whatever the number of worlds.
     ran = {row.case: row for row in reversed(timed.values()) if row.device == "cuda"}
     base = ran.pop(REFERENCE, results.row[REFERENCE]).slip_mm
     differences = [
@@ -257,6 +256,6 @@ def _draw_costs(steps: list[tuple[Value, Row]], whole: dict[str, Value]) -> Draw
     )
     name_lines(axes, [label for *_, label in timed])
     axes.set_xlim(right=1.25 * max((saved.number for saved, *_ in timed), default=1.0))
-    axes.set_xlabel("reduction of the time of a frame [%]")
+    axes.set_xlabel("reduction of the frame time [%]")
     axes.grid(axis="y", visible=False)
     return drawing

@@ -142,7 +142,7 @@ def _box_table(results: Results, walk: Value) -> Table:
 
 
 def _shake_table(rows: RowsBy) -> Table:
-    """Make a table of the slips of the cube and the contact forces in each solver."""
+    """Make a table of the cube's slips and the contact forces in each solver."""
     names = list(dict.fromkeys(variant for variant, _ in rows))
     shaken = [rows[name, "3cm"] for name in names]
 

@@ -76,7 +76,7 @@ def derive(results: Results) -> Section:
 def _scatter(
     results: Results, metric: str, case: str, cells: list[Quantity]
 ) -> tuple[Value, Value, Value]:
-    """Return the number of runs of a case, and their mean and standard deviation."""
+    """Return how many runs a case has, and their mean and standard deviation."""
     name = f"{case.replace('-', '_')}_{metric}"
     unit = results.columns[METRICS[metric]].unit
     count = results.value(f"{name}_count", "runs of the case", cell_count(cells))

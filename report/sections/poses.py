@@ -25,7 +25,7 @@ COLUMNS = {
     "leaves the grasp after": "left_grasp_s",
     "final cube height": "cube_height_m",
 }
-MOTION = {  # units by name; the axes of the shake are those of the world
+MOTION = {  # units by name; the axes of the shake are the axes of the world
     "amplitude_along": "mm",  # √2 times the standard deviation of the hand's position
     "amplitude_across": "mm",
     "amplitude_up": "mm",
@@ -33,7 +33,7 @@ MOTION = {  # units by name; the axes of the shake are those of the world
     "rate_across": "Hz",
     "rate_up": "Hz",
     "speed_squared": "m²/s²",  # mean squared speed
-    "arc": "m",  # radius of the arc of the hand while joints keep their speeds
+    "arc": "m",  # radius of the hand's arc while joints keep their speeds
 }
 # Positions this long before and after a frame, at constant joint speeds, give the arc.
 AHEAD_S = 1e-2
@@ -56,9 +56,9 @@ def derive(results: Results) -> Section:
 
 
 def _motion(run: pd.DataFrame, frames_hz: float, cycles_hz: float) -> dict[str, float]:
-    """Return the motion of the hand, computed from its joint positions alone.
+    """Return the motion of the hand, computed only from its joint positions.
 
-    It covers the largest number of pairs of whole cycles after the first cycle.
+    It covers as many pairs of whole cycles as possible after the first cycle.
     """
     joints = run.loc[run["phase"] == SHAKE, list(JOINTS)].to_numpy()
     # Central differences of fourth order give the joint speeds.

@@ -91,7 +91,7 @@ def quantile(share: float, *numbers: float) -> float:
 
 @dataclass(frozen=True)
 class Sections:
-    """Holds the findings of the sections of one release. A missing number has a reason."""
+    """Holds the findings of one release by section. A missing number has a reason."""
 
     results: Mapping[str, Results]
 
@@ -120,7 +120,7 @@ class Sections:
 
 
 def sections_of(chapters: Mapping[str, Any]) -> Sections:
-    """Return the findings of the chapters of an edition."""
+    """Return the findings of an edition's chapters."""
     return Sections({name: chapter.results for name, chapter in chapters.items()})
 
 

@@ -45,7 +45,7 @@ def resolution(results: Results, name: str, rows: Iterable[Row]) -> Value:
     cells = [row.ratio_resolution for row in rows if "ratio_resolution" in row]
     return results.value(
         name,
-        "largest half-width of the 95 % intervals of ratios of times measured in turn",
+        "largest half-width of the 95 % intervals of time ratios, measured in turn",
         PERCENT * combined(max, *(cell for cell in cells if cell.value)),
         is_noise=True,
     )

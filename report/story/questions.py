@@ -1,4 +1,4 @@
-"""Draw where the grasp is stable, and the gain of a scene without unneeded parts."""
+"""Draw the settings with a stable grasp, and the gain of a scene without unneeded parts."""
 
 import numpy as np
 

@@ -49,7 +49,7 @@ CONTACTS = {
 
 
 def derive(releases: Releases, release: str) -> Section:
-    """Derive the figures, the table and the claims of the story of one release."""
+    """Derive the figures, the table and the claims in the story of one release."""
     releases = released(releases, release)
     by_release = {name: sections_of(chapters) for name, chapters in releases.items()}
     sections = by_release[release]

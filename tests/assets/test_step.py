@@ -19,7 +19,7 @@ def tab(browser, site):
 
 
 def slips(tab, column: int) -> list[tuple[float, float]]:
-    """Return the steps [ms] and slips [mm] of a column of the table of steps."""
+    """Return the steps [ms] and slips [mm] in a column of the table of steps."""
     rows = tab.locator("main table", has_text="run time").first.locator("tbody tr")
     values = rows.evaluate_all(
         """(rows, column) => rows.map((row) => [0, column].map(

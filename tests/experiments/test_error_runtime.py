@@ -27,8 +27,8 @@ def test_every_point_has_its_own_name_and_its_like_in_c(profile):
 
 @pytest.fixture(scope="module")
 def shakes():
-    """Return one setting for each kind of pads in Warp, with its traces and the states
-    from which C starts.
+    """Return one setting for each kind of pads in Warp, with its traces and the
+    initial states of C.
     """
     pilot = pilot_at_shake(CASES.values(), wp.get_device("cpu"))
     points = [setting(case, pads, "newton", "substeps") for pads, case in CASES.items()]

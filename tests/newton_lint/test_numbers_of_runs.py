@@ -192,7 +192,7 @@ def test_what_flies_through_a_wall_is_followed_and_what_flies_past_is_not(
 
 @pytest.mark.parametrize(("timeconst", "said"), [(0.043, False), (0.047, True)])
 def test_a_weld_is_open_from_a_millimetre_on(timeconst, said):
-    """Test the gap (1 - d) g timeconst², which has the form of the depth of a contact."""
+    """Test the gap (1 - d) g timeconst², which has the same form as a contact's depth."""
     weld = f'<equality><weld body1="ball" solref="{timeconst} 1" solimp="0.95 0.95 0.001"/></equality>'
     target = of(g=-9.81, rest=weld)
     found = found_in(target).get("equality")

@@ -106,7 +106,7 @@ def test_a_contact_that_hardly_touches_gives_way_more():
     )
 
 
-# ``discrete``, by hand, and as MuJoCo 3.13.0 was seen to creep to seven digits: b h = 4/19, h² k d = 1/95, so that an
+# ``discrete`` by hand; the creep of MuJoCo 3.13.0 agrees to seven digits: b h = 4/19, h² k d = 1/95, so that an
 # elliptic row weighs (23/19) / (23/19 + 1/95) = 115/116; a pyramid's has b + h k d = 2000/19 + 100/19 1/s, and with
 # 3 ms: b = 2/2.85 ms and h k d = 0.0019 / 2.85² ms². At 1 ms the row is the stiffest for the step: h² k d = 1.
 @pytest.mark.parametrize(

@@ -43,7 +43,7 @@ SENTENCE = re.compile(
     r"\S.*?(?:[.?!:;][*)]*(?=\s)|(?=\n\s*\n|\n\s*- |\|)|\Z)", re.DOTALL
 )
 WORD = re.compile(r"[^\W\d_]+(?:['’]\w+)?")
-SHORTEST = 4  # the number of words from which a sentence should have a verb
+SHORTEST = 4  # a sentence with this many words or more should have a verb
 
 
 def texts_of(path: Path) -> Iterator[tuple[int, str]]:

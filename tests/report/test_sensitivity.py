@@ -68,7 +68,7 @@ def evidence(measured) -> Mapping[str, Evidence]:
 
 
 def evidence_of(measured: Measured) -> Mapping[str, Evidence]:
-    """Return the evidence of the sections of 1.4.0."""
+    """Return the evidence of 1.4.0's sections."""
     sections = body_of(measured, report().columns).sections
     return {
         name: each for (release, name), each in sections.items() if release == LABEL
@@ -78,7 +78,7 @@ def evidence_of(measured: Measured) -> Mapping[str, Evidence]:
 def side(
     chapter: Chapter, evidence: Evidence, record: Record, *, is_single: bool = True
 ) -> Chapter:
-    """Return the chapter with this record, alone or as the mean of all measurements."""
+    """Return the chapter with only this record, or with the mean of all measurements."""
     if is_single:
         columns = chapter.results.columns
         is_noise = chapter.name == columns.settings.noise_section

@@ -16,7 +16,7 @@ export class Shake {
    * @param {import("./engine.js").Engine} mujoco
    * @param {string} mjcf the scene
    * @param {import("./settings.js").Settings} settings
-   * @param {number} shakeFrames number of frames of the shake
+   * @param {number} shakeFrames number of frames in the shake
    */
   constructor(mujoco, mjcf, settings, shakeFrames) {
     this.mujoco = mujoco;

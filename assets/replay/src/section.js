@@ -53,7 +53,7 @@ export class Section {
         width: shown ? deep : 0,
         height: Math.max(bottom - top, 0),
       });
-      // Each pad carries half of the force of all contacts.
+      // Each pad carries half of the total contact force.
       const length = shown ? (ARROW_MM_N * state.normal_n) / 2 : 0;
       const tip = side * (face + 8);
       const tail = tip + side * (length + 3);

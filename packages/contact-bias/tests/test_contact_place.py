@@ -1,4 +1,4 @@
-"""Compares the exact term with numerical differences of the rows of MuJoCo C."""
+"""Compares the exact term with numerical differences of MuJoCo C's rows."""
 
 from collections.abc import Iterator
 from copy import copy

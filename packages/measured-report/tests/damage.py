@@ -128,7 +128,7 @@ FIELDS: dict[str, Change] = {
     **{f"no {field} of measured": _with("measured", field) for field in ("date", "seconds", "command", "commit")},
     **{f"no {field} of machine": _with("machine", field) for field in ("device", "cpu", "gpu")},
 }  # fmt: skip
-"""Changes of the fields of a record, by name."""
+"""Changes of a record's fields, by name."""
 
 TEXTS: dict[str, Callable[[str], str | bytes]] = {
     "nothing": lambda text: "",

@@ -241,7 +241,7 @@ def world_after(*changes: tuple) -> World:
 ODD = world_after(
     ("drop", ("1.4.0", "", "pair"), 0, ()), ("enlarge", ("1.8.0", "", "toy"), 1, ())
 )
-"""World with a number below its noise, which only the page prints."""
+"""A world with a number below its noise. Only the page prints such a number."""
 
 
 @few

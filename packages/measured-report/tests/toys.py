@@ -164,7 +164,7 @@ ROBOT = "assets/robot.urdf"
 
 
 def slip():
-    """How far it slips."""
+    """The slip in the toy scene."""
     return 1.0 if ROBOT else 0.0
 '''
 INSTALLED = {

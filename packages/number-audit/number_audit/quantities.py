@@ -76,7 +76,7 @@ class Quantity:
     value: float
     unit: str = NO_UNIT
     offsets: Mapping[str, float] = field(default_factory=dict)
-    """How much the number changes if a source changes by its noise, if that is known."""
+    """Change of the number if a source changes by its noise, or None if this is unknown."""
 
     @property
     def noise(self) -> float:

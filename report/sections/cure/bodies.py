@@ -1,4 +1,4 @@
-"""Test the restored term with bodies and contacts other than those of a grasp."""
+"""Test the restored term with bodies and contacts that do not occur in a grasp."""
 
 import math
 from collections import defaultdict

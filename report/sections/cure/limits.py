@@ -38,7 +38,7 @@ def derive(results: Results) -> Section:
         lines += [_line(results, variant, tried) for variant in variants]
     columns = {heading: [line[heading] for line in lines] for heading in lines[0]}
     names = (VARIANTS | STIFF_VARIANTS).values()
-    # Test whether the root cure keeps the cube in all cells of the map of section
+    # Test whether the root cure keeps the cube in all cells of the map in section
     # envelope.
     held = results.chosen(
         "held_height", "a cube that ends lower has left the hand", HELD_HEIGHT_M, "m"

@@ -1,4 +1,4 @@
-"""Group the rows of the diagram of error against run time by their role."""
+"""Group the rows by their role in the diagram of error against run time."""
 
 from dataclasses import dataclass
 
@@ -28,7 +28,7 @@ SHIPPED = with_shipped_steps("as-shipped", "newton")
 
 @dataclass(frozen=True)
 class Points:
-    """The rows of the section, grouped by their role."""
+    """Holds the rows of the section, grouped by their role."""
 
     results: Results
     settings: list[Row]

@@ -1,4 +1,4 @@
-"""Show the limits of the grasp: where it holds, creeps, drops or explodes."""
+"""Show the limits of the grasp: the settings at which it holds, creeps, drops or explodes."""
 
 import numpy as np
 from markupsafe import Markup

@@ -167,7 +167,7 @@ def _same_speed(results: Results, ends: Ends) -> Claim:
     numbers: dict[str, Any] = {
         name: results.value(
             f"frame_ratio_{name}",
-            f"{name} ratio of the time of a frame to the time in the older release",
+            f"{name} ratio of the frame time to the time in the older release",
             combined(choose, *ratios),
             across=True,
         )
@@ -175,7 +175,7 @@ def _same_speed(results: Results, ends: Ends) -> Claim:
     }
     change = results.value(
         "frame_change",
-        "largest absolute change of the time of a frame, relative to the older time",
+        "largest absolute change of the frame time, relative to the older time",
         combined(max, *(departure(after, before) for before, after in pairs)),
         across=True,
     )

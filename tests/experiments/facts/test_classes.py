@@ -75,7 +75,7 @@ SPEED = 2.0 * np.sin(np.pi * 5.0 / 60.0) / np.sqrt(2.0) / FRAME_DT
 [1/s].
 """
 BRISK_M = 0.1 * DRIVE_PEAK_M_S / SPEED
-"""Amplitude of a swing with a tenth of the speed of the drive."""
+"""Amplitude of a swing with a tenth of the drive's speed."""
 
 
 def outcome(place, failure=None, case=AS_SHIPPED) -> str:

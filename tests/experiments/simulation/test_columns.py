@@ -28,7 +28,7 @@ from experiments.simulation.paired_timing import PairedTimes
 from experiments.simulation.task import SHAKE
 
 TIMES = PairedTimes(np.arange(101.0), 1.0 + 0.01 * np.arange(101.0), 1.4, 0.02)
-"""Test that the percentiles of 0, 1, …, 100 are these numbers."""
+"""Test that the p-th percentile of the numbers 0, 1, …, 100 is p."""
 HELD = Trace(
     1.0 / 60.0,
     np.full(1, 4),
@@ -280,8 +280,8 @@ def test_rows_are_taken_apart_and_summed_up(cone):
 @pytest.mark.parametrize("cone", ["elliptic", "pyramidal"])
 @pytest.mark.parametrize("geoms", [(0, 1), (1, 0)])
 def test_the_device_adds_up_what_the_host_does(cone, geoms):
-    """Test the same contact in two worlds, only the second of which counts, and a
-    contact that the solver ignores.
+    """Test the same contact in two worlds. Only the second world counts. Another
+    contact is ignored by the solver.
     """
 
     def array(values, dtype=float):

@@ -14,7 +14,7 @@ the next number [m/s].
 """
 STEP_COUNT = 300
 PLACES = [0, 1, 2, 7]
-"""Indices of the positions of a free body and of a body on a slide."""
+"""Indices of position coordinates: a free body, and a body on a slide."""
 
 
 class Solver:
@@ -81,7 +81,7 @@ def test_the_stages_of_a_step_of_rk4_weigh_as_simpsons_rule_has_it():
 
 
 def test_sums_keep_what_rounding_takes_joint_by_joint():
-    """Test three positions of a free joint, none of a ball joint and one of a hinge:
+    """Test three positions of a free joint and one of a hinge, but not of a ball joint:
     single precision with compensation agrees with double precision.
     """
     random = np.random.default_rng(0)

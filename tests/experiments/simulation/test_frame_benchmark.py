@@ -1,4 +1,4 @@
-"""Test that a time counts only if the run did what its case requires.
+"""Test that a time counts only if the run meets the requirements of its case.
 
 The real scene is made to fail.
 """

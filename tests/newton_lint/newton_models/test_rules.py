@@ -128,7 +128,7 @@ def test_a_ke_without_kd_is_not_read(material, parameter):
     assert found(model) == [
         ("ke-without-kd", PAIR[:1], parameter, material[parameter], used)
     ]
-    # No parameter is lost if none is given, if a solref is given, or if both act as
+    # No parameter is lost if no parameter is given, if a solref is given, or if both act as
     # forces.
     assert found(two_boxes({"ke": 0.0, "kd": 0.0}, {})) == []
     for mode in (RAW, FORCE_SPACE):

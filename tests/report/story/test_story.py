@@ -121,7 +121,7 @@ def before(editions, templates) -> dict[str, str]:
 
 
 def flipped(editions, section: str, claim: str, outcome: Outcome) -> dict[str, Edition]:
-    """Return the editions with another outcome of a claim of 1.4.0."""
+    """Return the editions with another outcome for one of 1.4.0's claims."""
     edition = editions["1.4.0"]
     chapter = edition.chapters[section]
     claims = [

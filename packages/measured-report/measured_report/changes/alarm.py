@@ -51,7 +51,7 @@ def _lines(lines: Iterable[str], form: str) -> str:
     return "\n".join(["```text", text, "```"])
 
 
-Say = Callable[[str, Claim], str]  # returns the sentence of a claim of a section
+Say = Callable[[str, Claim], str]  # returns the sentence of a section's claim
 
 
 def check_text(edition: Edition, form: str, say: Say) -> str:

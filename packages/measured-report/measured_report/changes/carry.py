@@ -122,7 +122,7 @@ def _check_out_measured(record: Record, root: Path) -> str:
     files = [f":(top,glob)**/{file}" for file in identity.files]
     head = git(root, "rev-parse", "HEAD")
     limit = f"--max-count={COMMIT_LIMIT}"
-    # Commits before a change of one of the files.
+    # Commits before one of the files changed.
     parents = git(root, "log", "--format=%P", limit, head, "--", *files).split()
     noted = [change.new for change in record.carried[-1:]]
     noted.append(str(record.measured["commit"]).removesuffix("-dirty"))

@@ -337,7 +337,7 @@ def _comparable(rows: Sequence[Cells], sides: Sequence[Results]) -> Iterator[Col
 
 
 def _judged(pairs: Sequence[Pair]) -> list[Move]:
-    """Return numbers with the probability that noise alone causes a difference as
+    """Return numbers with the probability that only noise causes a difference as
     large. At most the share ``FALSE_SHARE`` of the changes listed in a section is
     false.
     """

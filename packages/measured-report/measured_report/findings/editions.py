@@ -154,7 +154,7 @@ class Edition:
         self.left_out.append(replace(state, kind=kind, record=None, notes=(note,)))
 
     def set_keys(self, releases: Releases | None = None) -> None:
-        """Set the digest of the inputs of each chapter.
+        """Set the digest of each chapter's inputs.
 
         With ``releases``, only chapters that compare releases are set.
         """

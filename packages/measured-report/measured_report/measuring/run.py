@@ -56,7 +56,7 @@ from measured_report.records.identity import package_versions, sections
 from measured_report.records.record import NAME, Basis, Record, basis_of
 from measured_report.records.traces import packed
 
-WHOLE = "whole"  # name of the batch of a section that does not declare batches
+WHOLE = "whole"  # name of a section's batch if the section does not declare batches
 GONE = (
     "the connection to the scheduler is lost: start it and measure again (finished "
     "records are kept)"

@@ -1,7 +1,7 @@
 """Evaluate the measurements of all editions together.
 
 ``body_of`` gathers the measurements of each number, estimates from all editions how the
-numbers of a column scatter, and returns the evidence of each section of each edition.
+numbers of a column scatter, and returns the evidence of each section in each edition.
 It also checks its own noise: each measurement is left out in turn and predicted from
 the others.
 """
@@ -398,7 +398,7 @@ def _host_scatter(
     """Return the relative variance that all times of one measurement share, and its
     degrees of freedom. The shift of a measurement is the median of log(time / mean
     time) over all times of a section in an edition. Sections share hosts, so the
-    degrees of freedom are those of the section that was measured most often. The usual
+    section that was measured most often determines the degrees of freedom. The usual
     variance has the weight ``HOST_FREEDOM``.
     """
     logs_by_section: dict[SectionKey, list[Any]] = defaultdict(list)

@@ -39,7 +39,7 @@ MEDIAN = math.sqrt(math.pi / 2)
 """The standard error of the median of many normal numbers, divided by the standard
 error of their mean.
 """
-MEAN = "mean of"  # the first part of the key of a mean over runs of one case
+MEAN = "mean of"  # the first part of the key for a mean over runs of one case
 RowKey = tuple[Any, ...]
 Cells = Mapping[str, Any]
 CellKey = tuple[RowKey, str]  # the row and the column of a number

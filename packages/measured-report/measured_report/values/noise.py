@@ -134,7 +134,7 @@ def rounding_variance(size: Any) -> Any:
 class RowScatter(NamedTuple):
     """The scatter of one row that was measured more than once."""
 
-    level: float  # the variance of a number of size 1
+    level: float  # the variance for a number of size 1
     freedom: float  # degrees of freedom of the variance
 
 
@@ -142,9 +142,9 @@ class RowScatter(NamedTuple):
 class Scatter:
     """Gives the variance of one measurement of any number of a column in a section."""
 
-    level: float  # the variance of a number of size 1
+    level: float  # the variance for a number of size 1
     slope: float  # the exponent by which the variance grows with the size
-    freedom: float  # degrees of freedom of the variance of a row measured once
+    freedom: float  # degrees of freedom of the variance for a row measured once
     rows: Mapping[Hashable, RowScatter] = field(default_factory=dict)
     least_sizes: Mapping[Hashable, float] = field(default_factory=dict)
     """The size below which the numbers of a row scatter like a row of their own."""

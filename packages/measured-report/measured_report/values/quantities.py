@@ -32,7 +32,7 @@ from measured_report.values.format import (
 from measured_report.values.noise import NORMAL, SURE, WRITTEN_SHARE, Z, t_quantile
 
 VALUES_FILE = "values.json"
-NOISE_FILE = "noise.json"  # the noise of the cells of records that pages print
+NOISE_FILE = "noise.json"  # the noise of record cells that pages print
 LEAST_TOGETHER = 3
 """Chosen: fewer measurements do not show which part of their error times have in common."""
 POWERS = "⁰¹²³⁴⁵⁶⁷⁸⁹"
@@ -506,7 +506,7 @@ def combined(
     groups = [_operands(source) for source in sources]
     operands = {id(operand): operand for group in groups for operand in group}
     indices = {key: index for index, key in enumerate(operands)}
-    # Made once, because the noise of a count of 1,000 numbers shifts each of them in turn.
+    # Made once, because the noise of a count shifts each of up to 1,000 numbers in turn.
     getters = [
         _getter(source, [indices[id(operand)] for operand in group])
         for source, group in zip(sources, groups, strict=True)

@@ -29,7 +29,7 @@ from measured_report.values.quantities import (
 if TYPE_CHECKING:  # slow to import, and a cached build does not need it
     import pandas as pd
 
-MEANS = "rows"  # the first part of the names of means over measurements of a row
+MEANS = "rows"  # the first part of the names for means over a row's measurements
 
 
 class ResultsError(ReportError):

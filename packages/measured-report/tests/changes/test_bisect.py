@@ -149,7 +149,7 @@ def test_between_two_commits_of_one_repository_its_commits_are_searched(toy, che
 
 @pytest.fixture
 def told(search, toy):
-    """Return the answers of all editions of the toy in the form that a history reads."""
+    """Return the answers of all the toy's editions in the form that a history reads."""
     editions = editions_of(toy.project)
     return {release: edition.uncompared for release, edition in editions.items()}
 

@@ -195,7 +195,7 @@ def test_rows_that_are_yielded_are_no_batches(toy, capsys):
 
 
 def handed(returned) -> Plan:
-    """Stands for a section that does not measure anything and returns this."""
+    """Replaces a section: it returns the given object without a measurement."""
     yield [Batch("a", os.getpid)]
     return returned
 
