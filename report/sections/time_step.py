@@ -232,12 +232,12 @@ def _halves(results: Results, ladder: Ladder) -> Claim:
 
 
 def _shipped(results: Results, ladder: Ladder) -> Claim:
-    """Test whether shipped pads slip as little as those of the rule at the shipped step."""
+    """Test whether shipped pads slip as little as the pads of the rule at the shipped step."""
     shipped = ladder.row(NEWTON, "shipped", SHIPPED_SUBSTEPS)
     rule = ladder.row(NEWTON, RULE, SHIPPED_SUBSTEPS)
     ratio = results.value(
         "shipped_ratio",
-        "slip with shipped pads over that with the pads of the rule, at the shipped step",
+        "slip with shipped pads divided by the slip with the pads of the rule, at the shipped step",
         shipped.slip_mm / rule.slip_mm,
     )
     return _claim(

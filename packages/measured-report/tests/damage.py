@@ -262,7 +262,9 @@ class _Sets(ctypes.Structure):
 
 @contextmanager
 def as_a_plain_user() -> Iterator[None]:
-    """Take from root what lets it read files whose mode forbids it; others lack it."""
+    """Remove root's right to read files whose mode forbids it; other users do not have
+    this right.
+    """
     libc = ctypes.CDLL(None)
     header = _Header(0x20080522, 0)  # from linux/capability.h: its third version
     sets = (_Sets * 2)()

@@ -112,7 +112,7 @@ def test_a_steady_drift_moves_as_far_early_as_late(late, change, outcome):
 
 
 def test_the_drift_along_each_axis_is_the_slope_of_the_displacement():
-    """In ten seconds the cube moves 5 mm along x and −2 mm along z."""
+    """Test a cube that moves 5 mm along x and −2 mm along z in ten seconds."""
     time_s = np.linspace(0.0, 10.0, 601)
     names = ("x_mm", "y_mm", "z_mm", "along_mm")
     speeds = (0.5, 0.0, -0.2, 0.5)

@@ -1,4 +1,4 @@
-"""Which numbers of two editions are compared, and which direction is better."""
+"""Test which numbers of two editions are compared, and which direction is better."""
 
 from dataclasses import replace
 
@@ -34,7 +34,10 @@ def column(better: str) -> Column:
     ],
 )
 def test_the_size_of_a_signed_number_is_better_or_worse(before, after, is_larger):
-    """An error of -2 mm is worse than one of 1 mm, whatever its sign is."""
+    """Test that an error of -2 mm is worse than an error of 1 mm.
+
+    Its sign does not count.
+    """
     outcomes = {"more": is_larger, "less": not is_larger}
     for better, is_better in outcomes.items():
         said = direction(column(better), before, after)

@@ -1,6 +1,5 @@
-"""An upgrade without network: three releases of a small package, real uv and real make.
-
-Wheels that this test writes are on an index that it serves.
+"""Test an upgrade without network: three releases of a small package, real uv and real
+make. The tests write wheels and serve them on an index.
 """
 
 import json
@@ -30,13 +29,14 @@ BALL = {
     "1.1.0": ("2026-02-01T10:00:00Z", 1.0),
     "1.2.0": ("2026-03-01T10:00:00Z", 2.0),
 }
-"""The upload time of each release of the package, and how far a ball falls in it."""
+"""Upload time of each release of the package, and the distance that a ball falls in it.
+"""
 AIR = {
     "1.0.0": ("2026-01-01T10:00:00Z", 1.0),
     "1.1.0": ("2026-02-01T23:30:00Z", 1.0),
     "1.2.0": ("2026-02-02T00:30:00Z", 1.001),
 }
-"""The same of a package that it needs; the last release is of the day after."""
+"""Upload times of a required package. Its last release appears a day later."""
 SETTINGS = """
 edition = "ball"
 packages = ["air"]
@@ -111,7 +111,7 @@ class Index(SimpleHTTPRequestHandler):
         self.wfile.write(body)
 
     def log_message(self, *_: object) -> None:
-        """Print nothing."""
+        """Print nothing, so that the output of the tests stays readable."""
 
 
 @pytest.fixture(scope="module")

@@ -1,4 +1,4 @@
-"""Every input that cannot be read is named, with status 1, by every command that reads it."""
+"""Test that every command that reads an unreadable input names it and returns status 1."""
 
 import os
 import shutil
@@ -47,7 +47,7 @@ COMMANDS = {
 
 
 def remove(path: Path) -> None:
-    """Remove whatever is there."""
+    """Remove a file or a folder, if it exists."""
     if path.is_dir() and not path.is_symlink():
         shutil.rmtree(path)
     else:
@@ -55,7 +55,7 @@ def remove(path: Path) -> None:
 
 
 def instead(make) -> object:
-    """Put something else in the place of a file or folder."""
+    """Put another object in the place of a file or folder."""
     return lambda path: (remove(path), make(path))
 
 
@@ -87,7 +87,7 @@ PLACES = {
     "edition.toml": FILE_KINDS,
     f"{FOLDER}/a.tgz": FILE_KINDS,
 }
-"""How each input of an edition is damaged, by its name in the edition's folder."""
+"""Kinds of damage to each input of an edition, by its name in the edition's folder."""
 
 
 def run(toy, name: str, a: str = "1.4.0", b: str = "1.5.0") -> int:
@@ -122,7 +122,7 @@ def measure(toy, release: str) -> Path:
 
 @pytest.fixture
 def asked(toy, monkeypatch):
-    """The toy, of which a text without marks is audited."""
+    """Return the toy with a text without marks for the audit."""
     pytest.importorskip("number_audit", reason="the audit is a package of its own")
     text = toy.project.root / "README.md"
     text.write_text("No marks.\n")
@@ -133,7 +133,9 @@ def asked(toy, monkeypatch):
 
 @pytest.mark.parametrize("place", PLACES)
 def test_every_damage_to_an_edition_is_named_by_every_command(asked, place, capsys):
-    """Each edition is damaged in another way, and two are whole."""
+    """Return a project whose editions are damaged in different ways, except two
+    undamaged ones.
+    """
     for release in ("1.4.0", "1.5.0"):
         measure(asked, release)
     damaged = {}
@@ -226,7 +228,10 @@ PARTS = {
 
 @pytest.mark.parametrize("part", PARTS)
 def test_what_is_in_the_way_of_a_build_neither_stops_it_nor_is_followed(toy, part):
-    """A pipe that somebody opens waits for ever; a cache may hold one as well."""
+    """Test objects in the way of a build.
+
+    Opening a pipe would block it, and the cache may contain one as well.
+    """
     toy.build()
     names = (".site-new", ".site-new-before", "site/.index.html.part")
     for name in names:
@@ -242,7 +247,7 @@ def test_what_is_in_the_way_of_a_build_neither_stops_it_nor_is_followed(toy, par
 
 
 def test_too_little_memory_is_one_line(capsys):
-    """While the program is imported, and later."""
+    """Test a lack of memory during the import of the program and later."""
 
     def fill() -> int:
         raise MemoryError

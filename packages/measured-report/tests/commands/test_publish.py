@@ -210,7 +210,7 @@ def test_publishing_to_a_branch_is_one_commit_and_touches_nothing_else(
 def test_a_relative_remote_is_found_from_any_folder(
     toy, remote, tmp_path, monkeypatch, is_named
 ):
-    """Git takes it as relative to the folder in which it runs."""
+    """Test a path that git reads relative to the folder in which it runs."""
     root = toy.project.root
     address = os.path.relpath(remote, root)
     git(root, "remote", "set-url", "origin", address if is_named else "/nowhere")

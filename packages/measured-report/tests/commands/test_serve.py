@@ -99,7 +99,9 @@ LINKED = {
 @pytest.mark.parametrize("name", LINKED.values(), ids=LINKED)
 @pytest.mark.parametrize("end", ["a link", "a pipe", "a link to a pipe"])
 def test_nothing_is_sent_that_is_a_link_or_a_pipe(built, tmp_path, name, end):
-    """Neither by its own name nor as the index of its folder; a pipe is not waited for."""
+    """Test that a file is served neither by its own name nor as the index of its
+    folder, and that a pipe does not block the server.
+    """
     site = built.project.site
     (tmp_path / "secret").mkdir()
     (tmp_path / "secret/index.html").write_text("secret")
@@ -122,7 +124,7 @@ def test_nothing_is_sent_that_is_a_link_or_a_pipe(built, tmp_path, name, end):
 
 
 def test_a_folder_is_answered_with_its_index_alone(built):
-    """The names of files in a folder without an index are not listed."""
+    """Test that the names of files in a folder without an index are not listed."""
     inner = built.project.site / "newton-1.8.0"
     inner.mkdir()
     (inner / "index.html").write_text("inner")

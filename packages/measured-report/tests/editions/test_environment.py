@@ -1,4 +1,6 @@
-"""The environment of another release: its requirements, and the packages of its day."""
+"""Test the environment of another release: its requirements, and the packages of its
+release date.
+"""
 
 from dataclasses import replace
 
@@ -33,14 +35,19 @@ dependencies = ["newton[sim]==1.4.0", "numpy>=2", "warp-lang==1.15.0", "mujoco",
 def test_measured_packages_are_replaced_and_all_others_are_kept(
     toy, packages, expected
 ):
-    """A measured package without a version is installed as the release needs it."""
+    """Test that a measured package without a version is installed as the release
+    requires it.
+    """
     toy.write("pyproject.toml", DEPENDENCIES)
     assert requirements(toy.project.root, packages, report().settings) == expected
 
 
 @pytest.fixture
 def commands(toy, monkeypatch) -> list[list[str]]:
-    """The commands that uv is given; what it does is tested in test_rehearsal.py."""
+    """Test the commands that are passed to uv.
+
+    Their effects are tested in test_rehearsal.py.
+    """
     called = []
     monkeypatch.setattr(
         environment, "_run", lambda words, name: called.append([*words])

@@ -152,7 +152,7 @@ IN_THE_WAY = {
 
 @pytest.mark.parametrize("way", IN_THE_WAY)
 def test_what_a_killed_process_left_is_removed_and_no_link_is_followed(tmp_path, way):
-    """A temporary file or folder has a known name, which somebody else may have used."""
+    """Test a temporary file or folder whose known name somebody else may have used."""
     other = tmp_path / "other"
     other.mkdir()
     (other / "letter").write_text("dear")

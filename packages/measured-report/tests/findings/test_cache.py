@@ -271,7 +271,7 @@ def test_an_entry_that_is_damaged_is_made_again(built, damage):
 
 @pytest.mark.parametrize("base", ["", ".cache", "../cache"])
 def test_a_cache_in_a_checkout_is_not_used(toy, monkeypatch, tmp_path, base):
-    """A relative path would lead there, and so would no path at all."""
+    """Test a relative path and a missing one, which would both lead into the checkout."""
     monkeypatch.setenv("XDG_CACHE_HOME", base)
     monkeypatch.setenv("HOME", str(tmp_path / "home"))
     monkeypatch.chdir(toy.project.root)
@@ -337,7 +337,9 @@ def test_the_same_commit_gives_the_same_bytes_anywhere(toy, tmp_path):
 
 @pytest.mark.parametrize("mode", [0o720, 0o702])
 def test_what_others_may_write_is_no_cache(tmp_path, monkeypatch, capsys, mode):
-    """Neither the group nor all others may, nor may it belong to somebody else."""
+    """Test a folder that its group or other users can write to, or that belongs to
+    somebody else.
+    """
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
     mine = Cache(tmp_path / "one")
     mine.put("a", 1, "value")

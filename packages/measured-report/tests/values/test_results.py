@@ -1,4 +1,4 @@
-"""The numbers of a row as templates and sections read them."""
+"""Test the numbers of a row as templates and sections read them."""
 
 from dataclasses import replace
 
