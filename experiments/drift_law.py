@@ -1,8 +1,8 @@
 """Predict the drift of each run of section stiffness only from the motion of the arm.
 
-The parts are the same as in ``budget``. Each part is the slope of its sum over the
-shake, as the drift is the slope of the cube's displacement. They are measured in one
-run of the shake in MuJoCo's C engine with the term restored, so that they do not
+The parts are the same as in ``budget``. The drift is the slope of the cube's
+displacement over the shake, and each part is the slope of a sum. The sums are measured
+in one run of the shake in MuJoCo's C engine with the term restored, so that they do not
 contain any slide. No parameter is fitted. The prediction does not include the rounding
 of positions, which is avoided in the compared runs.
 """

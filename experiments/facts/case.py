@@ -7,8 +7,8 @@ CUBE_GAP_DEFAULT = 0.1
 """Contact gap [m] of a new ``newton.ModelBuilder`` in 1.4.0, which is the gap of the
 cube in the scene as shipped.
 
-The gap of other releases is in section upgrade, as a default of shapes, and is measured
-in section defaults.
+Section upgrade lists the gap of other releases among the defaults of shapes, and section
+defaults measures its effect.
 """
 
 

@@ -35,8 +35,8 @@ TERM = "newton-implicitfast-50-shipped-{}-term-rounded"
 BEST = "newton-euler-400-shipped-{}-full-kept"
 FIRM = "newton-implicitfast-400-stiff-{}-centred-kept"
 KF_OFF = "newton-implicitfast-50-shipped-{}-kf-off"  # only in releases that read ``kf``
-# Names by case, whose parts are contacts, integrator, impratio, pads, shake, term and
-# positions. The name of the shake is filled in later.
+# Names by case. A case consists of contacts, integrator, impratio, pads, shake, term and
+# positions. The shake is inserted later.
 NAMES = {
     SHIPPED: "as shipped",
     STIFF: "stiff pads, the fix",

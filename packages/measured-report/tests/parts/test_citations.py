@@ -1,4 +1,4 @@
-"""Test statements that are cited."""
+"""Test citations of statements and their sources."""
 
 import pytest
 from toys import TEMPLATE
