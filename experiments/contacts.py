@@ -154,7 +154,7 @@ def predicted_row(case: Case) -> dict[str, object]:
 
 
 def restored_row(case: Case) -> dict[str, object]:
-    """Return the same run with the term restored, so that the rows aim at -b v - J̇ q̇."""
+    """Return the same run with the term restored, so that the rows set -b v - J̇ q̇."""
     simulation = _in_c(replace(case, contact_bias=True))
     for _ in range(TWO_PERIODS_FRAME_COUNT):
         simulation.step()

@@ -1,7 +1,7 @@
 """Predict the parts of a held cube's slip only from the motion of the arm.
 
 Let u = J q̇ be the velocity of the cube's centre relative to the hand, and g = J̇ q̇
-the part of its acceleration that remains for q̈ = 0. A friction row aims at J q̈ = -b u
+the part of its acceleration that remains for q̈ = 0. A friction row sets J q̈ = -b u
 - R f, where R f is its compliance under load (MuJoCo documentation, "Computation"). The
 joints do not move with the q̈ of the solver, because implicitfast adds the damping of a
 step to the inertia. With e = J (actual q̈ - q̈ of the solver) and steps of length h,

@@ -46,7 +46,7 @@ import textwrap
 
 
 def kernel(function):
-    """Compile what a function says, as a language for GPUs does: its own code is never run."""
+    """Compile the source of a function, as a language for GPUs does. Python never runs it."""
     lines = textwrap.dedent(inspect.getsource(function)).splitlines()
     names = {}
     exec("\\n".join(lines[1:]), names)
