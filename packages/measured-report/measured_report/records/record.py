@@ -85,14 +85,14 @@ class Carried(Struct, frozen=True, forbid_unknown_fields=True):
 
     def __str__(self) -> str:
         change = (
-            f"the measured code changed from {self.old} to {self.new} on "
+            f"The measured code changed from {self.old} to {self.new} on "
             f"{self.date[:10]}"
         )
         proof = (
-            f"the quick profile was run again with both, and all {self.cells} cells "
+            f"The quick profile was run again with both, and all {self.cells} cells "
             "are bit-identical"
         )
-        return f"{change}; {proof}; the full profile was not run again"
+        return f"{change}. {proof}; the full profile was not run again."
 
 
 REQUIRED: Mapping[str, Mapping[str, Any]] = {

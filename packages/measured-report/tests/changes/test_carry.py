@@ -336,7 +336,7 @@ def test_a_change_that_quick_runs_cover_is_carried_with_the_rows(answers, name):
     [carried] = after.carried
     assert carried.code == before.identity.code and carried.cells == 2
     assert str(carried).endswith(
-        "cells are bit-identical; the full profile was not run again"
+        "cells are bit-identical; the full profile was not run again."
     )
 
 
