@@ -115,12 +115,13 @@ class Changes:
 
 @dataclass(frozen=True)
 class Page:
-    """Describes one page, which every release has."""
+    """Describe one page of every release that has one of its sections."""
 
     name: str
     label: str = ""  # the text of links to it; empty: its name
     texts: tuple[str, ...] = ()
     """Its templates, the one with its title first; empty for `pages/NAME.md.j2`."""
+    always: bool = False  # whether an edition has it without any of its sections
 
     def __post_init__(self) -> None:
         object.__setattr__(

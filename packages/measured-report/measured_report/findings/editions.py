@@ -80,13 +80,13 @@ class Edition:
 
     @cached_property
     def pages(self) -> dict[Page, list[Chapter]]:
-        """Return the front page and all pages that have chapters, with their chapters."""
+        """Return the pages that have chapters or are always there, with their chapters."""
         chapters = list(self.chapters.values())
         chapters.sort(key=lambda chapter: not chapter.outline.first)
         pages = {}
         for page in self.report.settings.pages:
             members = [chapter for chapter in chapters if chapter.page == page]
-            if members or page == self.report.settings.front:
+            if members or page.always or page == self.report.settings.front:
                 pages[page] = members
         return pages
 

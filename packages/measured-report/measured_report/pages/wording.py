@@ -75,12 +75,13 @@ def sentences_of(project: Project) -> Callable[[str, Claim], str]:
 
     def sentence(section: str, claim: Claim) -> str:
         template = template_of(section)
-        if ("claim", claim.name) not in (words := templates().words(template)):
+        name = claim.wording_name
+        if ("claim", name) not in (words := templates().words(template)):
             raise ReportError(
-                f"templates/{template} does not contain the claim {claim.name}: add "
-                f"{{% claim {claim.name} %}}"
+                f"templates/{template} does not contain the claim {name}: add "
+                f"{{% claim {name} %}}"
             )
-        return replace(claim, wording=words["claim", claim.name]).text
+        return replace(claim, wording=words["claim", name]).text
 
     return sentence
 
@@ -192,7 +193,11 @@ def _names_of(
     """Return the functions that a template calls to print parts and passages."""
     # Parts whose numbers are missing from this edition's record are empty.
     empty = dict.fromkeys(section.unmeasured, Markup(""))
-    claims = {claim.name: claim.html(anchor) for claim in section.claims}
+    # Claims that share a wording follow each other.
+    claims: dict[str, Markup] = {}
+    for claim in section.claims:
+        before = claims.get(claim.wording_name, Markup(""))
+        claims[claim.wording_name] = before + claim.html(anchor) + " "
     downloads = {name: macros().download(name) for name in section.downloads}
     parts: Mapping[str, Mapping[str, Any]] = {
         "claim": {**empty, **claims},

@@ -85,6 +85,12 @@ class Claim:
 
     The explanation is printed only if it does.
     """
+    shared_wording: str = ""
+    """The name of its wording in the template, if several claims share one."""
+
+    @property
+    def wording_name(self) -> str:
+        return self.shared_wording or self.name
 
     @cached_property
     def sentence(self) -> Markup:

@@ -221,8 +221,12 @@ class Section:
 
     @property
     def names(self) -> set[tuple[str, str]]:
-        """Return the kind and the name of each claim, figure and table."""
+        """Return the kind and the name of each claim, figure and table.
+
+        Claims that share a wording also count under the name of their wording.
+        """
         claims = {("claim", claim.name) for claim in self.claims}
+        claims |= {("claim", claim.wording_name) for claim in self.claims}
         figures = {("figure", name) for name in self.figures}
         return claims | figures | {("table", name) for name in self.tables}
 
@@ -260,7 +264,7 @@ class Section:
         }
         for kind, name in wordings:
             is_known = name in self.unmeasured or (kind, name) in self.lost
-            if name not in parts[kind] and not is_known:
+            if (kind, name) not in self.names and not is_known:
                 names = ", ".join(parts[kind]) or "none"
                 raise ReportError(
                     f"templates/{template}: the section does not have a {kind} {name}: "
@@ -269,13 +273,14 @@ class Section:
 
         def with_wordings(kind: str) -> Iterator[tuple[str, Any]]:
             for name, part in parts[kind].items():
-                if (kind, name) not in wordings:
+                wording_name = getattr(part, "wording_name", name)
+                if (kind, wording_name) not in wordings:
                     raise ReportError(
-                        f"templates/{template} does not contain the {kind} {name}: add "
-                        f"{{% {kind} {name} %}}"
+                        f"templates/{template} does not contain the {kind} "
+                        f"{wording_name}: add {{% {kind} {wording_name} %}}"
                     )
                 if hasattr(part, "wording"):
-                    wording = wordings[kind, name]
+                    wording = wordings[kind, wording_name]
                     # Render all texts now, because other numbers may need another one.
                     for text in wording.parts:
                         wording(text, part.numbers)

@@ -2,6 +2,8 @@
 page is rendered.
 """
 
+import re
+
 import pytest
 from toys import MODULE, TEMPLATE
 
@@ -111,3 +113,23 @@ def test_tables_sources_and_what_lies_in_static_are_on_the_page_and_drafts_are_n
         and (toy.project.site / "static/more/a.txt").is_file()
     )
     assert (toy.project.site / "style.css").read_text().endswith("main { color: red }")
+
+
+def test_claims_that_share_a_wording_are_printed_one_after_another(toy):
+    shared = (
+        'Claim("helps", at_least(gain, bound), {"gain": gain}, shared_wording="all"),'
+    )
+    module = MODULE.replace(
+        'Claim("helps", at_least(gain, bound), {"gain": gain})',
+        shared + shared.replace("helps", "helps_twice").replace("bound)", "2 * bound)"),
+    )
+    toy.write("report/sections/toy.py", module)
+    toy.write(
+        "templates/sections/toy.md.j2", TEMPLATE.replace("claim helps", "claim all")
+    )
+    toy.build()
+    claims = re.findall(r'data-claim="toy.(\w+)" data-outcome="(\w+)"', toy.page)
+    assert claims == [("helps", "holds"), ("helps_twice", "holds")]
+    toy.write("templates/sections/toy.md.j2", TEMPLATE)
+    with pytest.raises(ReportError, match=r"does not have a claim helps|claim all"):
+        toy.build()
