@@ -203,3 +203,9 @@ def test_a_row_that_is_missing_costs_no_section(editions):
             except Exception as error:
                 lost.append((name, record.rows[index]["case"], repr(error)))
     assert lost == []
+
+
+def test_a_page_without_its_sections_is_there_only_if_it_always_is(editions):
+    names = {page.name for page in editions["1.6.1"].pages}
+    assert "advice" in names, "which has no sections"
+    assert "step" not in names, "whose sections were not measured with this release"

@@ -17,7 +17,7 @@ from measured_report.parts.claim import FAILS, HOLDS, Outcome
 from measured_report.parts.section import UNDRAWN
 from measured_report.records.record import write_record
 from measured_report.site.check import check_site
-from report.story import investigation, story
+from report.story import advice, investigation, story
 
 pytestmark = [pytest.mark.words, pytest.mark.usefixtures("unchanged")]
 OUTCOMES = (HOLDS, FAILS, Outcome("unknown", "as a test"))
@@ -63,7 +63,7 @@ def test_every_outcome_of_every_claim_can_be_said(editions):
     chapters = {release: edition.chapters for release, edition in editions.items()}
     words = {
         name: Templates(ROOT / "templates").words(f"{name}.md.j2")
-        for name in ("story", "investigation")
+        for name in ("story", "investigation", "pages/advice")
     }
     for release in editions:
         claims = [
@@ -74,10 +74,11 @@ def test_every_outcome_of_every_claim_can_be_said(editions):
         told = {
             "story": story.derive(chapters, release),
             "investigation": investigation.derive(chapters[release]),
+            "pages/advice": advice.derive(chapters[release]),
         }
         for name, section in told.items():
             claims += [
-                replace(claim, wording=words[name]["claim", claim.name])
+                replace(claim, wording=words[name]["claim", claim.wording_name])
                 for claim in section.claims
             ]
         for claim in claims:
