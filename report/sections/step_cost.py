@@ -50,6 +50,9 @@ def derive(results: Results) -> Section:
     }
     proportional = at_least(doubled, 1.8, "nearly twice the time")
     numbers = {
+        "shipped": rows[PADS, SHIPPED_SUBSTEPS, 1].substeps,
+        "more": rows[PADS, 2 * SHIPPED_SUBSTEPS, 1].substeps,
+        "fewer": rows[PADS, SHIPPED_SUBSTEPS // 4, 1].substeps,
         "doubled": doubled,
         "alone": shares[TIMED_WORLDS[0]],
         "many": shares[TIMED_WORLDS[-1]],

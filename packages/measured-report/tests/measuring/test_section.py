@@ -23,6 +23,7 @@ from measured_report.measuring.batch import Batch, Plan, measure_batch
 from measured_report.measuring.measure import MODULE
 from measured_report.measuring.pool import host_pools
 from measured_report.measuring.run import Loop, section_module
+from measured_report.records.identity import identity_of
 from measured_report.records.record import load_record
 
 
@@ -269,6 +270,47 @@ def measure(conditions):
     {}
     return Measurement([{{"case": "a", "slip_mm": 1.0}}])
 """
+READ = """
+from pathlib import Path
+from measured_report.measuring.measurement import Measurement
+
+FILE = "{declared}"
+{early}
+
+def measure(conditions):
+    cell = 1.5 if {early!r} else float(Path({read}).read_text())
+    Path("log.txt").write_text("done")
+    return Measurement([{{"case": "a", "slip_mm": cell}}])
+"""
+
+
+@pytest.mark.parametrize(
+    ("folder", "early"), [(".", ""), ("experiments", ""), ("assets", "read")]
+)
+def test_a_data_file_that_a_record_would_not_depend_on_is_refused(toy, folder, early):
+    toy.write(f"{folder}/data.csv", "1.5")
+    read = f"'{folder}', 'data.csv'"
+    early = early and f"Path({read}).read_text()"
+    code = READ.format(declared="assets/y.csv", read=read, early=early)
+    toy.write("experiments/toy.py", code)
+    done = program("-m", MODULE, "toy", "--device", "cpu", cwd=toy.project.root)
+    assert done.returncode == 1 and len(done.stderr.splitlines()) == 1, done.stderr
+    name = Path(folder, "data.csv")
+    assert f"measure reads {name}, but its record would not depend" in done.stderr
+
+
+def test_a_declared_data_file_makes_its_record_stale(toy):
+    toy.write("assets/x.csv", "1.5")
+    code = READ.format(declared="assets/x.csv", read="'assets/x.csv'", early="")
+    toy.write("experiments/toy.py", code)
+    done = program("-m", MODULE, "toy", "--device", "cpu", cwd=toy.project.root)
+    assert done.returncode == 0, done.stderr
+    assert rows_of(toy)[0]["slip_mm"] == 1.5
+    before = load_record(toy.record_path).identity.config
+    toy.write("assets/x.csv", "2.5")
+    assert identity_of("toy", "full", toy.project.root).config != before
+
+
 EDIT = 'Path(__file__).write_text(Path(__file__).read_text().replace("1.0", "2.0"))'
 IMPORT = 'scene = Path(__file__).with_name("scene.py"); scene.write_text(scene.read_text() + "LATER = 1")'
 NEWER = """path = Path("results/newton-1.4.0/toy.json").resolve()
