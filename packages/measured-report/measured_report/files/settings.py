@@ -150,8 +150,9 @@ class Config:
     case: ClassName = ""
     """The dataclass, as `module:name`, whose fields are the parameters of a run."""
     noise_section: str = ""
-    """The section with repeats: rows that run the same case, which the column `of`
-    names.
+    """The section whose repeats show the noise of sections without repeats.
+
+    Repeats are rows that run the same case again, which the column `of` names.
     """
     repeating: Mapping[str, Sequence[str | bool | int]] = field(default_factory=dict)
     """Values that mark a row as deterministic.

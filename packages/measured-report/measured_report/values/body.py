@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 
 from measured_report.files.columns import Column, Schema, is_number
-from measured_report.files.groups import single
+from measured_report.files.groups import grouped, single
 from measured_report.records.record import Record
 from measured_report.values.evidence import (
     HOST_FREEDOM,
@@ -31,19 +31,26 @@ from measured_report.values.evidence import (
     ending_of,
     is_absolute,
     is_lost,
-    is_repeat,
     key_of,
+    repeats_in,
     repeats_of,
     scatters,
 )
 from measured_report.values.noise import (
     FALSE_SHARE,
     SURE,
+    Scatter,
     chance_of,
     discoveries,
     exceeds_chance,
 )
-from measured_report.values.scatter import SLOPES, Fit, fit_of, left_out
+from measured_report.values.scatter import (
+    SLOPES,
+    USUAL_FREEDOM,
+    Fit,
+    fit_of,
+    left_out,
+)
 
 MOST_DISSENT = 1 / 3
 """Chosen: if a larger share of the measurements of a row ends otherwise, chance decides how
@@ -98,18 +105,21 @@ def body_of(
     odd_rows = _odd_rows(gathered, outliers)
     chances = _chances(samples, fits)
     host = _host_scatter(samples, fits, columns)
+    within = _scatters_within(gathered, columns)
     sections = {}
     for (edition, section), measurements in gathered.items():
         noise = measured.get((edition, columns.settings.noise_section), [None])[0]
         sections[edition, section] = Evidence(
             count=measurements.count,
             numbers=several[edition, section],
-            scatters={
+            scatters=within.get(section, {})
+            | {
                 column_key: fit.scatter
                 for (name, column_key), fit in fits.items()
                 if name == section
             },
             repeats=repeats_of(noise.rows if noise else (), columns),
+            own=repeats_of(measurements.repeats, columns),
             edges=frozenset(measurements.edges),
             odd_rows=odd_rows.get(section),
             host=host,
@@ -127,6 +137,8 @@ class _Gathered:
         shown = records[0]
         assert shown, "the record that is shown comes first"
         self.columns = columns
+        self.rows = shown.rows
+        self.repeats = repeats_in(shown.rows, section, columns)
         self.count = sum(record is not None for record in records)
         self.edges: set[RowKey] = set()  # rows that end in one of two ways, by chance
         self.dissenting = 0  # rows of one measurement that end unlike the others
@@ -194,14 +206,14 @@ def rows_by_key(
 ) -> dict[RowKey, Cells]:
     """Return the rows of a record by their keys, without those that share one.
 
-    In the section on noise, the mean of the runs of one case is a row of its own for each
-    column, in place of the runs.
+    The mean of the repeated runs of one case is a row of its own for each column, in
+    place of the runs.
     """
-    singles = [row for row in rows if not is_repeat(row, section, columns)]
+    repeats = repeats_in(rows, section, columns)
+    singles = [row for row in rows if row not in repeats]
     by_key = single((key_of(row, columns), row) for row in singles)
-    if section == columns.settings.noise_section:
-        for case, runs in repeats_of(rows, columns).items():
-            by_key |= {(MEAN, case, name): {name: runs[name].mean} for name in runs}
+    for case, runs in repeats_of(repeats, columns).items():
+        by_key |= {(MEAN, case, name): {name: runs[name].mean} for name in runs}
     return by_key
 
 
@@ -257,6 +269,39 @@ def _fits(samples: SamplesByColumn, columns: Schema) -> Fits:
         if fit:
             fits[section, column_key] = fit
     return fits
+
+
+def _scatters_within(
+    gathered: Mapping[SectionKey, _Gathered], columns: Schema
+) -> dict[str, dict[ColumnKey, Scatter]]:
+    """Return the scatter of repeated runs of one case, by section and column.
+
+    Each row has the variance of its own repeats, shrunk towards that of its column. It is
+    used for columns that were never measured twice.
+    """
+    samples: dict[tuple[str, ColumnKey], dict[NumberKey, list[float]]]
+    samples = defaultdict(dict)
+    for (edition, section), measurements in gathered.items():
+        runs = grouped((run["of"], run) for run in measurements.repeats)
+        for row in measurements.rows:
+            for name in filter(lambda name: scatters(columns[name]), row):
+                cells = [run.get(name) for run in (row, *runs.get(row["case"], ()))]
+                numbers = [cell for cell in cells if is_number(cell)]
+                if len(numbers) > 1:
+                    key = section, column_key_of(name, row, columns)
+                    samples[key][edition, key_of(row, columns), name] = numbers
+    found: dict[str, dict[ColumnKey, Scatter]] = defaultdict(dict)
+    for (section, column_key), of_column in samples.items():
+        array = _array(of_column)
+        sizes = np.maximum(abs(np.nanmean(array, axis=1)), 1e-12)
+        shares = np.nanvar(array, axis=1, ddof=1) / sizes**2
+        few = Scatter(float(shares.mean()), 2.0, USUAL_FREEDOM)
+        slopes = _slopes(column_key, columns)
+        if few.level and (fit := fit_of(array, _row_keys(of_column), few, slopes)):
+            is_time = is_absolute(_column(column_key, columns))
+            scatter = fit.scatter.plus(HOST_SHARE**2) if is_time else fit.scatter
+            found[section][column_key] = scatter
+    return found
 
 
 def _slopes(key: ColumnKey, columns: Schema) -> Sequence[float]:

@@ -6,7 +6,7 @@ both the interval and the test use.
 
 import math
 from collections.abc import Hashable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cache
 from statistics import NormalDist, fmean, median
 from typing import Any, NamedTuple
@@ -147,6 +147,14 @@ class Scatter:
     rows: Mapping[Hashable, RowScatter] = field(default_factory=dict)
     least_sizes: Mapping[Hashable, float] = field(default_factory=dict)
     """The size below which the numbers of a row scatter like a row of their own."""
+
+    def plus(self, level: float) -> "Scatter":
+        """Return the scatter with another independent error added."""
+        rows = {
+            row: scatter._replace(level=scatter.level + level)
+            for row, scatter in self.rows.items()
+        }
+        return replace(self, level=self.level + level, rows=rows)
 
     def key(self, row: Hashable, size: float) -> Hashable:
         """Return the key in ``rows`` of a number of this size."""

@@ -317,6 +317,22 @@ def test_a_number_that_is_named_counts_even_if_its_run_may_be_odd(chapter, monke
     assert real.exceeds_threshold
 
 
+@pytest.mark.parametrize(("shift", "is_listed"), [(0.5, True), (0.2, False)])
+def test_a_number_that_is_named_is_tested_by_itself(
+    chapter, monkeypatch, shift, is_listed
+):
+    """A change by 3.5 standard errors has a chance of 0.2 %, one by 1.4 of 17 %."""
+    settings = report().settings
+    rules = replace(settings.changes, headlines={"drift": "toy.c0.drift_mm_s"})
+    monkeypatch.setitem(vars(report()), "settings", replace(settings, changes=rules))
+    vars(report()).pop("columns", None)
+    named = replace(chapter, results=replace(chapter.results, columns=report().columns))
+    after = cases(166) | {"c0": 10.0 + shift, "c1": 10.0 + shift}
+    moves = moves_between(side(named, cases(166)), side(named, after))
+    listed = [move.name for move in moves if move.is_real]
+    assert listed == (["toy.c0.drift_mm_s"] if is_listed else [])
+
+
 def test_times_that_move_together_are_told_beside_the_scatter_of_hosts(chapter):
     """Each row is known to 30 %, all of nine to 3 % of their host."""
     noisy = {"column": TIME, "deviation": 3.0}
