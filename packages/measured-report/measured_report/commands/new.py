@@ -10,7 +10,7 @@ import re
 import shlex
 import shutil
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from functools import partial
 from importlib import metadata
 from pathlib import Path
@@ -26,6 +26,10 @@ from measured_report.files.git import git
 
 SKELETON = Path(__file__).resolve().parents[1] / "skeleton"
 GENERATOR = "measured-report"
+OLDER: Mapping[str, str] = {}
+"""Marks for a Python that the release of NumPy in the skeleton does not run on."""
+if sys.version_info < (3, 11):
+    OLDER = {"numpy==2.4.6": f"numpy=={metadata.version('numpy')}", ">=3.11": ">=3.10"}
 
 
 def main() -> int:
@@ -65,6 +69,7 @@ def new(folder: Path) -> int:
         "@AUTHOR@": git(folder, "config", "user.name") or "Its authors",
         f'"{GENERATOR}"': requirement,
         "# @SOURCE@\n": source,
+        **OLDER,
     }
     for template in SKELETON.rglob("*"):
         if template.is_file() and template.suffix != ".pyc":

@@ -73,6 +73,16 @@ ASKS = "{% asks %} whether it helps\n"
             + "\n{% table",
             "'claim__helps__holds' defined twice",
         ),
+        (
+            "It helps {{ gain }}",
+            "It helps {{ gain | round(2) }}",
+            r"toy.md.j2:4: 20.* is rounded by its noise: print it without the filter",
+        ),
+        (
+            "Stiff is {{",
+            'Stiff is {{ "a" + 1 }} {{',
+            r"toy.md.j2:9: TypeError: can only concatenate str",
+        ),
         *(
             (
                 "It helps {{ gain }}",
