@@ -196,7 +196,11 @@ class Move:
             sizes = [abs(number) for number in (*ends, self.after - self.before)]
             noise = max(self.error, min(filter(None, sizes), default=0.0) / 10)
             pairs = zip(sides, ends, strict=True)
-            sides = [replace(side, value=end, noise=noise) for side, end in pairs]
+            # The noise of a large number would hide all digits of a small one.
+            sides = [
+                replace(side, value=end, noise=min(noise, abs(end) / 2 or noise))
+                for side, end in pairs
+            ]
         return " → ".join(map(_text, sides))
 
 
@@ -269,7 +273,7 @@ def moves_between(before: Chapter, after: Chapter) -> list[Move]:
 def _rows_by_key(results: Results) -> dict[RowKey, Row]:
     """Return the rows whose key is unique, by key.
 
-    Repeated runs are left out, because their means are compared.
+    Repeated runs are left out, because the number of their case counts all of them.
     """
     section = results.record.section
     columns = results.columns
@@ -279,11 +283,11 @@ def _rows_by_key(results: Results) -> dict[RowKey, Row]:
 
 
 def _means_between(sides: Sequence[Results]) -> Iterator[Pair]:
-    """Yield the means over the repeated runs of each case."""
+    """Yield the means over the runs of each case if this is the section on noise."""
     columns = sides[1].columns
     rules = columns.settings.changes
     section = sides[1].record.section
-    if not all(repeats_in(side.record.rows, section, columns) for side in sides):
+    if section != columns.settings.noise_section:
         return
     old, new = (side.evidence.means() for side in sides)
     for case, name in (key for key in old if key in new):

@@ -31,7 +31,6 @@ from measured_report.files.config import Report
 from measured_report.files.config import report as current
 from measured_report.files.errors import ReportError, bug_of
 from measured_report.measuring.machine import machine
-from measured_report.measuring.measurement import Measurement
 
 OUT_OF_MEMORY = re.compile(
     "out of memory|failed to allocate|cannot allocate|bad_alloc", re.IGNORECASE
@@ -68,7 +67,7 @@ class Batch:
     """
 
 
-Plan: TypeAlias = Generator[Sequence[Batch], Sequence[Any], Measurement]
+Plan: TypeAlias = Generator[Sequence[Batch], Sequence[Any], Any]
 
 
 @dataclass(frozen=True)

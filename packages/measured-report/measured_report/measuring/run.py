@@ -51,7 +51,7 @@ from measured_report.measuring.machine import (
     read_device,
 )
 from measured_report.measuring.measure import FAILED, UNFIT
-from measured_report.measuring.measurement import Measurement
+from measured_report.measuring.measurement import measurement_of
 from measured_report.measuring.pool import environments, gather, host_pools
 from measured_report.records.code import Code
 from measured_report.records.identity import package_versions, sections
@@ -163,12 +163,13 @@ class Section:
                     f'"assets/{path.name}"'
                 )
 
-    def _write(self, measurement: Measurement) -> None:
-        """Write the record and the traces of a measurement."""
+    def _write(self, returned: Any) -> None:
+        """Write the record and the traces of what ``measure`` returned."""
         report = self.project.report
         path = self.project.record_path(self.name)
         results = list(self.results.values())
         try:
+            measurement = measurement_of(returned)
             rows = [plausible_row(row, report.columns) for row in measurement.rows]
             traces = {
                 case: packed(path, case, table, report.columns)
@@ -176,8 +177,8 @@ class Section:
             }
         except (AttributeError, TypeError) as error:
             raise ReportError(
-                "measure does not return a Measurement of rows and traces "
-                f"({error}): return one"
+                "measure returns neither rows nor a Measurement of rows and traces "
+                f"({error}): return one of them"
             ) from None
         if not rows or not all("case" in row for row in rows):
             raise ReportError(

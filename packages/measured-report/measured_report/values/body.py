@@ -8,7 +8,7 @@ others.
 
 from collections import Counter, defaultdict
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from statistics import fmean
 from typing import Any
 
@@ -43,6 +43,8 @@ from measured_report.values.noise import (
     chance_of,
     discoveries,
     exceeds_chance,
+    fenced,
+    rounding_variance,
 )
 from measured_report.values.scatter import (
     SLOPES,
@@ -105,7 +107,7 @@ def body_of(
     odd_rows = _odd_rows(gathered, outliers)
     chances = _chances(samples, fits)
     host = _host_scatter(samples, fits, columns)
-    within = _scatters_within(gathered, columns)
+    within = _within(gathered, columns, several)
     sections = {}
     for (edition, section), measurements in gathered.items():
         noise = measured.get((edition, columns.settings.noise_section), [None])[0]
@@ -119,7 +121,6 @@ def body_of(
                 if name == section
             },
             repeats=repeats_of(noise.rows if noise else (), columns),
-            own=repeats_of(measurements.repeats, columns),
             edges=frozenset(measurements.edges),
             odd_rows=odd_rows.get(section),
             host=host,
@@ -206,15 +207,38 @@ def rows_by_key(
 ) -> dict[RowKey, Cells]:
     """Return the rows of a record by their keys, without those that share one.
 
-    The mean of the repeated runs of one case is a row of its own for each column, in
-    place of the runs.
+    The cost of a case is the mean of all its runs. In the section on noise, the mean of
+    the runs of one case is a row of its own for each column, in place of the runs.
     """
     repeats = repeats_in(rows, section, columns)
     singles = [row for row in rows if row not in repeats]
-    by_key = single((key_of(row, columns), row) for row in singles)
-    for case, runs in repeats_of(repeats, columns).items():
-        by_key |= {(MEAN, case, name): {name: runs[name].mean} for name in runs}
-    return by_key
+    runs = grouped((run["of"], run) for run in repeats)
+    if section == columns.settings.noise_section:
+        by_key = single((key_of(row, columns), row) for row in singles)
+        for case, means in repeats_of(repeats, columns).items():
+            by_key |= {(MEAN, case, name): {name: means[name].mean} for name in means}
+        return by_key
+    return single(
+        (key_of(row, columns), _with_mean_costs(row, runs, columns)) for row in singles
+    )
+
+
+def _with_mean_costs(
+    row: Cells, runs: Mapping[str, Sequence[Cells]], columns: Schema
+) -> Cells:
+    """Return a row in which each cost is the mean over the runs of its case."""
+    costs = [name for name in row if columns[name].is_cost and scatters(columns[name])]
+    samples = {name: _samples(name, row, runs) for name in costs}
+    return {
+        **row,
+        **{name: fmean(fenced(of)) for name, of in samples.items() if of[1:]},
+    }
+
+
+def _samples(name: str, row: Cells, runs: Mapping[str, Sequence[Cells]]) -> list[float]:
+    """Return the numbers of a column in all runs of the case of a row."""
+    cells = [run.get(name) for run in (row, *runs.get(row["case"], ()))]
+    return [cell for cell in cells if is_number(cell)]
 
 
 def kind_of(column: Column) -> str:
@@ -271,13 +295,16 @@ def _fits(samples: SamplesByColumn, columns: Schema) -> Fits:
     return fits
 
 
-def _scatters_within(
-    gathered: Mapping[SectionKey, _Gathered], columns: Schema
+def _within(
+    gathered: Mapping[SectionKey, _Gathered],
+    columns: Schema,
+    several: dict[SectionKey, dict[CellKey, Several]],
 ) -> dict[str, dict[ColumnKey, Scatter]]:
-    """Return the scatter of repeated runs of one case, by section and column.
+    """Return the scatter of the runs of one case, by section and column.
 
-    Each row has the variance of its own repeats, shrunk towards that of its column. It is
-    used for columns that were never measured twice.
+    Each row has the variance of its own runs, shrunk towards that of its column. It is
+    used for columns that were never measured twice. Costs that were measured once, but
+    in several runs, are added to ``several``.
     """
     samples: dict[tuple[str, ColumnKey], dict[NumberKey, list[float]]]
     samples = defaultdict(dict)
@@ -285,22 +312,25 @@ def _scatters_within(
         runs = grouped((run["of"], run) for run in measurements.repeats)
         for row in measurements.rows:
             for name in filter(lambda name: scatters(columns[name]), row):
-                cells = [run.get(name) for run in (row, *runs.get(row["case"], ()))]
-                numbers = [cell for cell in cells if is_number(cell)]
-                if len(numbers) > 1:
+                if runs and (numbers := _samples(name, row, runs))[1:]:
                     key = section, column_key_of(name, row, columns)
                     samples[key][edition, key_of(row, columns), name] = numbers
     found: dict[str, dict[ColumnKey, Scatter]] = defaultdict(dict)
     for (section, column_key), of_column in samples.items():
+        column = _column(column_key, columns)
         array = _array(of_column)
         sizes = np.maximum(abs(np.nanmean(array, axis=1)), 1e-12)
         shares = np.nanvar(array, axis=1, ddof=1) / sizes**2
-        few = Scatter(float(shares.mean()), 2.0, USUAL_FREEDOM)
+        level = max(float(shares.mean()), rounding_variance(1.0))
+        few = Scatter(level, 2.0, USUAL_FREEDOM)
         slopes = _slopes(column_key, columns)
-        if few.level and (fit := fit_of(array, _row_keys(of_column), few, slopes)):
-            is_time = is_absolute(_column(column_key, columns))
-            scatter = fit.scatter.plus(HOST_SHARE**2) if is_time else fit.scatter
-            found[section][column_key] = scatter
+        if fit := fit_of(array, _row_keys(of_column), few, slopes):
+            shared = HOST_SHARE**2 if is_absolute(column) else 0.0
+            found[section][column_key] = replace(fit.scatter, shared=shared)
+        for (edition, row_key, name), numbers in of_column.items():
+            if column.is_cost:
+                mean = Several(fmean(fenced(numbers)), numbers, len(numbers))
+                several[edition, section].setdefault((row_key, name), mean)
     return found
 
 

@@ -76,7 +76,7 @@ def column_key_of(name: str, row: Cells, columns: Schema) -> ColumnKey:
 
 
 def repeats_in(rows: Sequence[Cells], section: str, columns: Schema) -> list[Cells]:
-    """Return the rows that repeat the case ``of``, so that only their mean is compared.
+    """Return the rows that repeat the case ``of``, and are not compared by themselves.
 
     Outside of the section on noise, this must be a case of the section.
     """
@@ -143,7 +143,6 @@ class Evidence:
     numbers: Mapping[CellKey, Several] = field(default_factory=dict)
     scatters: Mapping[ColumnKey, Scatter] = field(default_factory=dict)
     repeats: Repeated = field(default_factory=dict)  # of the section on noise
-    own: Repeated = field(default_factory=dict)  # of this section
     edges: frozenset[RowKey] = (
         frozenset()
     )  # rows that end in one of two ways, by chance
@@ -193,7 +192,7 @@ class Evidence:
     def means(self) -> dict[tuple[str, str], Estimate]:
         """Return the estimates of the means over runs of one case, by case and column."""
         means = {}
-        for case, columns in (self.own or self.repeats).items():
+        for case, columns in self.repeats.items():
             for name, runs in columns.items():
                 key = (MEAN, case, name)
                 several = self.numbers.get((key, name))
@@ -239,7 +238,7 @@ class Evidence:
             freedom = several.total - 1
             variance = variance_of(present) if freedom else 0.0
             return Estimate(value, variance, freedom, **common)
-        return Estimate(value, *scatter.of(key, abs(value)), **common)
+        return Estimate(value, *scatter.of(key, abs(value), several.total), **common)
 
     def _by_repeats(
         self, column: Column, row: Cells, rounding: float

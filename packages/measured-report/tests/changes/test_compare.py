@@ -333,6 +333,15 @@ def test_a_number_that_is_named_is_tested_by_itself(
     assert listed == (["toy.c0.drift_mm_s"] if is_listed else [])
 
 
+def test_a_small_number_keeps_its_digits_beside_a_large_one(chapter):
+    """The noise of 310 is 60, but the text shows the other number."""
+    [move] = moves_between(
+        side(chapter, {"a": 310.0}, deviation=30.0),
+        side(chapter, {"a": 1.6}, deviation=30.0),
+    )
+    assert move.is_real and move.ends == "300 mm/s → 2 mm/s"
+
+
 def test_times_that_move_together_are_told_beside_the_scatter_of_hosts(chapter):
     """Each row is known to 30 %, all of nine to 3 % of their host."""
     noisy = {"column": TIME, "deviation": 3.0}

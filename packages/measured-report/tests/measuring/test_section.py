@@ -8,11 +8,13 @@ import signal
 import subprocess
 import sys
 import time
+from dataclasses import dataclass
 from datetime import datetime
 from pathlib import Path
 
 import batches
 import numpy as np
+import pandas as pd
 import pytest
 from batches import begun, rows_of, running, section_of
 from toys import program
@@ -155,7 +157,9 @@ def test_numbers_of_numpy_are_kept_as_numbers(toy):
 @pytest.mark.parametrize(
     ("returned", "reason"),
     [
-        (None, "'NoneType' object has no attribute 'rows'"),
+        (None, "'NoneType' object is not iterable"),
+        ({"case": "a"}, "it is a dict"),
+        ([1], r"asdict\(\) should be called on dataclass instances"),
         (batches.Rows([1]), "'int' object has no attribute 'items'"),
         (
             batches.Rows([{"case": "a", "slip_mm": [1.0]}]),
@@ -184,6 +188,30 @@ def test_what_is_no_measurement_is_refused_in_one_line(toy, capsys, returned, re
         lines,
     )
     assert rows_of(toy) == before
+
+
+@dataclass
+class Cells:
+    case: str
+    slip_mm: float
+
+
+@pytest.mark.parametrize(
+    "returned",
+    [
+        [{"case": "a", "slip_mm": 1.5}, {"case": "b", "slip_mm": 2.5}],
+        [Cells("a", 1.5), Cells("b", 2.5)],
+        pd.DataFrame({"case": ["a", "b"], "slip_mm": [1.5, 2.5]}, index=[7, 8]),
+        pd.DataFrame({"slip_mm": [1.5, 2.5]}, index=["a", "b"]),
+    ],
+    ids=["dicts", "dataclasses", "frame with cases", "frame by case"],
+)
+def test_rows_alone_are_a_measurement(toy, returned):
+    assert not fails(section_of(toy, handed(returned)))
+    assert [(row["case"], row["slip_mm"]) for row in rows_of(toy)] == [
+        ("a", 1.5),
+        ("b", 2.5),
+    ]
 
 
 def test_rows_that_are_yielded_are_no_batches(toy, capsys):
