@@ -77,7 +77,7 @@ def python_of(release: Release, packages: Mapping[str, str], root: Path) -> Path
         name = f"{settings.option}={release.spec}"
         options = _date_options(release, name, installs)
         arguments = [*options, *installs, release.requirement]
-        _make(folder, name, declared, arguments, pins)
+        _make(folder, name, arguments, pins, declared)
     _link_generator(folder)
     return folder / "bin" / "python"
 
@@ -109,7 +109,7 @@ def python_with(name: str, requirements: Sequence[str]) -> Path:
     The environment is created if it does not exist.
     """
     folder = current().root / f".venv-{name}"
-    _make(folder, name, requirements, requirements)
+    _make(folder, name, requirements)
     return folder / "bin" / "python"
 
 
@@ -176,14 +176,16 @@ def _is_ready(folder: Path, declared: Sequence[str]) -> bool:
 def _make(
     folder: Path,
     name: str,
-    declared: Sequence[str],
     arguments: Sequence[str],
     pins: Sequence[str] = (),
+    declared: Sequence[str] = (),
 ) -> None:
     """Create an environment, unless one exists that is ready for ``declared``.
 
-    The versions in ``pins`` replace those that other packages require.
+    The default of ``declared`` is ``arguments``. The versions in ``pins`` replace those
+    that other packages require.
     """
+    declared = declared or arguments
     overrides = folder / "overrides.txt"
     install = ["pip", "install", "--python", f"{folder}/bin/python"]
     with locked(folder.parent):

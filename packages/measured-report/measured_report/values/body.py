@@ -107,7 +107,7 @@ def body_of(
     odd_rows = _odd_rows(gathered, outliers)
     chances = _chances(samples, fits)
     host = _host_scatter(samples, fits, columns)
-    within = _within(gathered, columns, several)
+    within = _within(gathered, columns, fits, several)
     sections = {}
     for (edition, section), measurements in gathered.items():
         noise = measured.get((edition, columns.settings.noise_section), [None])[0]
@@ -298,21 +298,23 @@ def _fits(samples: SamplesByColumn, columns: Schema) -> Fits:
 def _within(
     gathered: Mapping[SectionKey, _Gathered],
     columns: Schema,
+    fits: Fits,
     several: dict[SectionKey, dict[CellKey, Several]],
 ) -> dict[str, dict[ColumnKey, Scatter]]:
     """Return the scatter of the runs of one case, by section and column.
 
     Each row has the variance of its own runs, shrunk towards that of its column. It is
     used for columns that were never measured twice. Costs that were measured once, but
-    in several runs, are added to ``several``.
+    in several runs, are added to ``several``. If the scatter between measurements is
+    known, all runs count as one measurement.
     """
     samples: dict[tuple[str, ColumnKey], dict[NumberKey, list[float]]]
     samples = defaultdict(dict)
     for (edition, section), measurements in gathered.items():
-        runs = grouped((run["of"], run) for run in measurements.repeats)
-        for row in measurements.rows:
+        repeats = grouped((run["of"], run) for run in measurements.repeats)
+        for row in measurements.rows if repeats else ():
             for name in filter(lambda name: scatters(columns[name]), row):
-                if runs and (numbers := _samples(name, row, runs))[1:]:
+                if (numbers := _samples(name, row, repeats))[1:]:
                     key = section, column_key_of(name, row, columns)
                     samples[key][edition, key_of(row, columns), name] = numbers
     found: dict[str, dict[ColumnKey, Scatter]] = defaultdict(dict)
@@ -324,13 +326,17 @@ def _within(
         level = max(float(shares.mean()), rounding_variance(1.0))
         few = Scatter(level, 2.0, USUAL_FREEDOM)
         slopes = _slopes(column_key, columns)
-        if fit := fit_of(array, _row_keys(of_column), few, slopes):
-            shared = HOST_SHARE**2 if is_absolute(column) else 0.0
-            found[section][column_key] = replace(fit.scatter, shared=shared)
+        fit = fit_of(array, _row_keys(of_column), few, slopes)
+        assert fit, "the scatter of few rows is given"
+        shared = HOST_SHARE**2 if is_absolute(column) else 0.0
+        found[section][column_key] = replace(fit.scatter, shared=shared)
         for (edition, row_key, name), numbers in of_column.items():
             if column.is_cost:
-                mean = Several(fmean(fenced(numbers)), numbers, len(numbers))
-                several[edition, section].setdefault((row_key, name), mean)
+                mean = fmean(fenced(numbers))
+                runs = [mean] if (section, column_key) in fits else numbers
+                several[edition, section].setdefault(
+                    (row_key, name), Several(mean, runs, len(runs))
+                )
     return found
 
 

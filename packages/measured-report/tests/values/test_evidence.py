@@ -481,6 +481,25 @@ def test_the_own_noise_of_rows_covers_their_truth_and_separates_unlike_ones():
     assert all(apart)
 
 
+def test_runs_of_one_measurement_do_not_count_as_measurements():
+    """Hosts differ by 10 %, as the three measurements of another edition show."""
+    chance = np.random.default_rng(4)
+    hosts = [1.0, 1.1, 0.9]
+    several = [
+        timed(chance, {case: host * time for case, time in SOLVERS.items()}, 0.001)
+        for host in hosts
+    ]
+    once = timed(chance, SOLVERS, 0.001)
+    sections = body(a=several, b=[once]).sections
+    row = several[0].rows[0]
+    mean = estimate(sections["a", "toy"], TIME, row)
+    assert mean.count == 3
+    assert mean.error / row[TIME] == pytest.approx(0.1 / 3**0.5, rel=0.4)
+    single = estimate(sections["b", "toy"], TIME, once.rows[0])
+    assert single.count == 1
+    assert single.error / once.rows[0][TIME] == pytest.approx(0.1, rel=0.4)
+
+
 def test_repeats_that_agree_by_chance_are_shrunk_towards_their_column():
     rows = [
         {
