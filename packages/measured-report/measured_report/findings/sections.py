@@ -57,13 +57,7 @@ def outline_of(section: str, report: Report | None = None) -> Outline:
     label = section.replace("_", " ")
     facts: dict[str, Any] = {"first": False, "label": label, "labels": {}, "reads": ()}
     facts["order"] = LAST
-    source = read_source(file, name)
-    for line in source.typed:
-        raise ReportError(
-            f"{name}:{line} draws numbers that are typed in the code: draw numbers of "
-            "the results, or values of results.chosen(…)"
-        )
-    facts |= source.top
+    facts |= read_source(file, name).top
     for fact, (kind, words) in FACTS.items():
         value = facts.get(fact)
         if value == COMPUTED or not isinstance(value, kind):

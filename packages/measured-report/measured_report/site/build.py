@@ -1,5 +1,6 @@
 """Build the site: write the pages of all measured releases and replace the old site."""
 
+import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import chain
@@ -22,7 +23,7 @@ from measured_report.findings.cache import installed
 from measured_report.findings.editions import Edition
 from measured_report.pages.prose import GENERATOR, Templates
 from measured_report.pages.wording import worded_editions
-from measured_report.records.code import digest_of
+from measured_report.records.code import digest_of, read_source
 from measured_report.records.identity import (
     files_digest,
     package_versions,
@@ -64,6 +65,7 @@ def build(project: Project, address: str = "") -> Built:
             )
         if previous := cache.get(BUILT, (digest, digests)):
             return previous
+        _refuse_typed_figures(project.report.root)
         templates = Templates(project.templates, project.report)
         editions = worded_editions(project, templates)
         own = editions.get(project.own_release or project.release)
@@ -81,6 +83,19 @@ def build(project: Project, address: str = "") -> Built:
         built = (states, [*notes, *links])
         cache.put(BUILT, (digest, atomic.digests_below(project.site)), built)
     return built
+
+
+def _refuse_typed_figures(root: Path) -> None:
+    """Raise ReportError for the first figure that draws numbers typed in the code."""
+    for path in sorted((root / "report").rglob("*.py")):
+        if re.match("_(?!_)", path.name):  # a draft
+            continue
+        name = path.relative_to(root).as_posix()
+        for line in read_source(path, name).typed:
+            raise ReportError(
+                f"{name}:{line} draws numbers that are typed in the code: draw numbers "
+                "of the results, or values of results.chosen(…)"
+            )
 
 
 def _not_fresh(edition: Edition) -> Iterator[State]:

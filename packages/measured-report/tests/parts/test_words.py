@@ -133,6 +133,12 @@ def test_words_that_are_no_measured_number_are_kept(toy, words):
     assert words.strip("`") in toy.page
 
 
+def test_a_helper_of_figures_that_draws_typed_numbers_is_refused(toy):
+    toy.write("report/shared.py", "def draw(axes):\n    axes.plot([3.5, 4.5])\n")
+    with pytest.raises(ReportError, match=r"report/shared.py:2 draws numbers"):
+        toy.build()
+
+
 def test_positions_and_computed_lists_can_be_drawn(toy):
     drawn = 'axes.bar([0, 1], [2 * x for x in trace.value["x_mm"]]'
     old = 'axes.plot(trace.value["time_s"], trace.value["x_mm"]'
