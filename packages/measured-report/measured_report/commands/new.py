@@ -29,7 +29,7 @@ from measured_report.measuring.benchmarks import rows_of
 from measured_report.records.record import NAME
 
 SKELETON = Path(__file__).resolve().parents[1] / "skeleton"
-FROM_FILE = SKELETON.with_name("from_file")
+FROM_FILE = SKELETON / "from_file"
 """The files that replace those about the pendulum in a report from a file."""
 GENERATOR = "measured-report"
 OLDER: Mapping[str, str] = {}
@@ -86,7 +86,8 @@ def new(folder: Path, file: Path | None = None) -> int:
     }
     for skeleton in (SKELETON, FROM_FILE) if file else (SKELETON,):
         for template in skeleton.rglob("*"):
-            is_other = file and "pendulum" in template.name
+            is_other = skeleton == SKELETON and FROM_FILE in template.parents
+            is_other |= bool(file) and "pendulum" in template.name
             if template.is_file() and template.suffix != ".pyc" and not is_other:
                 text = template.read_text(encoding="utf-8")
                 for mark, replacement in marks.items():
