@@ -104,6 +104,7 @@ def diff_text(comparison: Comparison, rate: str, form: str, say: Say) -> str:
         for release in comparison.releases
     )
     counts = f"faults: {len(comparison.faults)}; alarms: {len(comparison.alarms)}"
+    counts += f"; better: {len(comparison.improvements)}"
     counts += f"; claims that flipped: {len(comparison.flips)}; values that changed: {len(comparison.moves)}"
     lines = [f"{editions}: {summary(comparison)}", f"{counts}; false alarms: {rate}"]
     lines += [
@@ -189,6 +190,7 @@ def _diff_data(comparison: Comparison, say: Say) -> dict[str, Any]:
         "flips": flips,
         "settings": [_move_data(move) for move in comparison.settings],
         "alarms": [move.name for move in comparison.alarms],
+        "improvements": [move.name for move in comparison.improvements],
         "sensitivity": sensitivity(comparison),
         "largest": largest(comparison),
         "moved": _counts(comparison),
@@ -235,10 +237,10 @@ def summary(comparison: Comparison) -> str:
 def largest(comparison: Comparison) -> list[str]:
     """Return lines for the columns with the largest changes, alarms first.
 
-    A line contains the largest change of a column and the number of its other rows that
-    changed.
+    A line contains the largest change of a column for the better, or otherwise, and the
+    number of its other rows that changed so.
     """
-    columns: dict[str, list[Move]] = {}
+    columns: dict[tuple[str, bool], list[Move]] = {}
     for move in sorted(
         comparison.moves,
         key=partial(_rank, rules=comparison.report.settings.changes),
@@ -251,7 +253,8 @@ def largest(comparison: Comparison) -> list[str]:
             or (move.is_gone and move.after is None)
             or move.exceeds_threshold
         ):
-            columns.setdefault(move.column.name, []).append(move)
+            is_better = move.direction == "better"
+            columns.setdefault((move.column.name, is_better), []).append(move)
     lines = []
     for lead, *lesser_moves in list(columns.values())[:LINES]:
         # A percentage of a number close to zero has no meaning.
@@ -264,7 +267,7 @@ def largest(comparison: Comparison) -> list[str]:
             case = f"median of {lead.row_count} rows"
         location = f"{lead.section} {case}".strip()
         location += f"; and {len(lesser_moves)} more" if lesser_moves else ""
-        text = f"{'alarm: ' if lead.exceeds_threshold else ''}{lead.column.words} {lead.ends}{share}"
+        text = f"{'alarm: ' if lead.is_alarm else ''}{lead.column.words} {lead.ends}{share}"
         lines.append(f"{text} {lead.direction}".rstrip() + f" ({location})")
     return lines
 
@@ -280,7 +283,7 @@ def _rank(move: Move, rules: Changes) -> tuple[bool | float, ...]:
     is_column = any(name.endswith(f".{move.column.name}") for name in rules.thresholds)
     is_deciding = move.section in rules.upgrade_sections
     return (
-        move.exceeds_threshold,
+        move.is_alarm,
         is_cause,
         move.is_named,
         is_deciding,

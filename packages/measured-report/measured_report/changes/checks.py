@@ -14,7 +14,7 @@ from measured_report.files.errors import ReportError, suggestion
 from measured_report.findings.editions import Edition
 from measured_report.parts.claim import WITHIN
 from measured_report.records.identity import sections
-from measured_report.values.evidence import is_repeat
+from measured_report.values.evidence import repeats_in
 from measured_report.values.format import format_share
 from measured_report.values.quantities import Quantity
 
@@ -105,11 +105,9 @@ def gaps(edition: Edition) -> list[str]:
     lines = []
     for name, chapter in edition.chapters.items():
         columns = edition.report.columns
-        rows = [
-            row
-            for row in chapter.results.record.rows
-            if not is_repeat(row, name, columns)
-        ]
+        all_rows = chapter.results.record.rows
+        repeats = repeats_in(all_rows, name, columns)
+        rows = [row for row in all_rows if row not in repeats]
         exact_cells = [
             tuple(cell for cell in row.items() if not isinstance(cell[1], float))
             for row in rows

@@ -259,8 +259,18 @@ class Comparison:
 
     @cached_property
     def alarms(self) -> list[Move]:
-        """Return the settings and numbers that changed by more than their threshold."""
-        return [move for move in self.moves if move.exceeds_threshold]
+        """Return the settings and numbers that changed by more than their threshold.
+
+        A number that became better is not an alarm.
+        """
+        return [move for move in self.moves if move.is_alarm]
+
+    @cached_property
+    def improvements(self) -> list[Move]:
+        """Return the numbers that became better by more than their threshold."""
+        return [
+            move for move in self.moves if move.exceeds_threshold and not move.is_alarm
+        ]
 
     @property
     def missing(self) -> list[str]:

@@ -8,7 +8,7 @@ from statistics import median
 from typing import Any
 
 from measured_report.files.columns import REASON, Column, Schema, is_number
-from measured_report.files.groups import single
+from measured_report.files.groups import grouped, single
 from measured_report.files.settings import Changes
 from measured_report.findings.chapters import Chapter
 from measured_report.records.record import Record
@@ -19,8 +19,8 @@ from measured_report.values.evidence import (
     RowKey,
     is_absolute,
     is_lost,
-    is_repeat,
     key_of,
+    repeats_in,
 )
 from measured_report.values.noise import (
     FALSE_SHARE,
@@ -159,10 +159,15 @@ class Move:
         return self.rules.thresholds.get(self.name, default)
 
     @property
-    def exceeds_threshold(self) -> bool:
-        """Return whether the change raises an alarm.
+    def is_alarm(self) -> bool:
+        """Return whether the change raises an alarm: it is large, and not better."""
+        return self.exceeds_threshold and self.direction != "better"
 
-        It does if it exceeds its threshold, if a run newly fails or no longer fails, or if
+    @property
+    def exceeds_threshold(self) -> bool:
+        """Return whether the change is large.
+
+        It is if it exceeds its threshold, if a run newly fails or no longer fails, or if
         a setting or a named number exists in only one of the editions.
         """
         if "failure" in self.column.kinds:
@@ -194,7 +199,11 @@ class Move:
             sizes = [abs(number) for number in (*ends, self.after - self.before)]
             noise = max(self.error, min(filter(None, sizes), default=0.0) / 10)
             pairs = zip(sides, ends, strict=True)
-            sides = [replace(side, value=end, noise=noise) for side, end in pairs]
+            # The noise of a large number would hide all digits of a small one.
+            sides = [
+                replace(side, value=end, noise=min(noise, abs(end) / 2 or noise))
+                for side, end in pairs
+            ]
         return " → ".join(map(_text, sides))
 
 
@@ -267,11 +276,12 @@ def moves_between(before: Chapter, after: Chapter) -> list[Move]:
 def _rows_by_key(results: Results) -> dict[RowKey, Row]:
     """Return the rows whose key is unique, by key.
 
-    Repeated runs of the section on noise are left out, because their means are compared.
+    Repeated runs are left out, because the number of their case counts all of them.
     """
     section = results.record.section
     columns = results.columns
-    rows = [row for row in results.rows if not is_repeat(row.plain, section, columns)]
+    repeats = repeats_in(results.record.rows, section, columns)
+    rows = [row for row in results.rows if row.plain not in repeats]
     return single((key_of(row.plain, columns), row) for row in rows)
 
 
@@ -354,7 +364,15 @@ def _judged(pairs: Sequence[Pair]) -> list[Move]:
     distances = np.maximum(0.0, abs(np.diff(values)[:, 0]) - leasts)
     errors = np.hypot(*errors.T)
     chances = chance_of(distances, errors, freedoms)
-    limit = max(discoveries(chances), FALSE_SHARE / len(chances))
+    # Numbers that report.toml names are few, and are tested by themselves.
+    groups = grouped(
+        (move.is_named, chance)
+        for (move, _), chance in zip(pairs, chances, strict=True)
+    )
+    limits = {
+        is_named: max(discoveries(group), FALSE_SHARE / len(group))
+        for is_named, group in groups.items()
+    }
     scales = _scales(pairs)
     moves = []
     for index, chance in enumerate(chances):
@@ -369,7 +387,7 @@ def _judged(pairs: Sequence[Pair]) -> list[Move]:
             freedom=float(freedoms[index]),
             least=least,
             is_chosen=is_chosen,
-            limit=limit,
+            limit=limits[move.is_named],
             scale=scales[move.column],
             is_single=any(side.count < 2 for side in sides),
         )

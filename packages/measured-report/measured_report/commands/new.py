@@ -1,6 +1,7 @@
-"""Write a new report into a folder: ``measured-report new DIR``.
+"""Write a new report into a folder: ``measured-report new DIR [--from FILE]``.
 
-The report is a copy of the folder ``skeleton`` of this package, and it works as it is.
+The report is about a pendulum, or about the results of a benchmark in a file of
+pytest-benchmark, hyperfine or asv, or in a CSV. It works as it is.
 """
 
 import argparse
@@ -10,7 +11,7 @@ import re
 import shlex
 import shutil
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from functools import partial
 from importlib import metadata
 from pathlib import Path
@@ -20,12 +21,21 @@ from measured_report.commands import audit
 from measured_report.commands.command_line import status_of
 from measured_report.commands.reference import FILE, reference
 from measured_report.files.atomic import write_file
-from measured_report.files.config import report_in
+from measured_report.files.columns import Schema
+from measured_report.files.config import Config, report_in
 from measured_report.files.errors import UsageError
 from measured_report.files.git import git
+from measured_report.measuring.benchmarks import rows_of
+from measured_report.records.record import NAME
 
 SKELETON = Path(__file__).resolve().parents[1] / "skeleton"
+FROM_FILE = SKELETON / "from_file"
+"""The files that replace those about the pendulum in a report from a file."""
 GENERATOR = "measured-report"
+OLDER: Mapping[str, str] = {}
+"""Marks for a Python that the release of NumPy in the skeleton does not run on."""
+if sys.version_info < (3, 11):
+    OLDER = {"numpy==2.4.6": f"numpy=={metadata.version('numpy')}", ">=3.11": ">=3.10"}
 
 
 def main() -> int:
@@ -44,14 +54,21 @@ def main() -> int:
         help="a folder that is empty or does not exist",
     )
     parser.add_argument(
+        "--from", metavar="FILE", type=Path, dest="file", help="results of a benchmark"
+    )
+    parser.add_argument(
         "--version", action="version", version=metadata.version(GENERATOR)
     )
     arguments = parser.parse_args()
-    return status_of(partial(new, arguments.folder.resolve()))
+    return status_of(partial(new, arguments.folder.resolve(), arguments.file))
 
 
-def new(folder: Path) -> int:
-    """Write a report about a pendulum into a folder that is empty or does not exist."""
+def new(folder: Path, file: Path | None = None) -> int:
+    """Write a report into a folder that is empty or does not exist.
+
+    It is about the results of a benchmark in ``file``, or else about a pendulum.
+    """
+    marks = marks_of(file) if file else {}
     if folder.is_file() or (folder.is_dir() and any(folder.iterdir())):
         raise UsageError(f"{folder} is not empty: use a folder that does not exist")
     folder.mkdir(parents=True, exist_ok=True)
@@ -60,19 +77,25 @@ def new(folder: Path) -> int:
     source = "".join(_source(folder))
     if not source:
         requirement = f'"{GENERATOR}=={metadata.version(GENERATOR)}"'
-    marks = {
+    marks |= {
         "@NAME@": name or "report",
         "@AUTHOR@": git(folder, "config", "user.name") or "Its authors",
         f'"{GENERATOR}"': requirement,
         "# @SOURCE@\n": source,
+        **OLDER,
     }
-    for template in SKELETON.rglob("*"):
-        if template.is_file() and template.suffix != ".pyc":
-            text = template.read_text(encoding="utf-8")
-            for mark, replacement in marks.items():
-                text = text.replace(mark, replacement)
-            path = template.relative_to(SKELETON).as_posix().replace("dot.", ".")
-            write_file(folder / path, text)
+    for skeleton in (SKELETON, FROM_FILE) if file else (SKELETON,):
+        for template in skeleton.rglob("*"):
+            is_other = skeleton == SKELETON and FROM_FILE in template.parents
+            is_other |= bool(file) and "pendulum" in template.name
+            if template.is_file() and template.suffix != ".pyc" and not is_other:
+                text = template.read_text(encoding="utf-8")
+                for mark, replacement in marks.items():
+                    text = text.replace(mark, replacement)
+                path = template.relative_to(skeleton).as_posix().replace("dot.", ".")
+                write_file(folder / path, text)
+    if file:
+        write_file(folder / "assets" / file.name, file.read_bytes())
     write_file(folder / FILE, reference(report_in(folder)))
     short_path = shlex.quote(os.path.relpath(folder))
     print(
@@ -80,6 +103,29 @@ def new(folder: Path) -> int:
         "site/index.html"
     )
     return 0
+
+
+def marks_of(file: Path) -> dict[str, str]:
+    """Return the marks for a report from a file; raise ReportError if it is unreadable."""
+    try:
+        rows = rows_of(str(file))
+    except OSError as error:
+        raise UsageError(f"{file} cannot be read: {error.strerror}") from None
+    if sum("of" not in row for row in rows) < 2:
+        raise UsageError(f"{file} has less than two cases, which a claim needs")
+    column = next((name for name in rows[0] if name not in ("case", "of")), "")
+    if not re.fullmatch(NAME, column):
+        raise UsageError(
+            f"{file}: {column!r} is not the name of a column: use a name that ends in "
+            "its unit, such as run_ms"
+        )
+    is_time = Schema(Config(), {})[column].unit in ("s", "ms")
+    return {
+        "Does a pendulum keep its energy?": f"The results in {file.name}",
+        "bench.json": file.name,
+        "run_ms": column,
+        '"cost"': '"cost"' if is_time else '""',
+    }
 
 
 def _source(folder: Path) -> Iterator[str]:

@@ -1,4 +1,4 @@
-"""Write REFERENCE.md: the settings, the names to measure and derive, and the units."""
+"""Write REFERENCE.md: commands, settings, names to measure and derive, and units."""
 
 import ast
 from collections.abc import Iterator, Sequence
@@ -6,6 +6,7 @@ from itertools import takewhile
 from pathlib import Path
 from textwrap import dedent
 
+from measured_report.commands.help import helps
 from measured_report.commands.options import Arguments
 from measured_report.editions.project import Project
 from measured_report.files.atomic import write_file
@@ -52,6 +53,10 @@ def reference(report: Report) -> str:
                 parts += _entry(node, text.splitlines(), WITH_METHODS in module)
     ends = ", ".join(f"`_{end}` {unit}" for end, unit in report.columns.units.items())
     parts += ["## Units by the end of a column's name", ends]
+    lines, texts = helps(report)
+    commands = [f"- `make {name}` {text}" for name, text in lines.items()]
+    options = [f"- `{name}=` {text}" for name, text in texts.items()]
+    parts += ["## Commands", "\n".join(commands), "\n".join(options)]
     return "\n\n".join(filter(None, parts))
 
 

@@ -66,14 +66,18 @@ def python_of(release: Release, packages: Mapping[str, str], root: Path) -> Path
         )
     label = replace(release, machine="")
     folder = root / f".venv-{settings.edition_folder(str(label))}"
-    if not (folder / READY).exists():
+    pins = [f"{name}=={version}" for name, version in release.pins]
+    # A package that pyproject.toml lists later is added. Versions that the records name
+    # do not count, because they are those that the environment already has.
+    declared = [*_others(root, settings.packages, settings), *pins, release.requirement]
+    if not _is_ready(folder, declared):
         # The release itself is added below, because it may be a commit.
         versions = {**packages, package: MISSING, **dict(release.pins)}
-        pins = [f"{name}=={version}" for name, version in release.pins]
         installs = requirements(root, versions, settings)
         name = f"{settings.option}={release.spec}"
         options = _date_options(release, name, installs)
-        _make(folder, name, [*options, *installs, release.requirement], pins)
+        arguments = [*options, *installs, release.requirement]
+        _make(folder, name, arguments, pins, declared)
     _link_generator(folder)
     return folder / "bin" / "python"
 
@@ -126,15 +130,15 @@ def requirements(
             )
         if version != MISSING:
             pinned[name] = f"{settings.requirement_of(name)}=={version}"
-    replaced = {*pinned, settings.edition}.union(*settings.changes.package_groups)
+    return [*_others(root, [*pinned, settings.edition], settings), *pinned.values()]
+
+
+def _others(root: Path, packages: Sequence[str], settings: Config) -> list[str]:
+    """Return the project's requirements, except those of ``packages`` and their groups."""
+    replaced = {*packages}.union(*settings.changes.package_groups)
     project = read_toml(root / "pyproject.toml").get("project", {})
     dependencies = project.get("dependencies", ())
-    other_lines = [
-        dependency
-        for dependency in dependencies
-        if NAME.sub("", dependency) not in replaced
-    ]
-    return [*other_lines, *pinned.values()]
+    return [line for line in dependencies if NAME.sub("", line) not in replaced]
 
 
 def _date_options(release: Release, name: str, installs: Sequence[str]) -> list[str]:
@@ -159,25 +163,39 @@ def _date_options(release: Release, name: str, installs: Sequence[str]) -> list[
     return options
 
 
-def _make(
-    folder: Path, name: str, arguments: Sequence[str], pins: Sequence[str] = ()
-) -> None:
-    """Create an environment, unless a complete one exists.
+def _digest(declared: Sequence[str]) -> str:
+    return hashlib.sha256("\n".join(declared).encode()).hexdigest()
 
-    The versions in ``pins`` override the versions that other packages require.
-    """
-    digest = hashlib.sha256("\n".join(["", *arguments, *pins]).encode()).hexdigest()
+
+def _is_ready(folder: Path, declared: Sequence[str]) -> bool:
+    """Return whether an environment is complete and was made for these requirements."""
     ready = folder / READY
+    return ready.is_file() and ready.read_text(encoding="utf-8") == _digest(declared)
+
+
+def _make(
+    folder: Path,
+    name: str,
+    arguments: Sequence[str],
+    pins: Sequence[str] = (),
+    declared: Sequence[str] = (),
+) -> None:
+    """Create an environment, unless one exists that is ready for ``declared``.
+
+    The default of ``declared`` is ``arguments``. The versions in ``pins`` replace those
+    that other packages require.
+    """
+    declared = declared or arguments
     overrides = folder / "overrides.txt"
     install = ["pip", "install", "--python", f"{folder}/bin/python"]
     with locked(folder.parent):
-        if ready.is_file() and ready.read_text(encoding="utf-8") == digest:
+        if _is_ready(folder, declared):
             return
         try:
             _run(["venv", "--clear", "--python", sys.executable, str(folder)], name)
             write_file(overrides, "\n".join(pins))
             _run([*install, "--overrides", str(overrides), *arguments], name)
-            write_file(ready, digest)
+            write_file(folder / READY, _digest(declared))
         except BaseException:
             shutil.rmtree(folder, ignore_errors=True)
             raise

@@ -77,14 +77,14 @@ class Changes:
     thresholds: Mapping[str, float] = field(default_factory=dict)
     """Thresholds of the alarm for numbers named ``section.case.column``.
 
-    A threshold is a change relative to the older number.
+    A threshold is a change relative to the older number: 0.05 means 5 %.
     """
-    threshold: Annotated[float, Meta(gt=0.0)] = 0.1
+    threshold: float = 0.1
     """The threshold for all other numbers."""
     # The threshold for times and costs.
-    cost_threshold: Annotated[float, Meta(gt=0.0)] = 0.2
+    cost_threshold: float = 0.2
     # The threshold for settings.
-    setting_threshold: Annotated[float, Meta(gt=0.0)] = 0.05
+    setting_threshold: float = 0.05
     settings: Mapping[str, str] = field(default_factory=dict)
     """Kinds of rows that contain defaults and options, with the name of each kind.
 
@@ -156,8 +156,9 @@ class Config:
     case: ClassName = ""
     """The dataclass, as `module:name`, whose fields are the parameters of a run."""
     noise_section: str = ""
-    """The section with repeats: rows that run the same case, which the column `of`
-    names.
+    """The section whose repeats show the noise of sections without repeats.
+
+    Repeats are rows that run the same case again, which the column `of` names.
     """
     repeating: Mapping[str, Sequence[str | bool | int]] = field(default_factory=dict)
     """Values that mark a row as deterministic.
@@ -280,13 +281,16 @@ def read_settings(root: Path) -> Config:
             raise ValueError(
                 "a table of columns has neither names nor a pattern: add one of them"
             )
-        if invalid := [
-            name for name, share in config.changes.thresholds.items() if not share > 0
-        ]:
-            raise ValueError(
-                f"the threshold of {invalid[0]} in changes.thresholds is not above 0: "
-                "use a relative change such as 0.1"
-            )
+        shares = {
+            name: getattr(config.changes, name)
+            for name in ("threshold", "cost_threshold", "setting_threshold")
+        }
+        for name, share in {**shares, **config.changes.thresholds}.items():
+            if not 0 < share <= 1:
+                raise ValueError(
+                    f"the threshold of {name} is {share:g}, and a share is above 0 and "
+                    "at most 1: write 0.05 for 5 %"
+                )
         if not 0 < len(config.pages) == len({page.name for page in config.pages}):
             raise ValueError(
                 "pages is empty or contains a name twice "

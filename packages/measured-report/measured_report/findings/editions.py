@@ -7,6 +7,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property, partial
 from importlib import import_module
+from itertools import pairwise
 from typing import Any
 
 from measured_report.editions.project import Project
@@ -29,6 +30,7 @@ from measured_report.findings.replicas import (
     measurements_of,
 )
 from measured_report.findings.sections import (
+    LAST,
     Outline,
     derive_by,
     derive_section,
@@ -208,7 +210,8 @@ class Edition:
         if releases is not None and not outline.compares:
             return chapter
         for name_read in outline.reads:
-            if self._outline_of(name_read).order >= outline.order:
+            order = self._outline_of(name_read).order
+            if (order, name_read) >= (outline.order, name):
                 raise ReportError(
                     f"{outline.source} reads {name_read}, which comes after it: "
                     "give it a higher order"
@@ -394,5 +397,12 @@ def read_edition(project: Project, cache: DerivedCache) -> Edition:
             )
             chapters.append(Chapter(state, outline, results))
     chapters.sort(key=lambda chapter: chapter.outline.order)
+    for one, other in pairwise(chapters):
+        order = one.outline.order
+        if order == other.outline.order != LAST:
+            raise ReportError(
+                f"{one.outline.source} and {other.outline.source} both have the order "
+                f"{order}: change one of them"
+            )
     edition.chapters = {chapter.name: chapter for chapter in chapters}
     return edition

@@ -1,5 +1,6 @@
 """Find section modules, read their outlines, and derive sections from results."""
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from importlib import import_module
@@ -15,8 +16,9 @@ from measured_report.records.code import COMPUTED, read_source
 from measured_report.values.results import Results, ResultsError
 
 PACKAGE = "report.sections"
-FACTS: Mapping[str, tuple[type, str]] = {
-    "order": (int, "a number such as 125, its place on the page"),
+LAST = math.inf  # the order of sections without one, which are sorted by their names
+FACTS: Mapping[str, tuple[Any, str]] = {
+    "order": (int | float, "a number such as 125, its place on the page"),
     "first": (bool, "True or False"),
     "label": (str, "a text"),
     "labels": (Mapping, 'a dict, as {"case": "words"}'),
@@ -32,7 +34,7 @@ class Outline:
 
     file: Path
     source: str
-    order: int  # position on its page; a section can read those with a lower order
+    order: float  # position on its page; a section can read those before it
     page: Page  # the page that it names, or else the first page with sections
     compares: bool
     """Whether it compares releases. Its ``derive(results, releases)`` then takes them as
@@ -54,6 +56,7 @@ def outline_of(section: str, report: Report | None = None) -> Outline:
     name = file.relative_to(file.parents[3 if is_folder else 2]).as_posix()
     label = section.replace("_", " ")
     facts: dict[str, Any] = {"first": False, "label": label, "labels": {}, "reads": ()}
+    facts["order"] = LAST
     facts |= read_source(file, name).top
     for fact, (kind, words) in FACTS.items():
         value = facts.get(fact)

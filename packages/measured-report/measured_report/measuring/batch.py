@@ -16,6 +16,7 @@ import gc
 import os
 import pickle
 import re
+import sys
 import tempfile
 import time
 from collections.abc import Callable, Generator, Mapping, Sequence
@@ -30,13 +31,27 @@ from measured_report.files.config import Report
 from measured_report.files.config import report as current
 from measured_report.files.errors import ReportError, bug_of
 from measured_report.measuring.machine import machine
-from measured_report.measuring.measurement import Measurement
 
 OUT_OF_MEMORY = re.compile(
     "out of memory|failed to allocate|cannot allocate|bad_alloc", re.IGNORECASE
 )
 LOCK = Path(tempfile.gettempdir()) / f"measured-report-{os.getuid()}"
 """A lock that keeps two runs of ``make`` from disturbing each other's timings."""
+
+
+OPENED: set[str] = set()  # files that this process read, and its parent before
+
+
+def note_opened() -> None:
+    """Add the files that this process and its forks read from now on to ``OPENED``."""
+
+    def note(event: str, arguments: tuple[Any, ...]) -> None:
+        if event == "open" and isinstance(arguments[0], str):
+            is_written = arguments[2] & (os.O_WRONLY | os.O_RDWR)
+            if not is_written:
+                OPENED.add(os.path.abspath(arguments[0]))
+
+    sys.addaudithook(note)
 
 
 @dataclass(frozen=True)
@@ -52,7 +67,7 @@ class Batch:
     """
 
 
-Plan: TypeAlias = Generator[Sequence[Batch], Sequence[Any], Measurement]
+Plan: TypeAlias = Generator[Sequence[Batch], Sequence[Any], Any]
 
 
 @dataclass(frozen=True)
@@ -62,6 +77,7 @@ class Result:
     started: str
     ended: str
     seconds: float
+    opened: frozenset[str] = frozenset()  # paths of all files that it read
 
 
 def device_lock(*, exclusive: bool) -> AbstractContextManager[None]:
@@ -93,6 +109,7 @@ def measure_batch(packed: bytes, device: str) -> Result:
             started=started.isoformat(timespec="seconds"),
             ended=ended.isoformat(timespec="seconds"),
             seconds=round(seconds, 1),
+            opened=frozenset(OPENED),
         )
     # Catch SystemExit too: a section that fails must not end the process.
     except BaseException as error:

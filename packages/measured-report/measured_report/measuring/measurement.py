@@ -1,7 +1,7 @@
 """Define the conditions under which a section measures, and its measurement."""
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import asdict, dataclass, field
 from typing import Any
 
 
@@ -32,6 +32,24 @@ class Measurement:
 
     rows: Sequence[Mapping[str, Any]]
     traces: Mapping[str, Mapping[str, Sequence[float]]] = field(default_factory=dict)
+
+
+def measurement_of(returned: Any) -> Any:
+    """Return what ``measure`` returned as a measurement.
+
+    It can also return only rows: a list of dicts or of dataclasses, or a data frame,
+    whose index names the cases unless it has a column ``case``.
+    """
+    if hasattr(returned, "traces"):
+        return returned
+    if hasattr(returned, "reset_index"):
+        table = returned if "case" in returned else returned.rename_axis("case")
+        returned = table.reset_index(drop="case" in returned).to_dict("records")
+    if isinstance(returned, Mapping | str):
+        raise TypeError(f"it is a {type(returned).__name__}")
+    return Measurement(
+        [row if isinstance(row, Mapping) else asdict(row) for row in returned]
+    )
 
 
 def absent(names: Iterable[str], reason: str) -> dict[str, object]:

@@ -29,15 +29,17 @@ from measured_report.editions.project import Project, own_release
 from measured_report.editions.release import read_label
 from measured_report.files.atomic import short_path
 from measured_report.files.columns import IMPLAUSIBLE, REASON, Schema, is_number, plain
-from measured_report.files.config import Report
+from measured_report.files.config import FILE, Report
 from measured_report.files.config import report as current
 from measured_report.files.errors import ReportError, bug_of
 from measured_report.files.processes import KILLED
 from measured_report.measuring.batch import (
+    OPENED,
     Batch,
     Plan,
     Result,
     measure_batch,
+    note_opened,
     reason_of,
 )
 from measured_report.measuring.machine import (
@@ -49,14 +51,15 @@ from measured_report.measuring.machine import (
     read_device,
 )
 from measured_report.measuring.measure import FAILED, UNFIT
-from measured_report.measuring.measurement import Measurement
+from measured_report.measuring.measurement import measurement_of
 from measured_report.measuring.pool import environments, gather, host_pools
 from measured_report.records.code import Code
 from measured_report.records.identity import package_versions, sections
 from measured_report.records.record import NAME, Basis, Record, basis_of
 from measured_report.records.traces import packed
 
-WHOLE = "whole"  # name of a section's batch if the section does not declare batches
+WHOLE = "whole"  # name of the batch of a section that does not declare batches
+SETTINGS = (FILE, "pyproject.toml", "uv.lock")  # files that this package itself reads
 GONE = (
     "the connection to the scheduler is lost: start it and measure again (finished "
     "records are kept)"
@@ -140,12 +143,32 @@ class Section:
                 file=sys.stderr,
             )
 
-    def _write(self, measurement: Measurement) -> None:
-        """Write the record and the traces of a measurement."""
+    def _refuse_undeclared(self, results: Sequence[Result]) -> None:
+        """Raise ReportError for a file of the report that was read but not declared.
+
+        The record would stay fresh when this file changes.
+        """
+        for opened in sorted(OPENED.union(*(result.opened for result in results))):
+            path = Path(opened)
+            if not path.is_relative_to(self.project.root) or not path.is_file():
+                continue
+            name = path.relative_to(self.project.root).as_posix()
+            is_other = re.search(r"(^|/)(\.|site-packages/|results/|site/)", name)
+            is_known = path.suffix in (".py", ".pyc") or name in SETTINGS
+            if not (is_other or is_known or name in self.basis.identity.files):
+                raise ReportError(
+                    f"measure reads {name}, but its record would not depend on this "
+                    "file: move it to assets/ and write its path in the code, as in "
+                    f'"assets/{path.name}"'
+                )
+
+    def _write(self, returned: Any) -> None:
+        """Write the record and the traces of what ``measure`` returned."""
         report = self.project.report
         path = self.project.record_path(self.name)
         results = list(self.results.values())
         try:
+            measurement = measurement_of(returned)
             rows = [plausible_row(row, report.columns) for row in measurement.rows]
             traces = {
                 case: packed(path, case, table, report.columns)
@@ -153,14 +176,15 @@ class Section:
             }
         except (AttributeError, TypeError) as error:
             raise ReportError(
-                "measure does not return a Measurement of rows and traces "
-                f"({error}): return one"
+                "measure returns neither rows nor a Measurement of rows and traces "
+                f"({error}): return one of them"
             ) from None
         if not rows or not all("case" in row for row in rows):
             raise ReportError(
                 "measure returns no rows or a row without a case: return rows with the "
                 "key case"
             )
+        self._refuse_undeclared(results)
         measured_on = {}
         for name in results[0].machine:
             properties = {result.machine[name] for result in results}
@@ -361,6 +385,7 @@ def requested_sections(
         for name in ordered
     ]
     device = read_device(device)
+    note_opened()
     gc.disable()  # garbage collection doubles the time to load a simulator
     project.report.host.be_quiet()
     requested = [

@@ -19,7 +19,7 @@ from markupsafe import Markup, escape
 from measured_report.files.cache import Cache
 from measured_report.files.config import Report
 from measured_report.files.config import report as current_report
-from measured_report.files.errors import ReportError
+from measured_report.files.errors import ReportError, bug_of
 from measured_report.pages.passages import parse_passage
 from measured_report.parts.citations import references, stated
 from measured_report.parts.macros import environment
@@ -197,7 +197,7 @@ def _named(name: str, code: jinja2.Template | None = None) -> Iterator[None]:
         # Jinja's name can also be an absolute path or <unknown>.
         place = name if (error.name or "<")[0] in "/<" else error.name
         message = f"templates/{place}:{error.lineno}: {error.message}"
-    except (jinja2.TemplateError, ReportError) as error:
+    except Exception as error:
         if hasattr(error, "place"):
             raise
         kind = ResultsError if isinstance(error, ResultsError) else ReportError
@@ -206,7 +206,9 @@ def _named(name: str, code: jinja2.Template | None = None) -> Iterator[None]:
         line = lines[-1] if lines else None
         if line and code:
             line = code.get_corresponding_lineno(line)
-        message = f"templates/{name}{f':{line}' if line else ''}: {error}"
+        is_known = isinstance(error, jinja2.TemplateError | ReportError)
+        reason = str(error) if is_known else bug_of(error)
+        message = f"templates/{name}{f':{line}' if line else ''}: {reason}"
     error_with_place = kind(message)
     # This attribute marks the error, so that an outer template does not add its name.
     vars(error_with_place)["place"] = name

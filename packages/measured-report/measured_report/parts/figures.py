@@ -26,6 +26,9 @@ PAGE_COLOURS = {
     colour: f"var(--series-{number})" for number, colour in enumerate(SERIES, start=1)
 }
 PAGE_COLOURS |= {INK: "currentColor", FAINT: "var(--faint)"}
+SPARSE = 0.1
+"""The distance between the markers of a long line, as a share of the figure."""
+LONG_LINE = 40  # chosen: the markers of a line with more points would overlap
 STYLE: dict[str, Any] = {
     **dict.fromkeys(
         ("svg.fonttype", "figure.facecolor", "axes.facecolor", "savefig.facecolor"),
@@ -57,7 +60,7 @@ STYLE: dict[str, Any] = {
     "axes.prop_cycle": cycler(color=SERIES)
     + cycler(linestyle=("-", "--", "-.", ":", (0, (6, 1, 1, 1, 1, 1)), (0, (8, 3))))
     + cycler(marker=("o", "s", "^", "D", "v", "P"))
-    + cycler(markevery=(0.1,) * len(SERIES)),
+    + cycler(markevery=(SPARSE,) * len(SERIES)),
 }
 
 # The width of a figure on a narrow screen [in]; a point is more than 1.3 px at 390 px.
@@ -175,6 +178,10 @@ def _svg(draw: Callable[[], Drawing], kind: str, name: str) -> str:
     with style.context(["default", {**STYLE, "svg.hashsalt": name}]):
         drawing = draw()
         for axes in drawing.axes:
+            for line in axes.lines:
+                is_long = len(line.get_xdata()) > LONG_LINE
+                if line.get_markevery() == SPARSE and not is_long:
+                    line.set_markevery(None)
             for axis in (axes.xaxis, axes.yaxis):
                 if isinstance(axis.get_major_formatter(), ticker.LogFormatterMathtext):
                     _label_decades(axis)

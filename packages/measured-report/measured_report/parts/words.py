@@ -39,7 +39,7 @@ PARTS = {
     "figure": ("caption", "alt"),
     "table": ("caption",),
 }
-TAGS = re.compile(r"\{\{.*?\}\}|\{%.*?%\}|\{#.*?#\}|```.*?```|`[^`]*`", re.DOTALL)
+TAGS = re.compile(r"\{\{.*?\}\}|\{%.*?%\}|\{#.*?#\}|```.*?```", re.DOTALL)
 TYPED = re.compile(
     r"""
     (?<![\w.])\d[\d.,]*(?:e[+-]?\d+)?(?:\s|&nbsp;)?
@@ -47,10 +47,19 @@ TYPED = re.compile(
         [nµmkMGT]?(?:[msgNJWB]|Pa|Hz|rad|bit)[²³]?(?:/\w+)?
         |[mk][AV]|min|times|[%°×x]
     )(?!\w)
+    | \b(?i:
+        (?:two|three|four|five|six|seven|eight|nine|ten|twenty|hundred|thousand)
+        (?:\s+times|-?fold)
+        | twice\s+(?:as|the) | thrice | half\s+as
+        | (?:an?|one|two|three)[\s-](?:third|quarter|fifth|eighth|tenth)s?\s+of
+    )\b
     """,
     re.VERBOSE,
 )
-"""Matches a hard-coded number with a unit, which should be a measured number instead."""
+"""Matches a hard-coded number with a unit, or a ratio in words.
+
+These should be measured numbers instead.
+"""
 BOUNDS = {
     "at most|within|no more than|not more than|up to|as much as": (".most",),
     "at least|no less than|not less than": (".least",),

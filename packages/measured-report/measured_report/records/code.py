@@ -5,11 +5,11 @@ import hashlib
 import json
 import os
 import sys
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from functools import cache
-from itertools import accumulate
+from itertools import accumulate, chain
 from pathlib import Path, PurePosixPath
 from typing import Any
 
@@ -21,7 +21,13 @@ from measured_report.files.errors import ReportError
 GENERATOR = "measured_report"
 HERE = str(Path(__file__).resolve().parents[2])
 ASSETS = ("assets/", "experiments/", "packages/")
-"""Patterns of files that a program opens or starts by path."""
+"""Folders of files that a program opens or starts by path."""
+DRAWING = (
+    *("bar", "barh", "errorbar", "fill_between", "hist", "loglog", "pie", "plot"),
+    *("scatter", "semilogx", "semilogy", "stairs", "stem", "step"),
+)
+"""Methods of Matplotlib and pandas that draw their arguments."""
+LISTS = (ast.Dict, ast.List, ast.Tuple)
 COMPUTED = ...  # stands for a value that is computed at import
 LAYOUT = ("ctx", "kind", "type_comment")
 """Fields of a syntax tree that follow from others or have no meaning."""
@@ -35,6 +41,7 @@ class Source:
     modules: tuple[str, ...]  # names in its import statements; some of them are modules
     assets: tuple[str, ...]  # strings that may be paths of assets
     top: Mapping[str, Any]  # constants by name, and argument counts of functions
+    typed: tuple[int, ...]  # lines that draw numbers which are typed in the code
 
 
 class Code:
@@ -173,7 +180,45 @@ def _source_of(tree: ast.Module, package: tuple[str, ...]) -> Source:
     assets = tuple(
         text for text in texts if text.startswith(ASSETS) and "\n" not in text
     )
-    return Source(digest_of(plain(tree)), modules, assets, dict(_top(tree)))
+    return Source(
+        digest_of(plain(tree)),
+        modules,
+        assets,
+        dict(_top(tree)),
+        tuple(_typed(nodes)),
+    )
+
+
+def _typed(nodes: Sequence[ast.AST]) -> Iterator[int]:
+    """Yield the lines of calls that draw a literal list, directly or by its name.
+
+    Positions such as ``[0, 1, 2]`` are not data.
+    """
+    named = {
+        target.id: node.value
+        for node in nodes
+        if isinstance(node, ast.Assign)
+        for target in node.targets
+        if isinstance(target, ast.Name)
+    }
+    for node in nodes:
+        if not (isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute)):
+            continue
+        if node.func.attr not in DRAWING:
+            continue
+        for part in chain.from_iterable(map(ast.walk, [node.func.value, *node.args])):
+            if isinstance(part, ast.Name):
+                part = named.get(part.id, part)
+            if not isinstance(part, LISTS):
+                continue
+            with suppress(ValueError):
+                ast.literal_eval(part)  # raises ValueError if anything is computed
+                cells = [getattr(cell, "value", None) for cell in ast.walk(part)]
+                numbers = [cell for cell in cells if type(cell) in (int, float)]
+                start = int(0 not in numbers)
+                if numbers[1:] and numbers != [*range(start, start + len(numbers))]:
+                    yield node.lineno
+                    break
 
 
 def imported_names(

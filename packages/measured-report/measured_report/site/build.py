@@ -1,7 +1,9 @@
 """Build the site: write the pages of all measured releases and replace the old site."""
 
+import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
+from itertools import chain
 from pathlib import Path
 
 from measured_report.changes.checks import (
@@ -21,7 +23,7 @@ from measured_report.findings.cache import installed
 from measured_report.findings.editions import Edition
 from measured_report.pages.prose import GENERATOR, Templates
 from measured_report.pages.wording import worded_editions
-from measured_report.records.code import digest_of
+from measured_report.records.code import digest_of, read_source
 from measured_report.records.identity import (
     files_digest,
     package_versions,
@@ -30,6 +32,7 @@ from measured_report.records.identity import (
 )
 from measured_report.records.record import trace_path
 from measured_report.records.replicas import SUMS
+from measured_report.site.check import broken_links
 from measured_report.site.pages import site_files
 from measured_report.values.quantities import lost_reason
 
@@ -62,6 +65,7 @@ def build(project: Project, address: str = "") -> Built:
             )
         if previous := cache.get(BUILT, (digest, digests)):
             return previous
+        _refuse_typed_figures(project.report.root)
         templates = Templates(project.templates, project.report)
         editions = worded_editions(project, templates)
         own = editions.get(project.own_release or project.release)
@@ -71,12 +75,27 @@ def build(project: Project, address: str = "") -> Built:
             if isinstance(content, Path):
                 content = content.read_bytes()
             atomic.write_file(fresh / name, content)
+        links = broken_links(fresh)
         atomic.write_file(fresh / SUMS, atomic.sums(atomic.digests_below(fresh)))
         atomic.put_in_place(project.site, fresh)
         states = {name: [*_not_fresh(edition)] for name, edition in editions.items()}
-        built = (states, _notes(own) if own else [])
+        notes = _notes(own) if own else []
+        built = (states, [*notes, *links])
         cache.put(BUILT, (digest, atomic.digests_below(project.site)), built)
     return built
+
+
+def _refuse_typed_figures(root: Path) -> None:
+    """Raise ReportError for the first figure that draws numbers typed in the code."""
+    for path in sorted((root / "report").rglob("*.py")):
+        if re.match("_(?!_)", path.name):  # a draft
+            continue
+        name = path.relative_to(root).as_posix()
+        for line in read_source(path, name).typed:
+            raise ReportError(
+                f"{name}:{line} draws numbers that are typed in the code: draw numbers "
+                "of the results, or values of results.chosen(…)"
+            )
 
 
 def _not_fresh(edition: Edition) -> Iterator[State]:
@@ -121,8 +140,22 @@ def _stray_results(edition: Edition) -> list[str]:
                 f"{short_path(path)} does not belong to a section: rename or remove it"
             )
     for name, chapter in edition.chapters.items():
-        cases = chapter.results.record.traces
-        traces = {trace_path(chapter.results.path, case) for case in cases}
+        record = chapter.results.record
+        cases = [f"{row['case']}-" for row in record.rows]
+        section = chapter.section
+        drawn = chain(*(figure.sources for figure in section.figures.values()))
+        read_files = {source.source for source in drawn}
+        read_files.update(*(claim.outcome.reads for claim in section.claims))
+        for case in record.traces:
+            path = trace_path(chapter.results.path, case)
+            # A trace can belong to all cases that begin with its name.
+            is_of_case = any(name.startswith(f"{case}-") for name in cases)
+            if not is_of_case and f"{results.name}/{path.name}" not in read_files:
+                lines.append(
+                    f"{short_path(path)} is a trace of {case}, which is not a case of "
+                    f"{name}: correct its name in measure"
+                )
+        traces = {trace_path(chapter.results.path, case) for case in record.traces}
         lines += [
             f"{short_path(path)} is not a trace of {name}: remove it"
             for path in files_in(results, f"{name}.*.csv.gz")

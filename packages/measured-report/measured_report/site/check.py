@@ -112,13 +112,28 @@ def check_site(site: Path, report: Report | None = None) -> list[str]:
         return [f"the site cannot be read: {type(error).__name__}: {text:.200}"]
 
 
+def broken_links(site: Path) -> list[str]:
+    """Return a line for each link to a page or an id that does not exist."""
+    site = site.resolve()
+    pages = _pages(site, "*.html")
+    return [
+        f"{path.relative_to(site)}: {problem}"
+        for path, page in pages.items()
+        for problem in _check_links(page, path, pages, site)
+    ]
+
+
+def _pages(site: Path, *patterns: str) -> Pages:
+    files = sorted(path for pattern in patterns for path in site.rglob(pattern))
+    return {
+        path.resolve(): PageReader(path.read_text(encoding="utf-8")) for path in files
+    }
+
+
 def _problems_of(site: Path, report: Report) -> Iterator[str]:
     scripts = module_named("plugins", report.settings.plugins).scripts()
     data = Data(site / "data", report)
-    files = sorted([*site.rglob("*.html"), *site.rglob("*.svg")])
-    pages = {
-        path.resolve(): PageReader(path.read_text(encoding="utf-8")) for path in files
-    }
+    pages = _pages(site, "*.html", "*.svg")
     for path, page in pages.items():
         problems = [
             *_check_safety(page, scripts),

@@ -8,14 +8,14 @@ the others.
 
 from collections import Counter, defaultdict
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from statistics import fmean
 from typing import Any
 
 import numpy as np
 
 from measured_report.files.columns import Column, Schema, is_number
-from measured_report.files.groups import single
+from measured_report.files.groups import grouped, single
 from measured_report.records.record import Record
 from measured_report.values.evidence import (
     HOST_FREEDOM,
@@ -31,19 +31,28 @@ from measured_report.values.evidence import (
     ending_of,
     is_absolute,
     is_lost,
-    is_repeat,
     key_of,
+    repeats_in,
     repeats_of,
     scatters,
 )
 from measured_report.values.noise import (
     FALSE_SHARE,
     SURE,
+    Scatter,
     chance_of,
     discoveries,
     exceeds_chance,
+    fenced,
+    rounding_variance,
 )
-from measured_report.values.scatter import SLOPES, Fit, fit_of, left_out
+from measured_report.values.scatter import (
+    SLOPES,
+    USUAL_FREEDOM,
+    Fit,
+    fit_of,
+    left_out,
+)
 
 MOST_DISSENT = 1 / 3
 """Chosen: if a larger share of a row's measurements ends differently, the end of the
@@ -102,13 +111,15 @@ def body_of(
     odd_rows = _odd_rows(gathered, outliers)
     chances = _chances(samples, fits)
     host = _host_scatter(samples, fits, columns)
+    within = _within(gathered, columns, fits, several)
     sections = {}
     for (edition, section), measurements in gathered.items():
         noise = measured.get((edition, columns.settings.noise_section), [None])[0]
         sections[edition, section] = Evidence(
             count=measurements.count,
             numbers=several[edition, section],
-            scatters={
+            scatters=within.get(section, {})
+            | {
                 column_key: fit.scatter
                 for (name, column_key), fit in fits.items()
                 if name == section
@@ -131,6 +142,8 @@ class _Gathered:
         shown = records[0]
         assert shown, "the record that is shown comes first"
         self.columns = columns
+        self.rows = shown.rows
+        self.repeats = repeats_in(shown.rows, section, columns)
         self.count = sum(record is not None for record in records)
         self.edges: set[RowKey] = set()  # rows that end in one of two ways, by chance
         self.dissenting = (
@@ -200,15 +213,38 @@ def rows_by_key(
 ) -> dict[RowKey, Cells]:
     """Return the rows of a record by their keys, except rows that share a key.
 
-    In the section on noise, the mean of the runs of one case is a row of its own for
-    each column and replaces the runs.
+    The cost of a case is the mean of all its runs. In the section on noise, the mean of
+    the runs of one case is a row of its own for each column, in place of the runs.
     """
-    singles = [row for row in rows if not is_repeat(row, section, columns)]
-    by_key = single((key_of(row, columns), row) for row in singles)
+    repeats = repeats_in(rows, section, columns)
+    singles = [row for row in rows if row not in repeats]
+    runs = grouped((run["of"], run) for run in repeats)
     if section == columns.settings.noise_section:
-        for case, runs in repeats_of(rows, columns).items():
-            by_key |= {(MEAN, case, name): {name: runs[name].mean} for name in runs}
-    return by_key
+        by_key = single((key_of(row, columns), row) for row in singles)
+        for case, means in repeats_of(repeats, columns).items():
+            by_key |= {(MEAN, case, name): {name: means[name].mean} for name in means}
+        return by_key
+    return single(
+        (key_of(row, columns), _with_mean_costs(row, runs, columns)) for row in singles
+    )
+
+
+def _with_mean_costs(
+    row: Cells, runs: Mapping[str, Sequence[Cells]], columns: Schema
+) -> Cells:
+    """Return a row in which each cost is the mean over the runs of its case."""
+    costs = [name for name in row if columns[name].is_cost and scatters(columns[name])]
+    samples = {name: _samples(name, row, runs) for name in costs}
+    return {
+        **row,
+        **{name: fmean(fenced(of)) for name, of in samples.items() if of[1:]},
+    }
+
+
+def _samples(name: str, row: Cells, runs: Mapping[str, Sequence[Cells]]) -> list[float]:
+    """Return the numbers of a column in all runs of the case of a row."""
+    cells = [run.get(name) for run in (row, *runs.get(row["case"], ()))]
+    return [cell for cell in cells if is_number(cell)]
 
 
 def kind_of(column: Column) -> str:
@@ -263,6 +299,51 @@ def _fits(samples: SamplesByColumn, columns: Schema) -> Fits:
         if fit:
             fits[section, column_key] = fit
     return fits
+
+
+def _within(
+    gathered: Mapping[SectionKey, _Gathered],
+    columns: Schema,
+    fits: Fits,
+    several: dict[SectionKey, dict[CellKey, Several]],
+) -> dict[str, dict[ColumnKey, Scatter]]:
+    """Return the scatter of the runs of one case, by section and column.
+
+    Each row has the variance of its own runs, shrunk towards that of its column. It is
+    used for columns that were never measured twice. Costs that were measured once, but
+    in several runs, are added to ``several``. If the scatter between measurements is
+    known, all runs count as one measurement.
+    """
+    samples: dict[tuple[str, ColumnKey], dict[NumberKey, list[float]]]
+    samples = defaultdict(dict)
+    for (edition, section), measurements in gathered.items():
+        repeats = grouped((run["of"], run) for run in measurements.repeats)
+        for row in measurements.rows if repeats else ():
+            for name in filter(lambda name: scatters(columns[name]), row):
+                if (numbers := _samples(name, row, repeats))[1:]:
+                    key = section, column_key_of(name, row, columns)
+                    samples[key][edition, key_of(row, columns), name] = numbers
+    found: dict[str, dict[ColumnKey, Scatter]] = defaultdict(dict)
+    for (section, column_key), of_column in samples.items():
+        column = _column(column_key, columns)
+        array = _array(of_column)
+        sizes = np.maximum(abs(np.nanmean(array, axis=1)), 1e-12)
+        shares = np.nanvar(array, axis=1, ddof=1) / sizes**2
+        level = max(float(shares.mean()), rounding_variance(1.0))
+        few = Scatter(level, 2.0, USUAL_FREEDOM)
+        slopes = _slopes(column_key, columns)
+        fit = fit_of(array, _row_keys(of_column), few, slopes)
+        assert fit, "the scatter of few rows is given"
+        shared = HOST_SHARE**2 if is_absolute(column) else 0.0
+        found[section][column_key] = replace(fit.scatter, shared=shared)
+        for (edition, row_key, name), numbers in of_column.items():
+            if column.is_cost:
+                mean = fmean(fenced(numbers))
+                runs = [mean] if (section, column_key) in fits else numbers
+                several[edition, section].setdefault(
+                    (row_key, name), Several(mean, runs, len(runs))
+                )
+    return found
 
 
 def _slopes(key: ColumnKey, columns: Schema) -> Sequence[float]:

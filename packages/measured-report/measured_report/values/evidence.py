@@ -79,9 +79,14 @@ def column_key_of(name: str, row: Cells, columns: Schema) -> ColumnKey:
     return name, *(row.get(engine) for engine in columns.settings.repeating)
 
 
-def is_repeat(row: Cells, section: str, columns: Schema) -> bool:
-    """Return whether a row repeats the case ``of``, so that only its mean is compared."""
-    return section == columns.settings.noise_section and "of" in row
+def repeats_in(rows: Sequence[Cells], section: str, columns: Schema) -> list[Cells]:
+    """Return the rows that repeat the case ``of``, and are not compared by themselves.
+
+    Outside of the section on noise, this must be a case of the section.
+    """
+    is_noise = section == columns.settings.noise_section
+    cases = {row["case"] for row in rows}
+    return [row for row in rows if "of" in row and (is_noise or row["of"] in cases)]
 
 
 class Repeats(NamedTuple):
@@ -92,11 +97,17 @@ class Repeats(NamedTuple):
     run_count: int
     length: float = 0.0  # of the longest run, in the column that noise grows with
 
-    def variance_at(self, value: float, length: float | None) -> float:
-        """Return the variance of one run, which grows with its number and its length."""
+    def variance_at(
+        self, value: float, length: float | None, is_cost: bool = False
+    ) -> float:
+        """Return the variance of one run, which grows with its number and its length.
+
+        The noise of a cost is in proportion to it, so that of a smaller one is smaller.
+        """
         scale = abs(value / self.mean) if self.mean else 1.0
-        longer = (length or 0.0) / self.length if self.length else 1.0
-        return self.variance * max(1.0, scale, longer) ** 2
+        least = 0.0 if is_cost else 1.0
+        longer = (length or 0.0) / self.length if self.length else least
+        return self.variance * max(least, scale, longer) ** 2
 
 
 def repeats_of(rows: Iterable[Cells], columns: Schema) -> Repeated:
@@ -232,7 +243,7 @@ class Evidence:
             freedom = several.total - 1
             variance = variance_of(present) if freedom else 0.0
             return Estimate(value, variance, freedom, **common)
-        return Estimate(value, *scatter.of(key, abs(value)), **common)
+        return Estimate(value, *scatter.of(key, abs(value), several.total), **common)
 
     def _by_repeats(
         self, column: Column, row: Cells, rounding: float
@@ -245,8 +256,11 @@ class Evidence:
         ]
         if not cases:
             return None
-        noisiest = max(cases, key=lambda repeats: repeats.variance_at(value, length))
-        variance = noisiest.variance_at(value, length)
+        variances = [
+            repeats.variance_at(value, length, column.is_cost) for repeats in cases
+        ]
+        variance = max(variances)
+        noisiest = cases[variances.index(variance)]
         least = column.resolution or (0.0 if variance else rounding)
         if not (variance or least):
             return None

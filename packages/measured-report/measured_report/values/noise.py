@@ -148,17 +148,22 @@ class Scatter:
     rows: Mapping[Hashable, RowScatter] = field(default_factory=dict)
     least_sizes: Mapping[Hashable, float] = field(default_factory=dict)
     """The size below which the numbers of a row scatter like a row of their own."""
+    shared: float = 0.0
+    """The relative variance of an error that all measurements of a number share."""
 
     def key(self, row: Hashable, size: float) -> Hashable:
         """Return the key in ``rows`` for a number of this size."""
         return ("small", row) if size < self.least_sizes.get(row, 0.0) else row
 
-    def of(self, row: Hashable, size: float) -> tuple[float, float]:
-        """Return the variance for a number of this size, and its degrees of freedom."""
+    def of(self, row: Hashable, size: float, count: float = 1) -> tuple[float, float]:
+        """Return the variance of one of ``count`` measurements of a number of this size.
+
+        Also return its degrees of freedom. A mean does not reduce the shared error.
+        """
         column = RowScatter(self.level, self.freedom)
         scatter = self.rows.get(self.key(row, size), column)
         variance = max(scatter.level * size**self.slope, rounding_variance(size))
-        return variance, scatter.freedom
+        return variance + count * self.shared * size**2, scatter.freedom
 
 
 class Estimate(NamedTuple):

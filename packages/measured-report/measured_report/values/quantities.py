@@ -129,6 +129,11 @@ class Quantity:
     __rsub__ = partialmethod(_after, operator.sub)
     __rtruediv__ = partialmethod(_after, operator.truediv)
 
+    def __round__(self, places: int = 0) -> float:
+        raise ReportError(
+            f"{self} is rounded by its noise: print it without the filter round"
+        )
+
     @property
     def reads(self) -> frozenset[str]:
         """Return the pointers to the number and to all numbers it is computed from."""

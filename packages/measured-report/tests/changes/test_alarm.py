@@ -12,7 +12,7 @@ import pytest
 from damage import damage
 from toys import MODULE, ROWS, TEMPLATE, compared
 
-from measured_report.changes.alarm import _lines, check_text, diff_text
+from measured_report.changes.alarm import _lines, check_text, diff_text, largest
 from measured_report.changes.compare import Comparison
 from measured_report.commands import check as check_command
 from measured_report.commands import diff
@@ -54,7 +54,7 @@ def test_a_section_that_is_gone_or_damaged_is_named_first(toy, capsys):
         (Path.unlink, "missing"),
     ):
         newer.measure()
-        newer.write("report/sections/other.py", MODULE)
+        newer.write("report/sections/other.py", MODULE.replace("order = 1", ""))
         newer.write(
             "templates/sections/other.md.j2",
             (toy.project.templates / "sections/toy.md.j2").read_text(),
@@ -127,6 +127,33 @@ def test_a_cost_flips_on_one_machine_for_as_many_frames_alone(
     assert any(note.startswith("speed and cost in toy: ") for note in found.notes) == (
         cpu == "Another"
     )
+
+
+@pytest.mark.parametrize(
+    ("slip_mm", "status", "counts"),
+    [
+        (5.0, 0, "alarms: 0; better: 1"),
+        (8.0, 1, "alarms: 1; better: 0"),
+        (6.4, 0, "alarms: 0; better: 0"),
+    ],
+)
+def test_only_a_change_for_the_worse_sets_the_status(
+    toy, capsys, slip_mm, status, counts
+):
+    toy.of("1.8.0").measure([{**SOFT, "slip_mm": slip_mm}, STIFF])
+    sides = {"a": release_of("1.4.0"), "b": release_of("1.8.0")}
+    arguments = Namespace(**sides, format="text", values="sums")
+    assert diff.run(toy.project, arguments) == status
+    assert counts in capsys.readouterr().out
+
+
+def test_a_change_for_the_better_does_not_hide_one_for_the_worse(toy, capsys):
+    toy.of("1.8.0").measure([{**SOFT, "slip_mm": 4.0}, {**STIFF, "slip_mm": 0.36}])
+    lines = largest(changed(toy.of("1.8.0").project, before="1.4.0"))
+    assert [line.partition(" (")[0] for line in lines] == [
+        "alarm: slip 0.312 mm → 0.36 mm, +15 % worse",
+        "slip 6.4 mm → 4 mm, -37 % better",
+    ]
 
 
 def test_diff_and_check_say_it_in_every_format_and_no_record_ends_the_block_of_markdown(

@@ -30,7 +30,7 @@ pages = [{ name = "index", label = "Overview", texts = [] }, { name = "results",
 kind = "cost"
 names = ["frame_ms"]
 """
-SECTION = "order = 100\n\n\ndef derive(results):\n    pass\n"
+SECTION = "def derive(results):\n    pass\n"
 START = """import numpy as np
 
 from experiments.parts import tools

@@ -325,6 +325,31 @@ def test_a_number_that_is_named_counts_even_if_its_run_may_be_odd(chapter, monke
     assert real.exceeds_threshold
 
 
+@pytest.mark.parametrize(("shift", "is_listed"), [(0.5, True), (0.2, False)])
+def test_a_number_that_is_named_is_tested_by_itself(
+    chapter, monkeypatch, shift, is_listed
+):
+    """A change by 3.5 standard errors has a chance of 0.2 %, one by 1.4 of 17 %."""
+    settings = report().settings
+    rules = replace(settings.changes, headlines={"drift": "toy.c0.drift_mm_s"})
+    monkeypatch.setitem(vars(report()), "settings", replace(settings, changes=rules))
+    vars(report()).pop("columns", None)
+    named = replace(chapter, results=replace(chapter.results, columns=report().columns))
+    after = cases(166) | {"c0": 10.0 + shift, "c1": 10.0 + shift}
+    moves = moves_between(side(named, cases(166)), side(named, after))
+    listed = [move.name for move in moves if move.is_real]
+    assert listed == (["toy.c0.drift_mm_s"] if is_listed else [])
+
+
+def test_a_small_number_keeps_its_digits_beside_a_large_one(chapter):
+    """The noise of 310 is 60, but the text shows the other number."""
+    [move] = moves_between(
+        side(chapter, {"a": 310.0}, deviation=30.0),
+        side(chapter, {"a": 1.6}, deviation=30.0),
+    )
+    assert move.is_real and move.ends == "300 mm/s → 2 mm/s"
+
+
 def test_times_that_move_together_are_told_beside_the_scatter_of_hosts(chapter):
     """Test nine rows with a noise of 30 % each, whose common shift is known to 3 %, the
     noise of their host.

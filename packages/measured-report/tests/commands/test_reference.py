@@ -75,6 +75,6 @@ def test_what_the_docs_and_a_new_report_use_is_told():
     ] == []
     assert (
         "- `trace(self, case: str)`" in TEXT
-        and "\norder: int  # position" in TEXT
+        and "\norder: float  # position" in TEXT
         and "NEEDS_GPU = False" in TEXT
     )

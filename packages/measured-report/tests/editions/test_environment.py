@@ -80,6 +80,18 @@ def test_an_environment_has_the_packages_of_the_release_date(toy, commands, caps
     assert len(commands) == 2  # it is complete
 
 
+def test_an_environment_follows_pyproject(toy, commands):
+    release = release_of("1.8.0")
+    python_of(release, {}, toy.project.root)
+    own = DEPENDENCIES.replace("1.4.0", "1.9.0").replace("1.15.0", "1.16.0")
+    toy.write("pyproject.toml", own)
+    python_of(release, {"warp-lang": "1.16.0"}, toy.project.root)
+    assert len(commands) == 2, "packages that are measured are those of the release"
+    toy.write("pyproject.toml", DEPENDENCIES.replace('"tqdm"', '"tqdm", "torch"'))
+    python_of(release, {}, toy.project.root)
+    assert len(commands) == 4 and "torch" in commands[-1]
+
+
 def test_the_date_can_be_replaced_and_the_installed_release_needs_nothing(
     toy, commands, monkeypatch
 ):
@@ -112,9 +124,7 @@ def test_the_newest_record_names_the_packages_of_an_edition(toy):
         ("toy", "1.17.0", "05"),
         ("z", "1.18.0", "04"),
     ):
-        toy.write(
-            f"report/sections/{section}.py", "order = 1\ndef derive(results): ...\n"
-        )
+        toy.write(f"report/sections/{section}.py", "def derive(results): ...\n")
         record = newer.record(ROWS, section=section)
         packages = {**record.identity.packages, "warp-lang": version}
         measured = {**record.measured, "date": f"2026-01-{day}T03:04:05+00:00"}

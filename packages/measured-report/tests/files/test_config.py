@@ -76,7 +76,17 @@ TEXT = (SKELETON / "report.toml").read_text(encoding="utf-8")
         (
             'mj" = 0.05',
             'mj" = -0.05',
-            "the threshold of pendulum.euler.energy_error_mj in changes.thresholds is not above 0",
+            "the threshold of pendulum.euler.energy_error_mj is -0.05, and a share is",
+        ),
+        (
+            'mj" = 0.05',
+            'mj" = 5',
+            "the threshold of pendulum.euler.energy_error_mj is 5, .* write 0.05 for 5 %",
+        ),
+        (
+            "[changes.thresholds]",
+            "[changes]\ncost_threshold = 20\n[changes.thresholds]",
+            "the threshold of cost_threshold is 20, .* write 0.05 for 5 %",
         ),
         ("title =", 'repository = "nowhere"\ntitle =', "Expected `str` matching regex"),
     ],

@@ -135,7 +135,7 @@ def test_what_is_installed_counts(monkeypatch):
 def with_readers(toy: Toy, order: int = 2) -> Path:
     """Write both modules, and return where each one records that it was derived."""
     log = toy.project.root / "log"
-    for name, reads in READS.items():
+    for place, (name, reads) in enumerate(READS.items()):
         toy.write(f"experiments/{name}.py", "def measure(conditions): ...\n")
         toy.write(
             f"report/sections/{name}.py",
@@ -143,7 +143,7 @@ def with_readers(toy: Toy, order: int = 2) -> Path:
                 name=name,
                 reads=reads,
                 named=("toy",) if reads else (),
-                order=order,
+                order=order + 10 * place,
                 log=str(log),
             ),
         )

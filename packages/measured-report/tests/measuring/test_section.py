@@ -10,11 +10,13 @@ import signal
 import subprocess
 import sys
 import time
+from dataclasses import dataclass
 from datetime import datetime
 from pathlib import Path
 
 import batches
 import numpy as np
+import pandas as pd
 import pytest
 from batches import begun, rows_of, running, section_of
 from toys import program
@@ -25,6 +27,7 @@ from measured_report.measuring.batch import Batch, Plan, measure_batch
 from measured_report.measuring.measure import MODULE
 from measured_report.measuring.pool import host_pools
 from measured_report.measuring.run import Loop, section_module
+from measured_report.records.identity import identity_of
 from measured_report.records.record import load_record
 
 
@@ -156,7 +159,9 @@ def test_numbers_of_numpy_are_kept_as_numbers(toy):
 @pytest.mark.parametrize(
     ("returned", "reason"),
     [
-        (None, "'NoneType' object has no attribute 'rows'"),
+        (None, "'NoneType' object is not iterable"),
+        ({"case": "a"}, "it is a dict"),
+        ([1], r"asdict\(\) should be called on dataclass instances"),
         (batches.Rows([1]), "'int' object has no attribute 'items'"),
         (
             batches.Rows([{"case": "a", "slip_mm": [1.0]}]),
@@ -185,6 +190,30 @@ def test_what_is_no_measurement_is_refused_in_one_line(toy, capsys, returned, re
         lines,
     )
     assert rows_of(toy) == before
+
+
+@dataclass
+class Cells:
+    case: str
+    slip_mm: float
+
+
+@pytest.mark.parametrize(
+    "returned",
+    [
+        [{"case": "a", "slip_mm": 1.5}, {"case": "b", "slip_mm": 2.5}],
+        [Cells("a", 1.5), Cells("b", 2.5)],
+        pd.DataFrame({"case": ["a", "b"], "slip_mm": [1.5, 2.5]}, index=[7, 8]),
+        pd.DataFrame({"slip_mm": [1.5, 2.5]}, index=["a", "b"]),
+    ],
+    ids=["dicts", "dataclasses", "frame with cases", "frame by case"],
+)
+def test_rows_alone_are_a_measurement(toy, returned):
+    assert not fails(section_of(toy, handed(returned)))
+    assert [(row["case"], row["slip_mm"]) for row in rows_of(toy)] == [
+        ("a", 1.5),
+        ("b", 2.5),
+    ]
 
 
 def test_rows_that_are_yielded_are_no_batches(toy, capsys):
@@ -276,6 +305,47 @@ def measure(conditions):
     {}
     return Measurement([{{"case": "a", "slip_mm": 1.0}}])
 """
+READ = """
+from pathlib import Path
+from measured_report.measuring.measurement import Measurement
+
+FILE = "{declared}"
+{early}
+
+def measure(conditions):
+    cell = 1.5 if {early!r} else float(Path({read}).read_text())
+    Path("log.txt").write_text("done")
+    return Measurement([{{"case": "a", "slip_mm": cell}}])
+"""
+
+
+@pytest.mark.parametrize(
+    ("folder", "early"), [(".", ""), ("experiments", ""), ("assets", "read")]
+)
+def test_a_data_file_that_a_record_would_not_depend_on_is_refused(toy, folder, early):
+    toy.write(f"{folder}/data.csv", "1.5")
+    read = f"'{folder}', 'data.csv'"
+    early = early and f"Path({read}).read_text()"
+    code = READ.format(declared="assets/y.csv", read=read, early=early)
+    toy.write("experiments/toy.py", code)
+    done = program("-m", MODULE, "toy", "--device", "cpu", cwd=toy.project.root)
+    assert done.returncode == 1 and len(done.stderr.splitlines()) == 1, done.stderr
+    name = Path(folder, "data.csv")
+    assert f"measure reads {name}, but its record would not depend" in done.stderr
+
+
+def test_a_declared_data_file_makes_its_record_stale(toy):
+    toy.write("assets/x.csv", "1.5")
+    code = READ.format(declared="assets/x.csv", read="'assets/x.csv'", early="")
+    toy.write("experiments/toy.py", code)
+    done = program("-m", MODULE, "toy", "--device", "cpu", cwd=toy.project.root)
+    assert done.returncode == 0, done.stderr
+    assert rows_of(toy)[0]["slip_mm"] == 1.5
+    before = load_record(toy.record_path).identity.config
+    toy.write("assets/x.csv", "2.5")
+    assert identity_of("toy", "full", toy.project.root).config != before
+
+
 EDIT = 'Path(__file__).write_text(Path(__file__).read_text().replace("1.0", "2.0"))'
 IMPORT = 'scene = Path(__file__).with_name("scene.py"); scene.write_text(scene.read_text() + "LATER = 1")'
 NEWER = """path = Path("results/newton-1.4.0/toy.json").resolve()

@@ -107,6 +107,18 @@ def test_a_text_is_folded_and_a_number_stays_with_the_word_before_it():
     assert fold("slips of 12 mm\nb", 9) == "slips\nof 12 mm\nb"
 
 
+@pytest.mark.parametrize(("points", "marks"), [(7, 7), (40, 40), (1000, 20)])
+def test_each_point_has_a_mark_unless_a_line_is_long(points, marks):
+    def draw():
+        drawing, axes = new_figure()
+        axes.plot([x**0.1 for x in range(points)], [x**3 for x in range(points)])
+        return drawing
+
+    broad, _ = draw_svgs(draw, name="a")
+    found = broad[broad.index("line2d_") :].count("fill: var(--series-1)")
+    assert found == marks if points < 1000 else 3 < found < marks
+
+
 def test_a_narrow_figure_has_its_panels_below_each_other_and_texts_that_can_be_read():
     seen = []
 

@@ -78,6 +78,41 @@ ASKS = "{% asks %} whether it helps\n"
             "'claim__helps__holds' defined twice",
         ),
         (
+            "It helps {{ gain }}",
+            "It helps {{ gain | round(2) }}",
+            r"toy.md.j2:4: 20.* is rounded by its noise: print it without the filter",
+        ),
+        (
+            "Stiff is {{",
+            'Stiff is {{ "a" + 1 }} {{',
+            r"toy.md.j2:9: TypeError: can only concatenate str",
+        ),
+        *(
+            (
+                "It helps {{ gain }}",
+                f"It helps {typed}",
+                rf"toy.md.j2:4: {said} is hard-coded: use a measured number",
+            )
+            for typed, said in (
+                ("ten times", "ten times"),
+                ("Twice as much", "Twice as"),
+                ("two-fold", "two-fold"),
+                ("half as much", "half as"),
+                ("by a third of it", "a third of"),
+                ("`6.3 mm` of {{ gain }}", "6.3 mm"),
+            )
+        ),
+        (
+            'axes.plot(trace.value["time_s"], trace.value["x_mm"]',
+            "axes.plot([0, 1, 2], [0.1, 0.2, 0.5]",
+            "toy.py:11 draws numbers that are typed in the code: draw numbers of",
+        ),
+        (
+            'axes.plot(trace.value["time_s"], trace.value["x_mm"]',
+            "data = {'a': -3.1, 'b': 2}; axes.bar(data.keys(), data.values()",
+            "toy.py:11 draws numbers that are typed in the code: draw numbers of",
+        ),
+        (
             "claims=[",
             'claims=[Claim("lasts", at_least(gain, bound)), ',
             "toy.md.j2 does not contain the claim lasts: add {% claim lasts %}",
@@ -90,6 +125,30 @@ def test_what_is_wrong_with_the_words_stops_the_build(toy, old, new, message):
     toy.write("report/sections/toy.py", MODULE.replace(old, new))
     with pytest.raises(ReportError, match=message):
         toy.build()
+
+
+@pytest.mark.parametrize(
+    "words",
+    ["it ran several times", "a scaffold", "half of it", "`x = 3`", "the third of May"],
+)
+def test_words_that_are_no_measured_number_are_kept(toy, words):
+    toy.write("templates/sections/toy.md.j2", f"{TEMPLATE}\nAnd {words}.\n")
+    toy.build()
+    assert words.strip("`") in toy.page
+
+
+def test_a_helper_of_figures_that_draws_typed_numbers_is_refused(toy):
+    toy.write("report/shared.py", "def draw(axes):\n    axes.plot([3.5, 4.5])\n")
+    with pytest.raises(ReportError, match=r"report/shared.py:2 draws numbers"):
+        toy.build()
+
+
+def test_positions_and_computed_lists_can_be_drawn(toy):
+    drawn = 'axes.bar([0, 1], [2 * x for x in trace.value["x_mm"]]'
+    old = 'axes.plot(trace.value["time_s"], trace.value["x_mm"]'
+    toy.write("report/sections/toy.py", MODULE.replace(old, drawn))
+    toy.build()
+    assert "<figure" in toy.page
 
 
 def test_tables_sources_and_what_lies_in_static_are_on_the_page_and_drafts_are_not(

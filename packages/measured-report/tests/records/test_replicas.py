@@ -37,9 +37,7 @@ def project(toy):
         {"case": f"run-{n}", "slip_mm": 1 + n / 7, "dropped": False} for n in range(333)
     ]
     for section in SECTIONS:
-        toy.write(
-            f"report/sections/{section}.py", "order = 1\ndef derive(results): ...\n"
-        )
+        toy.write(f"report/sections/{section}.py", "def derive(results): ...\n")
         write_record(
             toy.project.record_path(section),
             toy.record(rows, section=section, machine=GPU),

@@ -10,14 +10,16 @@ from xml.etree import ElementTree
 import pandas as pd
 import pytest
 from markupsafe import Markup
-from toys import MODULE, ROWS, TEMPLATE
+from toys import EXPERIMENT, MODULE, ROWS, TEMPLATE, derived
 
 from measured_report.files.config import report
 from measured_report.files.errors import ReportError
 from measured_report.pages import prose
 from measured_report.parts.prose import Prose
 from measured_report.parts.section import Table
+from measured_report.records.identity import identity_of
 from measured_report.records.record import write_record
+from measured_report.records.traces import packed
 from measured_report.site.build import build
 from measured_report.site.check import check_site
 from measured_report.site.pages import rows_csv
@@ -108,6 +110,48 @@ def test_a_site_whose_address_is_known_has_a_feed_and_each_page_says_what_it_tel
     body = Markup('<p class="left-out">no</p>\n<p>It <b>leans</b>.</p><p>b</p>')
     prose = Prose(Markup(""), body, [], "a", [])
     assert prose.summary.striptags() == "It leans."
+
+
+def test_links_to_no_page_are_named(toy):
+    links = "[a](nowhere.html) [b](#toy) [c](#nothing) [d](cause.html#toy)"
+    toy.write("templates/front.md.j2", f"# A report\n\n{links}\n")
+    assert [note for note in build(toy.project)[1] if "exist" in note] == [
+        "index.html: nowhere.html does not exist",
+        "index.html: #nothing does not exist",
+    ]
+
+
+def test_a_trace_of_no_case_is_named(toy):
+    table = {"time_s": [0.0, 1.0], "x_mm": [0.0, 0.3]}
+    cases = ("stiff", "stif", "so")
+    traces = {case: packed(toy.record_path, case, table) for case in cases}
+    write_record(
+        toy.record_path, toy.record([*ROWS, {**ROWS[0], "case": "so-1"}]), traces
+    )
+    assert [note for note in build(toy.project)[1] if "is a trace" in note] == [
+        "newton-1.4.0/toy.stif.csv.gz is a trace of stif, which is not a case of toy: "
+        "correct its name in measure"
+    ]
+
+
+def test_sections_without_an_order_follow_by_name_and_equal_orders_are_refused(toy):
+    for name in ("b", "a"):
+        module = MODULE.replace(
+            "order = 1\n", "reads = ('a',)\n" if name == "b" else ""
+        )
+        toy.write(f"report/sections/{name}.py", module)
+        toy.write(f"experiments/{name}.py", EXPERIMENT)
+        toy.write(f"templates/sections/{name}.md.j2", TEMPLATE)
+        record = replace(
+            toy.record(),
+            section=name,
+            identity=identity_of(name, "full", toy.project.root, toy.packages),
+        )
+        write_record(toy.project.record_path(name), record)
+    assert [*derived(toy.project).chapters] == ["toy", "a", "b"]
+    toy.write("report/sections/b.py", MODULE)
+    with pytest.raises(ReportError, match=r"b.py and .*toy.py both have the order 1"):
+        toy.build()
 
 
 def test_results_that_nothing_reads_are_named(toy):

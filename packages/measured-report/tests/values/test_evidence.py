@@ -454,6 +454,123 @@ def test_what_was_measured_once_has_the_noise_of_the_runs_of_one_case_and_larger
     )
 
 
+SOLVERS = {"rk45": 3000.0, "dop853": 800.0, "lsoda": 1.6, "radau": 12.0}
+
+
+def timed(
+    chance: np.random.Generator, truths: dict[str, float], share: float = 0.04
+) -> Record:
+    """Return the times of solvers, each measured once and repeated five times."""
+    times = {
+        case: truth * chance.normal(1.0, share, 6) for case, truth in truths.items()
+    }
+    rows = [{"case": case, TIME: float(runs[0])} for case, runs in times.items()]
+    rows += [
+        {"case": f"{case}-{n}", "of": case, TIME: float(time)}
+        for case, runs in times.items()
+        for n, time in enumerate(runs[1:])
+    ]
+    return record(rows)
+
+
+@pytest.mark.parametrize("count", [2, 4])
+def test_each_row_has_the_noise_of_its_own_repeats(count):
+    """A time of 1.6 ms is known to some 10 %, although another one varies by 120 ms."""
+    truths = dict([*SOLVERS.items()][:1] + [*SOLVERS.items()][1 - count :])
+    one = timed(np.random.default_rng(1), truths)
+    found = evidence_of([one])
+    for row in one.rows[:count]:
+        known = estimate(found, TIME, row)
+        runs = [other[TIME] for other in one.rows if row["case"] in other.values()]
+        assert known.value == pytest.approx(np.mean(runs))
+        assert (known.count, len(known.samples)) == (6, 6)
+        expected = np.hypot(0.04 / 6**0.5, HOST_SHARE) * row[TIME]
+        assert 0.5 * expected < known.error < 2 * expected
+        assert known.noise < 0.15 * row[TIME]
+
+
+def test_the_own_noise_of_rows_covers_their_truth_and_separates_unlike_ones():
+    chance = np.random.default_rng(2)
+    inside, apart = [], []
+    for _ in range(100):
+        one = timed(chance, SOLVERS)
+        found = evidence_of([one])
+        known = [estimate(found, TIME, row) for row in one.rows[:4]]
+        inside += [
+            abs(each.value - truth) <= each.noise
+            for each, truth in zip(known, SOLVERS.values(), strict=True)
+        ]
+        apart.append(known[0].value - known[3].value > known[0].noise + known[3].noise)
+    assert np.mean(inside) > 0.94
+    assert all(apart)
+
+
+def test_runs_of_one_measurement_do_not_count_as_measurements():
+    """Hosts differ by 10 %, as the three measurements of another edition show."""
+    chance = np.random.default_rng(4)
+    hosts = [1.0, 1.1, 0.9]
+    several = [
+        timed(chance, {case: host * time for case, time in SOLVERS.items()}, 0.001)
+        for host in hosts
+    ]
+    once = timed(chance, SOLVERS, 0.001)
+    sections = body(a=several, b=[once]).sections
+    row = several[0].rows[0]
+    mean = estimate(sections["a", "toy"], TIME, row)
+    assert mean.count == 3
+    assert mean.error / row[TIME] == pytest.approx(0.1 / 3**0.5, rel=0.4)
+    single = estimate(sections["b", "toy"], TIME, once.rows[0])
+    assert single.count == 1
+    assert single.error / once.rows[0][TIME] == pytest.approx(0.1, rel=0.4)
+
+
+def test_repeats_that_agree_by_chance_are_shrunk_towards_their_column():
+    rows = [
+        {
+            "case": f"{case}-{n}" if n else case,
+            TIME: time,
+            **({"of": case} if n else {}),
+        }
+        for case, times in {
+            "a": [10.0, 10.4, 9.6],
+            "b": [20.0, 20.9, 19.2],
+            "c": [5.0, 5.02],
+            "d": [7.0],
+        }.items()
+        for n, time in enumerate(times)
+    ]
+    found = evidence_of([record(rows)])
+    shares = {
+        row["case"]: estimate(found, TIME, row).error / row[TIME]
+        for row in rows
+        if "of" not in row
+    }
+    own = 0.02 / 5.01 / 2  # the error of a mean of two runs that differ by 0.02
+    assert shares["c"] > np.hypot(2 * own, HOST_SHARE)
+    assert shares["d"] > shares["a"], "it ran once"
+    assert shares["d"] == pytest.approx(np.hypot(0.04, HOST_SHARE), rel=0.4)
+
+
+def test_a_row_that_names_no_case_of_its_section_repeats_nothing():
+    rows = [{"case": f"r{n}", "of": "family", DRIFT: 1.0 + n} for n in range(8)]
+    found = evidence_of([record(rows)])
+    assert not found.scatters
+    assert estimate(found, DRIFT, rows[0]) is None
+
+
+def test_the_noise_of_a_cost_is_in_proportion_and_that_of_a_slip_is_not_smaller():
+    """The noisy runs are of another size: 3 s with ±4 %, and 3 m."""
+    numbers = np.random.default_rng(3).normal(3000.0, 120.0, 40)
+    runs = [
+        {"case": f"r{n}", "of": "slow", TIME: float(x), "slip_mm": float(x)}
+        for n, x in enumerate(numbers)
+    ]
+    found = Evidence(repeats=repeats_of(runs))
+    row = {"case": "x", TIME: 1.6, "slip_mm": 1.6}
+    assert estimate(found, TIME, row).noise == pytest.approx(0.04 * 2.02 * 1.6, rel=0.2)
+    assert estimate(found, "slip_mm", row).noise > 200.0
+
+
 def test_runs_part_as_they_go_on():
     runs = [
         {
