@@ -348,3 +348,22 @@ def test_a_number_says_where_it_comes_from(site, tab):
     ).is_file()
     tab.keyboard.press("Escape")
     assert tab.locator("#origin").is_hidden()
+
+
+def test_the_reader_chooses_the_two_releases_that_are_compared(site, tab):
+    open_page(tab, site / "compare.html")
+    shown = tab.locator(".pairs > section:visible")
+    assert shown.count() == 1
+    first, second = tab.locator(".choice select").all()
+    first.select_option("1.8.0")
+    second.select_option("1.4.0")
+    assert shown.get_attribute("id") == "1.4.0..1.8.0"
+    head = shown.locator("tbody tr").first
+    assert head.get_attribute("class") == "relevant" and "flipped" in head.inner_text()
+    second.select_option("1.7.0")
+    slip = shown.locator("tbody tr").filter(has_text="slip").filter(has_text="0.317").first
+    assert slip.get_attribute("class") is None, "5 times its threshold would be marked"
+    open_page(tab, site / "compare.html", "#1.5.0..1.6.1")
+    assert shown.get_attribute("id") == "1.5.0..1.6.1"
+    first.select_option("1.6.1")
+    assert shown.count() == 0

@@ -192,6 +192,43 @@ function addCopying(table) {
   return button;
 }
 
+/* Comparison: the reader chooses the two releases that are shown. */
+
+function addChoice() {
+  const pairs = [...document.querySelectorAll(".pairs > section")];
+  if (!pairs.length) return;
+  const labels = new Map();
+  for (const pair of pairs) {
+    rove([...pair.querySelectorAll("tbody a")]);
+    const heads = [...pair.querySelectorAll("thead .number")];
+    pair.id.split("..").forEach((release, side) => labels.set(release, heads[side].textContent));
+  }
+  const releases = [...labels.keys()].sort((a, b) => a.localeCompare(b, "en", { numeric: true }));
+  const selects = ["First release", "Second release"].map((label) => {
+    const select = document.createElement("select");
+    select.ariaLabel = label;
+    select.append(...releases.map((release) => new Option(labels.get(release), release)));
+    return select;
+  });
+  const show = () => {
+    const [a, b] = selects.map((select) => select.value);
+    for (const pair of pairs) pair.hidden = ![`${a}..${b}`, `${b}..${a}`].includes(pair.id);
+    const shown = pairs.find((pair) => !pair.hidden);
+    if (shown) history.replaceState(null, "", `#${shown.id}`);
+  };
+  const showNamed = () => {
+    const named = pairs.find((pair) => pair.id === decoded(location.hash));
+    (named ?? pairs[0]).id.split("..").forEach((release, side) => (selects[side].value = release));
+    show();
+  };
+  for (const select of selects) select.addEventListener("change", show);
+  addEventListener("hashchange", showNamed);
+  const line = lineOf("Compare ", selects[0], " with ", selects[1]);
+  line.className = "choice";
+  pairs[0].parentElement.prepend(line);
+  showNamed();
+}
+
 /* Code: each block has a button that copies it. */
 
 function addCodeCopying(block) {
@@ -391,6 +428,7 @@ document.addEventListener("DOMContentLoaded", () => {
   addSchemeSwitch();
   addSearch();
   markPlace();
+  addChoice();
   for (const table of document.querySelectorAll("main figure table")) rove([...addSorting(table), addCopying(table)]);
   rove([...document.querySelectorAll(".sources a")]);
   document.querySelectorAll("pre").forEach(addCodeCopying);
