@@ -134,6 +134,7 @@ function sortRows(table, column, direction) {
 
 function addSorting(table) {
   table.originalRows = [...table.tBodies[0].rows];
+  table.parentElement.removeAttribute("tabindex"); // its buttons take the focus, which lets the keyboard scroll
   const heads = [...table.tHead.rows[0].cells];
   const buttons = heads.map((head, column) => {
     const button = document.createElement("button");
@@ -429,7 +430,7 @@ document.addEventListener("DOMContentLoaded", () => {
   addSearch();
   markPlace();
   addChoice();
-  for (const table of document.querySelectorAll("main figure table")) rove([...addSorting(table), addCopying(table)]);
+  for (const table of document.querySelectorAll("main .wide table")) rove([...addSorting(table), addCopying(table)]);
   rove([...document.querySelectorAll(".sources a")]);
   document.querySelectorAll("pre").forEach(addCodeCopying);
   addOrigins();
