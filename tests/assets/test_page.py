@@ -355,32 +355,47 @@ def test_a_number_says_where_it_comes_from(site, tab):
     else:
         number.hover()
     said = tab.locator("#origin").inner_text()
-    record = json.loads(
-        (site / "data" / number.get_attribute("data-src").partition("#")[0]).read_text()
-    )
+    source, _, pointer = number.get_attribute("data-src").partition("#")
+    record = json.loads((site / "data" / source).read_text())
+    row = record["rows"][int(pointer.split("/")[2])]
     assert f"{number.get_attribute('value')} mm" in said and "±" in said
     assert f"Newton {own_release()}" in said and record["measured"]["date"][:10] in said
-    assert (
-        site / tab.locator("#origin a").get_attribute("href").partition("#")[0]
-    ).is_file()
+    assert row["case"] in said
+    tab.locator("#origin button").click()
+    panel = tab.get_by_role("dialog")
+    told = panel.inner_text()
+    for expected in (
+        row["case"],
+        record["measured"]["commit"],
+        f"make rerun SECTION={record['section']}",
+        f"report/sections/{record['section']}",
+        "measurements",
+    ):
+        assert expected in told
+    for link in panel.get_by_role("link").all():
+        assert (site / link.get_attribute("href").partition("#")[0]).is_file()
+    tab.keyboard.press("Escape")
+    sync_api.expect(panel).to_be_hidden()
     tab.keyboard.press("Escape")
     assert tab.locator("#origin").is_hidden()
+    number.focus()
+    tab.keyboard.press("Enter")
+    sync_api.expect(panel).to_be_visible()
 
 
-def test_the_reader_chooses_the_two_releases_that_are_compared(site, tab):
-    open_page(tab, site / "compare.html")
-    shown = tab.locator(".pairs > section:visible")
-    assert shown.count() == 1
-    first, second = tab.locator(".choice select").all()
-    first.select_option("1.8.0")
-    second.select_option("1.4.0")
-    assert shown.get_attribute("id") == "1.4.0..1.8.0"
-    head = shown.locator("tbody tr").first
-    assert head.get_attribute("class") == "relevant" and "flipped" in head.inner_text()
-    second.select_option("1.7.0")
-    slip = shown.locator("tbody tr").filter(has_text="slip").filter(has_text="0.317").first
-    assert slip.get_attribute("class") is None, "5 times its threshold would be marked"
-    open_page(tab, site / "compare.html", "#1.5.0..1.6.1")
-    assert shown.get_attribute("id") == "1.5.0..1.6.1"
-    first.select_option("1.6.1")
-    assert shown.count() == 0
+def test_a_derived_number_names_its_rows(site, tab):
+    open_page(tab, site / "fix.html")
+    values = json.loads((site / "data/values.json").read_text())
+    for number in tab.locator('main data[data-src^="values.json"]').all()[:40]:
+        _, section, name = number.get_attribute("data-src").partition("#")[2].split("/")
+        sources = values[section][name]["sources"]
+        if not sources or not all(".json#/rows/" in source for source in sources):
+            continue
+        number.focus()
+        tab.keyboard.press("Enter")
+        rows = tab.get_by_role("dialog").locator('a[href*="/rows/"]').all()
+        hrefs = {row.get_attribute("href").removeprefix("data/") for row in rows}
+        hrefs -= {number.get_attribute("data-src")}
+        assert hrefs and hrefs <= {source.rpartition("/")[0] for source in sources}
+        return
+    raise AssertionError("no derived number reads cells")

@@ -11,6 +11,7 @@ from itertools import chain
 from pathlib import Path
 from typing import Any
 
+from jinja2.utils import htmlsafe_json_dumps
 from markupsafe import Markup
 
 from measured_report.changes.alarm import calibration_values, rate_values
@@ -29,6 +30,7 @@ from measured_report.records.record import traces_of
 from measured_report.records.replicas import FOLDER
 from measured_report.site.compare import PAGE as COMPARE
 from measured_report.site.compare import compare_page
+from measured_report.site.evidence import Evidence
 from measured_report.values.quantities import NOISE_FILE, VALUES_FILE, local
 from measured_report.values.results import MEANS, Row
 
@@ -132,7 +134,7 @@ def site_files(
         "comparison": COMPARE.file if compared else "",
         "editions": editions.values(),
         "folder": own,
-        "origins": json.dumps(_origins(editions), ensure_ascii=False),
+        "evidence": Evidence(editions),
         "site_address": address,
         "measurable": sections(root),
         "derived": {name for edition in editions.values() for name in edition.chapters},
@@ -168,18 +170,6 @@ def site_files(
     return files
 
 
-def _origins(editions: Mapping[str, Edition]) -> dict[str, str]:
-    """Return the release, the machine and the time of each record's measurement."""
-    origins = {}
-    for edition in editions.values():
-        for chapter in edition.chapters.values():
-            record = chapter.results.record
-            name = edition.report.settings.name_of(record.origin.release)
-            origin = (name, record.machine_text, record.time_text)
-            origins[chapter.results.source] = ", ".join(origin)
-    return origins
-
-
 def _pages(
     edition: Edition,
     contents: Sequence[Content],
@@ -205,7 +195,14 @@ def _pages(
     pages = {}
     for content, linked in zip(contents, names["contents"], strict=True):
         references = [templates.references[name] for name in content.cited]
-        on_page = {**names, "content": linked, "references": references}
+        bodies = "".join(part.body for part in content.parts)
+        evidence = about["evidence"].of(POINTERS.findall(bodies))
+        on_page = {
+            **names,
+            "content": linked,
+            "evidence": htmlsafe_json_dumps(evidence, ensure_ascii=False),
+            "references": references,
+        }
         pages[content.page.file] = templates.layout("base.html.j2", on_page)
     return pages
 

@@ -37,9 +37,24 @@ def test_a_section_takes_three_files_and_passes_the_check(toy):
         in toy.page
     )
     assert 'data-claim="toy.helps" data-outcome="holds"' in toy.page
-    assert "A processor" in toy.page and "make rerun" not in toy.page, (
+    text, _, evidence = toy.page.partition('<template id="evidence">')
+    assert "A processor" in text and "make rerun" not in text, (
         "no line that a reader without it can't use"
     )
+    told = json.loads(evidence.partition("</template>")[0])
+    row = "newton-1.4.0/toy.json#/rows/{}".format
+    assert told["rows"] == {
+        row(index): [case, "the scene as shipped"]
+        for index, case in ((0, "soft"), (1, "stiff"))
+    }
+    gain = [list(told["rows"]).index(row(index)) for index in (0, 1)]
+    assert told["derived"]["values.json#/toy/gain"] == [2, *gain]
+    record = told["records"]["newton-1.4.0/toy.json"]
+    assert record["Release"] == "Newton 1.4.0"
+    assert record["Measured"] == "2026-01-02 03:04 UTC, commit abc"
+    assert record["Measure again"].startswith("make rerun SECTION=toy")
+    line = 1 + MODULE.splitlines().index("def derive(results):")
+    assert record["Code"].endswith(f", report/sections/toy.py:{line}")
     values = json.loads((toy.project.site / "data/values.json").read_text())
     assert values["toy"]["gain"]["formula"] == "soft over stiff"
     assert (

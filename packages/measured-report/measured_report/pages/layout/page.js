@@ -260,28 +260,85 @@ function lineOf(...content) {
   return line;
 }
 
-function explain(number, origins) {
-  const [file, pointer] = number.dataset.src.split("#");
-  const parts = pointer.split("/");
-  const isDerived = file.endsWith("values.json");
-  const folder = file.includes("/") ? file.split("/")[0] : metaOf("folder");
-  const record = isDerived ? `${folder}/${parts[1]}.json` : file;
+function exactly(number) {
   const exact = document.createElement("b");
   exact.textContent = number.value === "" ? "This number is missing" : `${number.value} ${unitOf(number)}`.trim();
-  const link = document.createElement("a");
-  link.href = `${metaOf("data")}${file}#${pointer}`;
-  link.textContent = isDerived ? `${file}#${pointer}` : `${parts.at(-1)}, row ${parts.at(-2)} of ${file}`;
-  link.tabIndex = -1;
+  return exact;
+}
+
+/* A pointer leads to a cell of a row, to the mean of its measurements, or to a derived number, which has several rows. */
+
+function rowsOf(number, { derived, rows }) {
+  const [file, path] = number.dataset.src.split("#");
+  const all = Object.keys(rows);
+  if (!file.endsWith("values.json")) return { rows: [`${file}#${path.replace(/\/\w+$/, "")}`].filter((row) => row in rows), more: 0 };
+  const [count, ...places] = derived[number.dataset.src] ?? [0];
+  if (count) return { rows: places.map((place) => all[place]), more: count - places.length };
+  const folder = file.includes("/") ? file.split("/")[0] : metaOf("folder");
+  const [, section, index] = path.match(/^\/(\w+)\/rows\.(\d+)\./) ?? [];
+  return { rows: [`${folder}/${section}.json#/rows/${index}`].filter((row) => row in rows), more: 0 };
+}
+
+function explain(number, evidence) {
+  const { rows } = rowsOf(number, evidence);
+  const record = evidence.records[rows[0]?.split("#")[0]];
+  const open = document.createElement("button");
+  open.type = "button";
+  open.tabIndex = -1; // by keyboard, the key Enter opens it
+  open.textContent = "Evidence";
+  open.addEventListener("click", () => showEvidence(number, evidence));
   return [
-    lineOf(exact),
-    ...(number.dataset.hint ? [lineOf(isDerived ? "Derived: " : "", number.dataset.hint)] : []),
-    lineOf(origins[record] ?? ""),
-    lineOf("Data: ", link),
+    lineOf(exactly(number)),
+    ...(rows.length === 1 ? [lineOf(`Case ${evidence.rows[rows[0]].join(": ")}`)] : []),
+    ...(number.dataset.hint ? [lineOf(number.dataset.hint)] : []),
+    lineOf(record ? `${record.Release}, ${record.Machine}, ${record.Measured}` : ""),
+    lineOf(open),
   ];
 }
 
+/* Evidence: a panel with the rows of a number, its measurements, and the command and the code that measure it. */
+
+function showEvidence(number, evidence) {
+  const { rows, more } = rowsOf(number, evidence);
+  const panel = document.querySelector("dialog") ?? document.createElement("dialog");
+  const [title, list, close] = ["h2", "dl", "button"].map((tag) => document.createElement(tag));
+  const add = (label, ...content) => {
+    const [term, detail] = ["dt", "dd"].map((tag) => document.createElement(tag));
+    term.textContent = label;
+    detail.append(...content);
+    list.append(term, detail);
+  };
+  const linkTo = (address, text) => {
+    const link = document.createElement("a");
+    link.href = `${metaOf("data")}${address}`;
+    link.textContent = text;
+    return link;
+  };
+  title.append(exactly(number));
+  if (number.dataset.hint) add(number.dataset.src.includes("/rows") ? "Measurements" : "Computation", number.dataset.hint);
+  let shown = "";
+  for (const name of rows) {
+    const [file, path] = name.split("#");
+    const [row, parameters] = evidence.rows[name];
+    if (file !== shown) add("Data", linkTo(file, file));
+    add("Case", row);
+    add("Parameters", parameters);
+    add("Row", linkTo(name, path));
+    if (file !== shown) Object.entries(evidence.records[file]).forEach((entry) => add(...entry));
+    shown = file;
+  }
+  if (more) add("Rows", `and ${more} more`);
+  add("Pointer", linkTo(number.dataset.src, number.dataset.src));
+  close.textContent = "Close";
+  close.addEventListener("click", () => panel.close());
+  panel.ariaLabel = "Evidence";
+  panel.replaceChildren(title, list, close);
+  document.body.append(panel);
+  panel.showModal();
+}
+
 function addOrigins() {
-  const origins = JSON.parse(metaOf("origins") || "{}");
+  const evidence = JSON.parse(document.getElementById("evidence").content.textContent);
   const numbers = [...document.querySelectorAll("main data")];
   const box = document.createElement("div");
   box.className = "origin";
@@ -302,7 +359,7 @@ function addOrigins() {
     if (number === shown) return;
     hide();
     shown = number;
-    box.replaceChildren(...explain(number, origins));
+    box.replaceChildren(...explain(number, evidence));
     box.hidden = false;
     number.setAttribute("aria-describedby", box.id);
     const place = number.getBoundingClientRect();
@@ -329,13 +386,17 @@ function addOrigins() {
     else if (box.contains(event.target)) clearTimeout(leaving);
     else if (shown && shown !== document.activeElement) leave();
   });
-  document.addEventListener("focusin", (event) => (numberAt(event) ? show(event.target) : hide()));
+  document.addEventListener("focusin", (event) => {
+    if (numberAt(event)) show(event.target);
+    else if (!box.contains(event.target)) hide();
+  });
   document.addEventListener("click", (event) => {
     if (numberAt(event)) show(numberAt(event));
     else if (!box.contains(event.target)) hide();
   });
   document.addEventListener("keydown", (event) => {
     if (event.key === "Escape") hide();
+    if (event.key === "Enter" && numberAt(event)) showEvidence(event.target, evidence);
   });
   rove(numbers);
 }
