@@ -2,9 +2,12 @@
 in both colour schemes.
 """
 
+import http.server
 import json
 import re
+import threading
 from collections.abc import Iterator
+from functools import partial
 from pathlib import Path
 
 import pytest
@@ -399,3 +402,36 @@ def test_a_derived_number_names_its_rows(site, tab):
         assert hrefs and hrefs <= {source.rpartition("/")[0] for source in sources}
         return
     raise AssertionError("no derived number reads cells")
+
+
+FIRST_RESULTS = {
+    "16384": ("One core or many worlds", "How fast do many worlds run?"),
+    "16 384": ("One core or many worlds", "How fast do many worlds run?"),
+    "license": ("Sources, licence and data",),
+    "citation": ("Cite it",),
+    "repository": ("Sources, licence and data",),
+    "rerun": ("Sources, licence and data",),
+    "nconmax": ("How fast do many worlds run?",),
+    "njmax": ("How fast do many worlds run?",),
+    "Isaac": ("How do other engines behave?",),
+    "fp64": ("How large is the numerical error at a given run time?", "Does the cube also creep without the shake?", "Which runs is it compared with?"),
+    "rubber": ("Does the cube's material affect the contact?",),
+    "tuning": ("Which setup to use",),
+    "friction": ("Does too little friction cause the slip?",),
+    "contact gap": ("Does the contact gap cause the slip?",),
+}
+"""Sections of which one must be found first."""
+
+
+def test_a_search_finds_the_section_about_a_word_first(site, tab):
+    handler = partial(http.server.SimpleHTTPRequestHandler, directory=str(site))
+    with http.server.ThreadingHTTPServer(("127.0.0.1", 0), handler) as server:
+        threading.Thread(target=server.serve_forever, daemon=True).start()
+        tab.goto(f"http://127.0.0.1:{server.server_port}/index.html")
+        links = tab.locator(".search li a")
+        for query, expected in FIRST_RESULTS.items():
+            tab.locator(".search input").fill(query)
+            sync_api.expect(links.first).to_have_text(re.compile("|".join(map(re.escape, expected))))
+        tab.locator(".search input").fill("zebra")
+        sync_api.expect(tab.locator(".search li")).to_have_text("No results.")
+        server.shutdown()

@@ -405,16 +405,24 @@ function addOrigins() {
 
 const RESULT_LIMIT = 12;
 
+/* Words of readers, and the words of these pages. report.toml adds the words of its field. */
+const SYNONYMS = { license: "licence", citation: "cite", repository: "licence", rerun: "measures it again" };
+
+/* A number is one word, however its thousands are separated. */
 function plainWords(text) {
-  return ` ${text.toLowerCase().replace(/[^\p{L}\p{M}\p{N}]+/gu, " ").trim()} `;
+  const joined = text.replace(/(?<=\d)[\u202f\u00a0\u2009,](?=\d{3}(?!\d))/g, "");
+  return ` ${joined.toLowerCase().replace(/[^\p{L}\p{M}\p{N}]+/gu, " ").trim()} `;
 }
 
 function entriesOf(page, address) {
   const entries = [];
-  for (const block of page.querySelectorAll("main :is(h1, h2, h3, p, li, figcaption, th, td, pre, dt, dd), #cite")) {
-    if (block.closest(".provenance, .source, nav") || block.parentElement.closest("li, figcaption")) continue;
-    const text = block.textContent.replace(/ #$/, "").replace(/\s+/g, " ").trim();
-    if (block.id === "cite") entries.push({ title: "Cite it", text, address: `${address}#cite` });
+  for (const block of page.querySelectorAll("main :is(h1, h2, h3, p, li, figcaption, th, td, pre, dt, dd), .foot p")) {
+    if (block.closest(".provenance, .source, .pairs, nav") || block.parentElement.closest("li, figcaption")) continue;
+    const text = block.textContent.replace(/ #$/, "").replace(/[ \n]+/g, " ").trim();
+    if (block.closest(".foot")) {
+      // All pages end with the same lines, of which those of the front page are listed.
+      if (page.getElementById("cite")) entries.push({ title: block.id === "cite" ? "Cite it" : "Sources, licence and data", text, address: `${address}#${block.id}` });
+    }
     else if (/^H/.test(block.tagName)) {
       const id = block.id || block.closest("section")?.id || "";
       entries.push({ title: text, text: "", address: id ? `${address}#${id}` : address });
@@ -435,10 +443,14 @@ async function readPages() {
 }
 
 function findEntries(entries, query) {
-  const words = plainWords(query).trim().split(" ").map((word) => ` ${word}`);
-  // A word in the heading counts as much as 20 in the text.
-  const rank = (entry) => words.reduce((sum, word) => sum + 20 * entry.head.includes(word) + entry.words.split(word).length - 1, 0);
-  const results = entries.filter((entry) => words.every((word) => entry.words.includes(word)));
+  const synonyms = { ...SYNONYMS, ...JSON.parse(metaOf("synonyms") || "{}") };
+  const words = plainWords(query.replace(/(?<=\d) (?=\d{3}(?!\d))/g, "")).trim().split(" ");
+  const terms = words.map((word) => [word, synonyms[word]].filter(Boolean).map((term) => ` ${term}`));
+  const count = (text, term) => term.reduce((sum, word) => sum + text.split(word).length - 1, 0);
+  // A word in the heading counts most. In the text its density counts, so that long sections are not preferred.
+  const rank = (entry) => terms.reduce((sum, term) => sum + 2 * Math.min(1, count(entry.head, term)) + density(entry, term), 0);
+  const density = ({ words }, term) => count(words, term) / (count(words, term) + words.length / 2000);
+  const results = entries.filter((entry) => terms.every((term) => count(entry.words, term)));
   return results.sort((a, b) => rank(b) - rank(a)).slice(0, RESULT_LIMIT);
 }
 
