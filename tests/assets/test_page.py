@@ -435,3 +435,24 @@ def test_a_search_finds_the_section_about_a_word_first(site, tab):
         tab.locator(".search input").fill("zebra")
         sync_api.expect(tab.locator(".search li")).to_have_text("No results.")
         server.shutdown()
+
+
+def test_the_reader_chooses_the_two_releases_that_are_compared(site, tab):
+    open_page(tab, site / "compare.html")
+    shown = tab.locator(".pairs > section:visible")
+    assert shown.count() == 1
+    first, second = tab.locator(".choice select").all()
+    first.select_option("1.8.0")
+    second.select_option("1.4.0")
+    assert shown.get_attribute("id") == "1.4.0..1.8.0"
+    assert shown.locator("table").bounding_box()["width"] < 1000, "a text is too long"
+    head = shown.locator("tbody tr").first
+    assert head.get_attribute("class") == "relevant" and "flipped" in head.inner_text()
+    second.select_option("1.7.0")
+    rows = shown.locator("tbody tr").filter(has_text="slip")
+    slip = rows.filter(has_text="0.317").first
+    assert slip.get_attribute("class") is None, "its change is below the threshold"
+    open_page(tab, site / "compare.html", "#1.5.0..1.6.1")
+    assert shown.get_attribute("id") == "1.5.0..1.6.1"
+    first.select_option("1.6.1")
+    assert shown.count() == 0
