@@ -399,15 +399,10 @@ def test_thresholds_are_10_percent_and_20_percent_of_times(
     assert not same.is_real
 
 
-<<<<<<< HEAD
-def test_a_share_is_sure_beyond_its_noise_whichever_way_it_moves_and_two_of_three_comparisons_tell_a_change():
+def test_relevance_is_the_share_over_its_threshold_whichever_way_it_moves_and_two_of_three_comparisons_tell_a_change():
     """Test a change by 1 with a noise of 0.25758, which is 2.5758 standard errors of
     0.1 and contains 99 % of a normal distribution, and a threshold of 0.05.
     """
-=======
-def test_relevance_is_the_share_over_its_threshold_whichever_way_it_moves_and_two_of_three_comparisons_tell_a_change():
-    """2.5758 deviations are 99 % of a normal distribution: of a fall by 1, 0.05 and 0.25758 are none."""
->>>>>>> bf4c0498 (Add a page that compares any two releases)
     load, value = (report().columns[name] for name in ("load", "value"))
     falls, grows = (
         Move(load, *ends, chance=0.0, error=0.1, least=0.05)
