@@ -222,6 +222,7 @@ def _move_data(move: Move) -> dict[str, Any]:
         "noise": move.noise,
         "noise_is_chosen": move.is_chosen,
         "rows": move.row_count,
+        "relevance": move.relevance if math.isfinite(move.relevance) else None,
         "verdict": move.direction,
     }
 
@@ -241,11 +242,8 @@ def largest(comparison: Comparison) -> list[str]:
     number of its other rows that changed so.
     """
     columns: dict[tuple[str, bool], list[Move]] = {}
-    for move in sorted(
-        comparison.moves,
-        key=partial(_rank, rules=comparison.report.settings.changes),
-        reverse=True,
-    ):
+    rank = partial(_rank, rules=comparison.report.settings.changes)
+    for move in sorted(comparison.moves, key=rank, reverse=True):
         # Settings have a line of their own.
         is_setting = move.is_setting or move.column.is_setting
         if not is_setting and (
@@ -277,7 +275,7 @@ def _rank(move: Move, rules: Changes) -> tuple[bool | float, ...]:
 
     Among alarms, computed parameters of the engine come first because they may be the
     cause. Numbers that ``report.toml`` names follow, then deciding sections, columns with
-    a threshold, and finally the largest changes.
+    a threshold, and finally the changes that exceed their threshold most.
     """
     is_cause = move.exceeds_threshold and "computed" in move.column.kinds
     is_column = any(name.endswith(f".{move.column.name}") for name in rules.thresholds)
@@ -288,7 +286,7 @@ def _rank(move: Move, rules: Changes) -> tuple[bool | float, ...]:
         move.is_named,
         is_deciding,
         is_column,
-        move.sure_share,
+        move.relevance,
     )
 
 

@@ -4,6 +4,7 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from itertools import groupby
+from operator import attrgetter
 from typing import Any
 
 from markupsafe import Markup
@@ -245,8 +246,12 @@ class Comparison:
 
     @cached_property
     def moves(self) -> list[Move]:
-        """Return the values that changed; numbers must change by more than their noise."""
-        return [cell for cell in self.cells if cell.is_real]
+        """Return the values that changed, the most relevant first.
+
+        Numbers must change by more than their noise.
+        """
+        moves = [cell for cell in self.cells if cell.is_real]
+        return sorted(moves, key=attrgetter("relevance"), reverse=True)
 
     @cached_property
     def number_count(self) -> int:

@@ -129,14 +129,6 @@ class Move:
         return math.copysign(math.inf, difference) if difference else 0.0
 
     @property
-    def sure_share(self) -> float:
-        """Return the relative change without the part that may be noise."""
-        if not self.share or self.noise is None:
-            return 0.0
-        certainty = 1 - self.noise / abs(self.after - self.before)
-        return certainty * abs(self.share) if certainty > 0 else 0.0
-
-    @property
     def is_named(self) -> bool:
         """Return whether ``report.toml`` has a threshold or a headline for it.
 
@@ -164,18 +156,24 @@ class Move:
         return self.exceeds_threshold and self.direction != "better"
 
     @property
-    def exceeds_threshold(self) -> bool:
-        """Return whether the change is large.
+    def relevance(self) -> float:
+        """Return the change divided by its threshold; from 1 on, the change is large.
 
-        It is if it exceeds its threshold, if a run newly fails or no longer fails, or if
-        a setting or a named number exists in only one of the editions.
+        It is infinite if a run newly fails or no longer fails, and if a setting or a named
+        number exists in only one of the editions.
         """
         if "failure" in self.column.kinds:
-            return self.is_real
+            return math.inf
         if self.share is None:
-            return self.is_gone and (self.is_setting or self.is_named)
+            is_alarm = self.is_gone and (self.is_setting or self.is_named)
+            return math.inf if is_alarm else 0.0
+        return abs(self.share) / self.threshold
+
+    @property
+    def exceeds_threshold(self) -> bool:
+        """Return whether the change is large."""
         # A change of exactly the threshold counts, even if it is rounded down.
-        return self.is_real and abs(self.share) > self.threshold * (1 - 1e-6)
+        return self.is_real and self.relevance >= 1 - 1e-6
 
     @property
     def is_gone(self) -> bool:
@@ -191,9 +189,22 @@ class Move:
     @property
     def ends(self) -> str:
         """Return the text "before → after", with enough digits to show the change."""
+        return " → ".join(self._texts)
+
+    @property
+    def cells(self) -> list[Any]:
+        """Return both values for a table, numbers with their interval."""
+        pairs = zip(self.sides, self._texts, strict=True)
+        return [
+            side.interval if getattr(side, "source", "") else text
+            for side, text in pairs
+        ]
+
+    @property
+    def _texts(self) -> list[str]:
         ends = self.before, self.after
         if self.is_setting:
-            return " → ".join("none" if end is None else f"{end:.7g}" for end in ends)
+            return ["none" if end is None else f"{end:.7g}" for end in ends]
         sides = self.sides
         if self.chance is not None and not self.column.is_exact:
             sizes = [abs(number) for number in (*ends, self.after - self.before)]
@@ -204,7 +215,7 @@ class Move:
                 replace(side, value=end, noise=min(noise, abs(end) / 2 or noise))
                 for side, end in pairs
             ]
-        return " → ".join(map(_text, sides))
+        return [*map(_text, sides)]
 
 
 def direction(column: Column, before: Any, after: Any) -> str:

@@ -179,6 +179,8 @@ class Config:
     repository: Address = ""
     """The address of the sources on the web; if it is empty, pages do not link to them.
     """
+    synonyms: Mapping[str, str] = field(default_factory=dict)
+    """Words that readers may search for, with words that the pages use instead."""
     pages: Sequence[Page] = (Page("index", texts=("front.md.j2",)), Page("results"))
     """The pages in order, the front page first."""
     text_modules: str = ""

@@ -179,7 +179,7 @@ class Figure:
             files[file] = None
             if file.endswith(".json") and not file.endswith(VALUES_FILE):
                 # The same rows as a table.
-                files[file.removesuffix("json") + "csv"] = None
+                files[file.removesuffix("json") + "csv.gz"] = None
         names = [file.rpartition("/")[2] for file in files]
         # Files of several releases have the same name, so their folder is added.
         links = [

@@ -1,6 +1,7 @@
 """Return the files of a site: its pages, figures and data."""
 
 import csv
+import gzip
 import io
 import json
 import re
@@ -10,6 +11,7 @@ from itertools import chain
 from pathlib import Path
 from typing import Any
 
+from jinja2.utils import htmlsafe_json_dumps
 from markupsafe import Markup
 
 from measured_report.changes.alarm import calibration_values, rate_values
@@ -26,8 +28,9 @@ from measured_report.parts.prose import Prose
 from measured_report.records.identity import sections
 from measured_report.records.record import traces_of
 from measured_report.records.replicas import FOLDER
-from measured_report.site.series import PAGE as SERIES
-from measured_report.site.series import series_page
+from measured_report.site.compare import PAGE as COMPARE
+from measured_report.site.compare import compare_page
+from measured_report.site.evidence import Evidence
 from measured_report.values.quantities import NOISE_FILE, VALUES_FILE, local
 from measured_report.values.results import MEANS, Row
 
@@ -115,11 +118,11 @@ def site_files(
     first = editions[release]
     root, own = first.project.root, first.project.results.name
     contents = {name: contents_of(editions, name, templates) for name in editions}
-    releases = {name: edition.chapters for name, edition in editions.items()}
-    if history := series_page(releases, templates):
-        contents[release].append(Content(SERIES, [history], []))
-    cited = citation(first.report)
     files: dict[str, File] = {".gitkeep": ""}
+    if compared := compare_page(editions, templates):
+        contents[release].append(Content(COMPARE, [compared[0]], []))
+        files |= compared[1]
+    cited = citation(first.report)
     layouts = {"404.html": "404.html.j2", "data/README.txt": "data.txt.j2"}
     if address:  # a feed needs absolute addresses
         layouts["feed.xml"] = "feed.xml.j2"
@@ -128,9 +131,10 @@ def site_files(
         files[name] = templates.layout(template, shared)
     about = {
         "citation": cited,
+        "comparison": COMPARE.file if compared else "",
         "editions": editions.values(),
         "folder": own,
-        "origins": json.dumps(_origins(editions), ensure_ascii=False),
+        "evidence": Evidence(editions),
         "site_address": address,
         "measurable": sections(root),
         "derived": {name for edition in editions.values() for name in edition.chapters},
@@ -166,18 +170,6 @@ def site_files(
     return files
 
 
-def _origins(editions: Mapping[str, Edition]) -> dict[str, str]:
-    """Return the release, the machine and the time of each record's measurement."""
-    origins = {}
-    for edition in editions.values():
-        for chapter in edition.chapters.values():
-            record = chapter.results.record
-            name = edition.report.settings.name_of(record.origin.release)
-            origin = (name, record.machine_text, record.time_text)
-            origins[chapter.results.source] = ", ".join(origin)
-    return origins
-
-
 def _pages(
     edition: Edition,
     contents: Sequence[Content],
@@ -203,7 +195,14 @@ def _pages(
     pages = {}
     for content, linked in zip(contents, names["contents"], strict=True):
         references = [templates.references[name] for name in content.cited]
-        on_page = {**names, "content": linked, "references": references}
+        bodies = "".join(part.body for part in content.parts)
+        evidence = about["evidence"].of(POINTERS.findall(bodies))
+        on_page = {
+            **names,
+            "content": linked,
+            "evidence": htmlsafe_json_dumps(evidence, ensure_ascii=False),
+            "references": references,
+        }
         pages[content.page.file] = templates.layout("base.html.j2", on_page)
     return pages
 
@@ -258,7 +257,8 @@ def _files(edition: Edition) -> dict[str, File]:
     data: dict[str, File] = {path.name: path for path in edition.plugins.data}
     for chapter in edition.chapters.values():
         record, path = chapter.results.record, chapter.results.path
-        data[f"{path.stem}.csv"] = rows_csv(record.rows)
+        table = rows_csv(record.rows).encode()
+        data[f"{path.stem}.csv.gz"] = gzip.compress(table, mtime=0)
         data |= {file.name: file for file in (path, *traces_of(path, record))}
     for path in replica_files(project):
         if path.stem in edition.replicas:

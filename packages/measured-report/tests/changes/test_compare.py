@@ -424,7 +424,7 @@ def test_thresholds_are_10_percent_and_20_percent_of_times(
     assert not same.is_real
 
 
-def test_a_share_is_sure_beyond_its_noise_whichever_way_it_moves_and_two_of_three_comparisons_tell_a_change():
+def test_relevance_is_the_share_over_its_threshold_whichever_way_it_moves_and_two_of_three_comparisons_tell_a_change():
     """Test a change by 1 with a noise of 0.25758, which is 2.5758 standard errors of
     0.1 and contains 99 % of a normal distribution, and a threshold of 0.05.
     """
@@ -436,14 +436,12 @@ def test_a_share_is_sure_beyond_its_noise_whichever_way_it_moves_and_two_of_thre
     assert (falls.share, grows.share, falls.noise) == pytest.approx(
         (-0.5, 0.5, 0.30758), rel=1e-4
     )
-    assert (
-        falls.sure_share
-        == grows.sure_share
-        == pytest.approx(0.5 * (1 - 0.30758), rel=1e-4)
-    )
-    assert replace(falls, error=1.0).sure_share == 0.0
-    from_zero = Move(load, 0.0, 1.0, chance=0.9, error=1.0)
-    assert (from_zero.share, from_zero.sure_share) == (math.inf, 0.0)
+    # The threshold of other numbers is 10 %.
+    assert falls.relevance == grows.relevance == pytest.approx(5.0)
+    assert falls.exceeds_threshold and not replace(falls, chance=0.9).exceeds_threshold
+    least, below = (Move(load, 2.0, end, chance=0.0) for end in (2.2, 2.199))
+    assert (least.exceeds_threshold, below.exceeds_threshold) == (True, False)
+    assert Move(load, 0.0, 1.0, chance=0.0).relevance == math.inf
     setting = partial(Move, value, 1.0, chance=0.0, rules=report().settings.changes)
     some = [
         setting(after=after, place={"case": f"by {after}", "kind": "option"})

@@ -27,7 +27,7 @@ def cells(*column) -> list[tuple[str, str]]:
     """Return the fill and the text of each cell in a column."""
     html = Table(pd.DataFrame({"a": pd.Series(column, dtype=object)})).rendered().frame
     cells = re.findall(
-        r'<td(?: class="number")? data-head="[^"]*"(?: data-fill="([^"]*)")?>(.*?)</td>',
+        r'<td(?: class="number")?(?: data-fill="([^"]*)")?>(.*?)</td>',
         html,
     )
     return [(fill, re.sub("<[^>]*>", "", text)) for fill, text in cells]

@@ -1,10 +1,13 @@
 """Test that a site is built from handmade results, checked, and published in one step."""
 
+import gzip
 import json
 import os
 import re
 import shutil
 from dataclasses import replace
+from itertools import combinations, pairwise
+from types import SimpleNamespace
 from xml.etree import ElementTree
 
 import pandas as pd
@@ -12,6 +15,8 @@ import pytest
 from markupsafe import Markup
 from toys import EXPERIMENT, MODULE, ROWS, TEMPLATE, derived
 
+from measured_report.commands import diff
+from measured_report.editions.release import release_of
 from measured_report.files.config import report
 from measured_report.files.errors import ReportError
 from measured_report.pages import prose
@@ -34,9 +39,24 @@ def test_a_section_takes_three_files_and_passes_the_check(toy):
         in toy.page
     )
     assert 'data-claim="toy.helps" data-outcome="holds"' in toy.page
-    assert "A processor" in toy.page and "make rerun" not in toy.page, (
+    text, _, evidence = toy.page.partition('<template id="evidence">')
+    assert "A processor" in text and "make rerun" not in text, (
         "no line that a reader without it can't use"
     )
+    told = json.loads(evidence.partition("</template>")[0])
+    row = "newton-1.4.0/toy.json#/rows/{}".format
+    assert told["rows"] == {
+        row(index): [case, "the scene as shipped"]
+        for index, case in ((0, "soft"), (1, "stiff"))
+    }
+    gain = [list(told["rows"]).index(row(index)) for index in (0, 1)]
+    assert told["derived"]["values.json#/toy/gain"] == [2, *gain]
+    record = told["records"]["newton-1.4.0/toy.json"]
+    assert record["Release"] == "Newton 1.4.0"
+    assert record["Measured"] == "2026-01-02 03:04 UTC, commit abc"
+    assert record["Measure again"].startswith("make rerun SECTION=toy")
+    line = 1 + MODULE.splitlines().index("def derive(results):")
+    assert record["Code"].endswith(f", report/sections/toy.py:{line}")
     values = json.loads((toy.project.site / "data/values.json").read_text())
     assert values["toy"]["gain"]["formula"] == "soft over stiff"
     assert (
@@ -56,15 +76,50 @@ def test_the_headlines_of_all_editions_are_a_page_with_where_they_changed(
     monkeypatch.setitem(vars(report()), "settings", told)
     vars(report()).pop("columns", None)
     toy.build()
-    assert not (toy.project.site / "history.html").exists(), "of one edition"
+    assert not (toy.project.site / "compare.html").exists(), "of one edition"
+    assert "newest measured" not in toy.front
     for release, slip_mm in (("1.5.0", 6.3617), ("1.6.0", 0.5), ("1.7.0", 0.5)):
         toy.of(release).measure([{**ROWS[0], "slip_mm": slip_mm}, ROWS[1]])
     toy.build()
-    page = (toy.project.site / "history.html").read_text()
-    assert check_site(toy.project.site) == [] and 'href="history.html"' in toy.front
-    assert page.count("<data") == 8
-    assert page.count('<span class="moved better">better</span>') == 1
-    assert 'data-src="newton-1.7.0/toy.json#/rows/0/slip_mm">0.5' in page
+    page = (toy.project.site / "compare.html").read_text()
+    assert check_site(toy.project.site) == [] and 'href="compare.html"' in toy.front
+    assert "1.7.0 is the newest measured release" in toy.front
+    headlines = page.partition('id="compare-changes')[0]
+    assert headlines.count("<data") == 8
+    assert headlines.count('<span class="moved better">better</span>') == 1
+    assert 'data-src="newton-1.7.0/toy.json#/rows/0/slip_mm">0.5' in headlines
+
+
+def test_two_releases_are_compared_as_diff_does(toy, capsys):
+    """A slip of 6.36 mm that becomes 0.5 mm changes by 92 %, 9.2 times the threshold of 10 %."""
+    for release, slip_mm in (("1.5.0", 6.3617), ("1.6.0", 0.5), ("1.7.0", 0.51)):
+        toy.of(release).measure([{**ROWS[0], "slip_mm": slip_mm}, ROWS[1]])
+    toy.build()
+    site = toy.project.site
+    assert check_site(site) == []
+    pairs = (site / "compare.html").read_text().partition('<div class="pairs">')[2]
+    sections = dict(
+        re.findall(r'<section id="([^"]+)"(.*?)</section>', pairs, re.DOTALL)
+    )
+    releases = ["1.4.0", "1.5.0", "1.6.0", "1.7.0"]
+    assert set(sections) == {f"{a}..{b}" for a, b in combinations(releases, 2)}
+    shown = {name for name, html in sections.items() if not html.startswith(" hidden")}
+    assert shown == {f"{a}..{b}" for a, b in pairwise(releases)}
+    assert next(iter(sections)) == "1.6.0..1.7.0", "the newest"
+    for name, html in sections.items():
+        a, b = name.split("..")
+        options = {"a": release_of(a), "b": release_of(b), "format": "json"}
+        diff.run(toy.project, SimpleNamespace(**options))
+        packed = (site / f"data/compare/{name}.json.gz").read_bytes()
+        text = gzip.decompress(packed).decode()
+        assert text == capsys.readouterr().out
+        told = json.loads(text)
+        assert html.count("<tr") - 1 == len(told["flips"]) + len(told["moves"])
+        relevant = len(told["flips"]) + len(told["alarms"])
+        assert html.count('<tr class="relevant">') == relevant
+    jump = sections["1.5.0..1.6.0"]
+    assert jump.index("flipped") < jump.index('<td class="number">9.2')
+    assert 'href="newton-1.5.0/' in jump and 'href="newton-1.6.0/' in jump
 
 
 def test_text_from_results_is_no_markup(toy):

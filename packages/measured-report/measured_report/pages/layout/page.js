@@ -134,6 +134,7 @@ function sortRows(table, column, direction) {
 
 function addSorting(table) {
   table.originalRows = [...table.tBodies[0].rows];
+  table.parentElement.removeAttribute("tabindex"); // its buttons take the focus, which lets the keyboard scroll
   const heads = [...table.tHead.rows[0].cells];
   const buttons = heads.map((head, column) => {
     const button = document.createElement("button");
@@ -192,6 +193,43 @@ function addCopying(table) {
   return button;
 }
 
+/* Comparison: the reader chooses the two releases that are shown. */
+
+function addChoice() {
+  const pairs = [...document.querySelectorAll(".pairs > section")];
+  if (!pairs.length) return;
+  const labels = new Map();
+  for (const pair of pairs) {
+    rove([...pair.querySelectorAll("tbody a")]);
+    const heads = [...pair.querySelectorAll("thead .number")];
+    pair.id.split("..").forEach((release, side) => labels.set(release, heads[side].textContent));
+  }
+  const releases = [...labels.keys()].sort((a, b) => a.localeCompare(b, "en", { numeric: true }));
+  const selects = ["First release", "Second release"].map((label) => {
+    const select = document.createElement("select");
+    select.ariaLabel = label;
+    select.append(...releases.map((release) => new Option(labels.get(release), release)));
+    return select;
+  });
+  const show = () => {
+    const [a, b] = selects.map((select) => select.value);
+    for (const pair of pairs) pair.hidden = ![`${a}..${b}`, `${b}..${a}`].includes(pair.id);
+    const shown = pairs.find((pair) => !pair.hidden);
+    if (shown) history.replaceState(null, "", `#${shown.id}`);
+  };
+  const showNamed = () => {
+    const named = pairs.find((pair) => pair.id === decoded(location.hash));
+    (named ?? pairs[0]).id.split("..").forEach((release, side) => (selects[side].value = release));
+    show();
+  };
+  for (const select of selects) select.addEventListener("change", show);
+  addEventListener("hashchange", showNamed);
+  const line = lineOf("Compare ", selects[0], " with ", selects[1]);
+  line.className = "choice";
+  pairs[0].parentElement.prepend(line);
+  showNamed();
+}
+
 /* Code: each block has a button that copies it. */
 
 function addCodeCopying(block) {
@@ -222,28 +260,85 @@ function lineOf(...content) {
   return line;
 }
 
-function explain(number, origins) {
-  const [file, pointer] = number.dataset.src.split("#");
-  const parts = pointer.split("/");
-  const isDerived = file.endsWith("values.json");
-  const folder = file.includes("/") ? file.split("/")[0] : metaOf("folder");
-  const record = isDerived ? `${folder}/${parts[1]}.json` : file;
+function exactly(number) {
   const exact = document.createElement("b");
   exact.textContent = number.value === "" ? "This number is missing" : `${number.value} ${unitOf(number)}`.trim();
-  const link = document.createElement("a");
-  link.href = `${metaOf("data")}${file}#${pointer}`;
-  link.textContent = isDerived ? `${file}#${pointer}` : `${parts.at(-1)}, row ${parts.at(-2)} of ${file}`;
-  link.tabIndex = -1;
+  return exact;
+}
+
+/* A pointer leads to a cell of a row, to the mean of its measurements, or to a derived number, which has several rows. */
+
+function rowsOf(number, { derived, rows }) {
+  const [file, path] = number.dataset.src.split("#");
+  const all = Object.keys(rows);
+  if (!file.endsWith("values.json")) return { rows: [`${file}#${path.replace(/\/\w+$/, "")}`].filter((row) => row in rows), more: 0 };
+  const [count, ...places] = derived[number.dataset.src] ?? [0];
+  if (count) return { rows: places.map((place) => all[place]), more: count - places.length };
+  const folder = file.includes("/") ? file.split("/")[0] : metaOf("folder");
+  const [, section, index] = path.match(/^\/(\w+)\/rows\.(\d+)\./) ?? [];
+  return { rows: [`${folder}/${section}.json#/rows/${index}`].filter((row) => row in rows), more: 0 };
+}
+
+function explain(number, evidence) {
+  const { rows } = rowsOf(number, evidence);
+  const record = evidence.records[rows[0]?.split("#")[0]];
+  const open = document.createElement("button");
+  open.type = "button";
+  open.tabIndex = -1; // by keyboard, the key Enter opens it
+  open.textContent = "Evidence";
+  open.addEventListener("click", () => showEvidence(number, evidence));
   return [
-    lineOf(exact),
-    ...(number.dataset.hint ? [lineOf(isDerived ? "Derived: " : "", number.dataset.hint)] : []),
-    lineOf(origins[record] ?? ""),
-    lineOf("Data: ", link),
+    lineOf(exactly(number)),
+    ...(rows.length === 1 ? [lineOf(`Case ${evidence.rows[rows[0]].join(": ")}`)] : []),
+    ...(number.dataset.hint ? [lineOf(number.dataset.hint)] : []),
+    lineOf(record ? `${record.Release}, ${record.Machine}, ${record.Measured}` : ""),
+    lineOf(open),
   ];
 }
 
+/* Evidence: a panel with the rows of a number, its measurements, and the command and the code that measure it. */
+
+function showEvidence(number, evidence) {
+  const { rows, more } = rowsOf(number, evidence);
+  const panel = document.querySelector("dialog") ?? document.createElement("dialog");
+  const [title, list, close] = ["h2", "dl", "button"].map((tag) => document.createElement(tag));
+  const add = (label, ...content) => {
+    const [term, detail] = ["dt", "dd"].map((tag) => document.createElement(tag));
+    term.textContent = label;
+    detail.append(...content);
+    list.append(term, detail);
+  };
+  const linkTo = (address, text) => {
+    const link = document.createElement("a");
+    link.href = `${metaOf("data")}${address}`;
+    link.textContent = text;
+    return link;
+  };
+  title.append(exactly(number));
+  if (number.dataset.hint) add(number.dataset.src.includes("/rows") ? "Measurements" : "Computation", number.dataset.hint);
+  let shown = "";
+  for (const name of rows) {
+    const [file, path] = name.split("#");
+    const [row, parameters] = evidence.rows[name];
+    if (file !== shown) add("Data", linkTo(file, file));
+    add("Case", row);
+    add("Parameters", parameters);
+    add("Row", linkTo(name, path));
+    if (file !== shown) Object.entries(evidence.records[file]).forEach((entry) => add(...entry));
+    shown = file;
+  }
+  if (more) add("Rows", `and ${more} more`);
+  add("Pointer", linkTo(number.dataset.src, number.dataset.src));
+  close.textContent = "Close";
+  close.addEventListener("click", () => panel.close());
+  panel.ariaLabel = "Evidence";
+  panel.replaceChildren(title, list, close);
+  document.body.append(panel);
+  panel.showModal();
+}
+
 function addOrigins() {
-  const origins = JSON.parse(metaOf("origins") || "{}");
+  const evidence = JSON.parse(document.getElementById("evidence").content.textContent);
   const numbers = [...document.querySelectorAll("main data")];
   const box = document.createElement("div");
   box.className = "origin";
@@ -264,7 +359,7 @@ function addOrigins() {
     if (number === shown) return;
     hide();
     shown = number;
-    box.replaceChildren(...explain(number, origins));
+    box.replaceChildren(...explain(number, evidence));
     box.hidden = false;
     number.setAttribute("aria-describedby", box.id);
     const place = number.getBoundingClientRect();
@@ -291,13 +386,17 @@ function addOrigins() {
     else if (box.contains(event.target)) clearTimeout(leaving);
     else if (shown && shown !== document.activeElement) leave();
   });
-  document.addEventListener("focusin", (event) => (numberAt(event) ? show(event.target) : hide()));
+  document.addEventListener("focusin", (event) => {
+    if (numberAt(event)) show(event.target);
+    else if (!box.contains(event.target)) hide();
+  });
   document.addEventListener("click", (event) => {
     if (numberAt(event)) show(numberAt(event));
     else if (!box.contains(event.target)) hide();
   });
   document.addEventListener("keydown", (event) => {
     if (event.key === "Escape") hide();
+    if (event.key === "Enter" && numberAt(event)) showEvidence(event.target, evidence);
   });
   rove(numbers);
 }
@@ -306,16 +405,24 @@ function addOrigins() {
 
 const RESULT_LIMIT = 12;
 
+/* Words of readers, and the words of these pages. report.toml adds the words of its field. */
+const SYNONYMS = { license: "licence", citation: "cite", repository: "licence", rerun: "measures it again" };
+
+/* A number is one word, however its thousands are separated. */
 function plainWords(text) {
-  return ` ${text.toLowerCase().replace(/[^\p{L}\p{M}\p{N}]+/gu, " ").trim()} `;
+  const joined = text.replace(/(?<=\d)[\u202f\u00a0\u2009,](?=\d{3}(?!\d))/g, "");
+  return ` ${joined.toLowerCase().replace(/[^\p{L}\p{M}\p{N}]+/gu, " ").trim()} `;
 }
 
 function entriesOf(page, address) {
   const entries = [];
-  for (const block of page.querySelectorAll("main :is(h1, h2, h3, p, li, figcaption, th, td, pre, dt, dd), #cite")) {
-    if (block.closest(".provenance, .source, nav") || block.parentElement.closest("li, figcaption")) continue;
-    const text = block.textContent.replace(/ #$/, "").replace(/\s+/g, " ").trim();
-    if (block.id === "cite") entries.push({ title: "Cite it", text, address: `${address}#cite` });
+  for (const block of page.querySelectorAll("main :is(h1, h2, h3, p, li, figcaption, th, td, pre, dt, dd), .foot p")) {
+    if (block.closest(".provenance, .source, .pairs, nav") || block.parentElement.closest("li, figcaption")) continue;
+    const text = block.textContent.replace(/ #$/, "").replace(/[ \n]+/g, " ").trim();
+    if (block.closest(".foot")) {
+      // All pages end with the same lines, of which those of the front page are listed.
+      if (page.getElementById("cite")) entries.push({ title: block.id === "cite" ? "Cite it" : "Sources, licence and data", text, address: `${address}#${block.id}` });
+    }
     else if (/^H/.test(block.tagName)) {
       const id = block.id || block.closest("section")?.id || "";
       entries.push({ title: text, text: "", address: id ? `${address}#${id}` : address });
@@ -336,10 +443,14 @@ async function readPages() {
 }
 
 function findEntries(entries, query) {
-  const words = plainWords(query).trim().split(" ").map((word) => ` ${word}`);
-  // A word in the heading counts as much as 20 in the text.
-  const rank = (entry) => words.reduce((sum, word) => sum + 20 * entry.head.includes(word) + entry.words.split(word).length - 1, 0);
-  const results = entries.filter((entry) => words.every((word) => entry.words.includes(word)));
+  const synonyms = { ...SYNONYMS, ...JSON.parse(metaOf("synonyms") || "{}") };
+  const words = plainWords(query.replace(/(?<=\d) (?=\d{3}(?!\d))/g, "")).trim().split(" ");
+  const terms = words.map((word) => [word, synonyms[word]].filter(Boolean).map((term) => ` ${term}`));
+  const count = (text, term) => term.reduce((sum, word) => sum + text.split(word).length - 1, 0);
+  // A word in the heading counts most. In the text its density counts, so that long sections are not preferred.
+  const rank = (entry) => terms.reduce((sum, term) => sum + 2 * Math.min(1, count(entry.head, term)) + density(entry, term), 0);
+  const density = ({ words }, term) => count(words, term) / (count(words, term) + words.length / 2000);
+  const results = entries.filter((entry) => terms.every((term) => count(entry.words, term)));
   return results.sort((a, b) => rank(b) - rank(a)).slice(0, RESULT_LIMIT);
 }
 
@@ -391,7 +502,8 @@ document.addEventListener("DOMContentLoaded", () => {
   addSchemeSwitch();
   addSearch();
   markPlace();
-  for (const table of document.querySelectorAll("main figure table")) rove([...addSorting(table), addCopying(table)]);
+  addChoice();
+  for (const table of document.querySelectorAll("main .wide table")) rove([...addSorting(table), addCopying(table)]);
   rove([...document.querySelectorAll(".sources a")]);
   document.querySelectorAll("pre").forEach(addCodeCopying);
   addOrigins();

@@ -1,0 +1,136 @@
+"""Write the page that compares editions: their headlines, and each pair of them."""
+
+import gzip
+import math
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
+from functools import cached_property
+from itertools import combinations
+from typing import Any
+
+from measured_report.changes.alarm import (
+    diff_text,
+    false_alarm_counts,
+    rate_text,
+    summary,
+)
+from measured_report.changes.compare import Comparison, compare
+from measured_report.changes.moves import Move
+from measured_report.changes.query import Query, points, schema_of
+from measured_report.files.config import Page
+from measured_report.files.groups import grouped
+from measured_report.findings.chapters import Releases
+from measured_report.findings.editions import Edition
+from measured_report.pages.prose import Templates
+from measured_report.parts.macros import macros
+from measured_report.parts.prose import Prose
+from measured_report.values.format import format_number, unit_label
+
+PAGE = Page("compare")
+SHOWN = 3  # chosen: a table lists at most so many changed numbers of each column
+
+
+@dataclass(frozen=True)
+class Pair:
+    """Two editions, the older one first."""
+
+    before: Edition
+    after: Edition
+    is_next: bool  # whether no other edition is between them
+
+    @property
+    def name(self) -> str:
+        return f"{self.before.project.release}..{self.after.project.release}"
+
+    @property
+    def file(self) -> str:
+        """Return the file of the list that ``make diff FORMAT=json`` prints."""
+        return f"data/compare/{self.name}.json.gz"
+
+    @cached_property
+    def comparison(self) -> Comparison:
+        # As in ``make diff``, claims that compare releases are left out.
+        before, after = (
+            replace(side, chapters=side.uncompared)
+            for side in (self.before, self.after)
+        )
+        return compare(before, after)
+
+    @property
+    def lines(self) -> Iterator[tuple[Move, int, str]]:
+        """Yield the most relevant changes of each column, the most relevant first.
+
+        A change is followed by the number of changes that are left out after it, and by
+        its relevance as text. All settings are listed.
+        """
+        columns = grouped(
+            (move.name if move.is_setting else move.column.name, move)
+            for move in self.comparison.moves
+        )
+        for column_moves in columns.values():
+            shown = column_moves[:SHOWN]
+            for number, move in enumerate(shown, 1):
+                left = len(column_moves) - number if number == SHOWN else 0
+                is_finite = math.isfinite(move.relevance)
+                relevance = format_number(move.relevance) if is_finite else "new"
+                yield move, left, relevance if move.relevance else ""
+
+    @property
+    def summary(self) -> str:
+        return summary(self.comparison)
+
+    def page_of(self, move: Move) -> Page:
+        return self.before.chapters[move.section].page
+
+    @property
+    def json(self) -> bytes:
+        """Return the list that ``make diff FORMAT=json`` prints, compressed."""
+        rate = false_alarm_counts(self.before) + false_alarm_counts(self.after)
+        text = diff_text(
+            self.comparison, rate_text(rate), "json", lambda _, claim: claim.text
+        )
+        return gzip.compress(f"{text}\n".encode(), mtime=0)
+
+
+def compare_page(
+    editions: Mapping[str, Edition], templates: Templates
+) -> tuple[Prose, dict[str, bytes]] | None:
+    """Return the page and its files, or None without two editions to compare."""
+    measured = [edition for edition in editions.values() if edition.chapters]
+    if len(measured) < 2 or PAGE in measured[0].report.settings.pages:
+        return None
+    pairs = [
+        Pair(before, after, measured.index(after) == measured.index(before) + 1)
+        for before, after in combinations(measured, 2)
+    ]
+    settings = measured[0].report.settings
+    # The script shows the first pair: the two newest releases, without trials.
+    pairs.reverse()
+    pairs.sort(key=lambda pair: pair.after.project.release in settings.trials)
+    names = {
+        "headlines": _headlines(
+            {name: each.chapters for name, each in editions.items()}
+        ),
+        "pairs": [macros().pair(pair, settings) for pair in pairs],
+    }
+    page = templates.prose("compare.md.j2", PAGE.name, names, level=1)
+    return page, {pair.file: pair.json for pair in pairs}
+
+
+def _headlines(releases: Releases) -> Any:
+    """Return a table of the headlines that at least two editions have, or None."""
+    columns = next(filter(None, map(schema_of, releases.values())))
+    rows = []
+    for label, value in columns.settings.changes.headlines.items():
+        query = Query(value, label=label)
+        marks = {point.release: point.mark for point in points(releases, query)}
+        if len(marks) > 1:
+            quantities = {name: query.quantity(releases[name]) for name in marks}
+            # The row has the unit, so the numbers are printed without it.
+            numbers = {
+                name: getattr(quantity, "bare", quantity)
+                for name, quantity in quantities.items()
+            }
+            name = f"{label} [{unit_label(columns[query.column].unit)}]"
+            rows.append((name, numbers, marks))
+    return macros().series(rows, columns.settings, list(releases)) if rows else None
