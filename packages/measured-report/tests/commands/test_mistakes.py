@@ -27,7 +27,7 @@ MISTAKES = [
         X,
         "    seconds =",
         "    1 / 0\n    seconds =",
-        "experiments/pendulum.py:58: ZeroDivisionError",
+        r"experiments/pendulum\.py:\d+: ZeroDivisionError",
     ),
     (
         X,
