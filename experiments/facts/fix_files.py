@@ -52,7 +52,7 @@ def without_patch(text: str, patch: str) -> str:
 
 
 def replaced(text: str, part: str, other: str) -> str:
-    """Return a text in which one part is replaced.
+    """Return the text with ``part`` replaced by ``other``.
 
     Raise ReportError unless the part occurs exactly once.
     """

@@ -73,7 +73,7 @@ def derive(results: Results) -> Section:
     claims = [Claim("first_worlds_are_cheap", at_least(cheap, more), numbers)]
     if len(rows) == len(
         results.rows
-    ):  # records of a CPU, and older ones, lack the loops
+    ):  # CPU records and older records do not contain the loops
         return Section(tables=tables, claims=claims, unmeasured=("faster", "ways"))
 
     # The benchmark prints its speed only, and the time of a frame follows from that.

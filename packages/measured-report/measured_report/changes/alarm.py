@@ -327,7 +327,7 @@ def sensitivity(comparison: Comparison) -> dict[str, float]:
 def blind_sections(comparison: Comparison) -> list[str]:
     """Return the sections in which a change above the threshold might not be listed.
 
-    A section that measures only costs has the threshold of costs.
+    A section that measures only costs uses the cost threshold.
     """
     rules = comparison.report.settings.changes
     has_physics = {

@@ -113,7 +113,7 @@ class Move:
 
     @property
     def noise(self) -> float | None:
-        """Return the smallest difference that would count, or None without numbers."""
+        """Return the smallest difference that counts as a change, or None without numbers."""
         if self.chance is None:
             return None
         return self.least + t_quantile(1 - self.limit, self.freedom) * self.error

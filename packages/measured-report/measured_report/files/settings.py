@@ -115,7 +115,7 @@ class Changes:
 
 @dataclass(frozen=True)
 class Page:
-    """Describe one page of every release that has one of its sections."""
+    """Describe a page. A release has it if it has one of the sections of the page."""
 
     name: str
     label: str = ""  # the text of links to it; empty: its name
