@@ -115,8 +115,8 @@ def test_two_releases_are_compared_as_diff_does(toy, capsys):
         assert text == capsys.readouterr().out
         told = json.loads(text)
         assert html.count("<tr") - 1 == len(told["flips"]) + len(told["moves"])
-        relevant = len(told["flips"]) + len(told["alarms"])
-        assert html.count('<tr class="relevant">') == relevant
+        large = [*told["flips"], *told["alarms"], *told["improvements"]]
+        assert html.count('<tr class="relevant">') == len(large)
     jump = sections["1.5.0..1.6.0"]
     assert jump.index("flipped") < jump.index('<td class="number">9.2')
     assert 'href="newton-1.5.0/' in jump and 'href="newton-1.6.0/' in jump
