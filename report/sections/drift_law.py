@@ -69,9 +69,9 @@ def derive(results: Results) -> Section:
         " the latter",
         departure(swing, results.derived["g"]),
     )
-    same = at_most(off, 5.0, "the same acceleration")
-    same = same.having_read(swing, *motion.values())
-    arc = Claim("arc", same, motion | {"swing": swing})
+    outcome = at_most(off, 5.0, "the same acceleration")
+    outcome = outcome.having_read(swing, *motion.values())
+    arc = Claim("arc", outcome, motion | {"swing": swing})
 
     numbers = {"follows": follows.outcome == HOLDS}
     figure = Figure(partial(_draw, runs, laws), cells, numbers)

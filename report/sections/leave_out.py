@@ -94,8 +94,8 @@ def derive(results: Results) -> Section:
             1 / timed["cuda", ALL, count].frame_ratio,
         )
         gains.append(gain)
-        less = saved("cuda", ALL, count)
-        faster.append(greater(less, 1.0, "a gain worth naming"))
+        reduction = saved("cuda", ALL, count)
+        faster.append(greater(reduction, 1.0, "a gain worth naming"))
     on_gpu = all_of(*faster).having_read(cuda_known)
 
     # The ratio on the CPU is not precise, because its cores are shared. The smallest gain
@@ -154,17 +154,23 @@ def derive(results: Results) -> Section:
         for case in dict.fromkeys(case for _, case, _ in timed)
         if case not in WHOLE
     ]
-    steps = [(less, row) for less, row in steps if less.value is not None]
+    steps = [
+        (reduction, row) for reduction, row in steps if reduction.value is not None
+    ]
     whole = {
         "one world": saved(device, ALL, 1),
         worlds_name(most): saved(device, ALL, most),
         "one world, CPU": saved("cpu", ALL, 1),
     }
-    whole = {name: less for name, less in whole.items() if less.value is not None}
+    whole = {
+        name: reduction
+        for name, reduction in whole.items()
+        if reduction.value is not None
+    }
     frames = [timed[device, case, alone].frame_ms for case in (REFERENCE, ALL)]
     cost = Figure(
         lambda: _draw_costs(steps, whole),
-        [*(less for less, _ in steps), *whole.values(), *frames],
+        [*(reduction for reduction, _ in steps), *whole.values(), *frames],
         {
             "worlds": worlds_name(alone),
             "before": frames[0],

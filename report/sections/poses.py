@@ -74,14 +74,14 @@ def _motion(run: pd.DataFrame, frames_hz: float, cycles_hz: float) -> dict[str, 
         return links[TCP][:, :3, 3]
 
     back = place(-AHEAD_S)
-    here = place(0.0)
+    middle = place(0.0)
     ahead = place(AHEAD_S)
     speed = np.linalg.norm(ahead - back, axis=1) / (2.0 * AHEAD_S)
-    bend = -(ahead - 2.0 * here + back)[:, 0] / AHEAD_S**2
-    waves = np.abs(np.fft.rfft(here - here.mean(axis=0), axis=0)).argmax(axis=0)
+    bend = -(ahead - 2.0 * middle + back)[:, 0] / AHEAD_S**2
+    waves = np.abs(np.fft.rfft(middle - middle.mean(axis=0), axis=0)).argmax(axis=0)
     motion = [
-        *(1e3 * np.sqrt(2.0) * here.std(axis=0)),
-        *(waves * frames_hz / len(here)),
+        *(1e3 * np.sqrt(2.0) * middle.std(axis=0)),
+        *(waves * frames_hz / len(middle)),
         (speed**2).mean(),
         speed.sum() / (bend / speed).sum(),
     ]

@@ -1,5 +1,6 @@
 """Compare the run time of a frame at each time step, in one world and in many."""
 
+from experiments.facts.case import AS_SHIPPED
 from report.shared import (
     TIMED_WORLDS,
     Claim,
@@ -18,16 +19,15 @@ order = 127
 page = "step"
 label = "run time at each step"
 
-PADS = "stiff"  # the setting whose run time is measured at all steps
+STIFF = "stiff"  # the setting whose run time is measured at all steps
 SETTINGS = {
-    PADS: "Newton's contacts, elliptic cone",
+    STIFF: "Newton's contacts, elliptic cone",
     "pyramidal": "Newton's contacts, pyramidal cone",
     "mujoco": "MuJoCo's contacts, elliptic cone",
     "mujoco-pyramidal": "MuJoCo's contacts, pyramidal cone",
     "cure": "the root cure",
     "rk4": "RK4",
 }
-SHIPPED_SUBSTEPS = 16
 
 
 def derive(results: Results) -> Section:
@@ -37,12 +37,12 @@ def derive(results: Results) -> Section:
         "doubled",
         "time of a frame with twice the shipped substeps over that with the shipped ones,"
         " in one world",
-        1 * rows[PADS, 2 * SHIPPED_SUBSTEPS, 1].frame_ratio,
+        1 * rows[STIFF, 2 * AS_SHIPPED.substeps, 1].frame_ratio,
     )
     proportional = at_least(doubled, 1.8, "nearly twice the time")
     numbers = {
-        "shipped": rows[PADS, SHIPPED_SUBSTEPS, 1].substeps,
-        "more": rows[PADS, 2 * SHIPPED_SUBSTEPS, 1].substeps,
+        "shipped": rows[STIFF, AS_SHIPPED.substeps, 1].substeps,
+        "more": rows[STIFF, 2 * AS_SHIPPED.substeps, 1].substeps,
         "doubled": doubled,
     }
     settings = list(dict.fromkeys(key[:2] for key in rows if key[0] in SETTINGS))
@@ -67,7 +67,7 @@ def derive(results: Results) -> Section:
 
 
 def ratios(
-    sections: Sections, setting: str = PADS, worlds: int = TIMED_WORLDS[0]
+    sections: Sections, setting: str = STIFF, worlds: int = TIMED_WORLDS[0]
 ) -> dict[int, Quantity]:
     """Return the run times relative to the scene as shipped, by number of substeps."""
     return {

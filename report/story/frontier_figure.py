@@ -1,12 +1,13 @@
 """Draw slip against run time, with one line over the time steps for each remedy."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 from matplotlib.axes import Axes
 
-from report.sections import step_cost, time_step
+from report.sections import step_cost
+from report.sections.time_step.ladder import NEWTON, RULE
 from report.shared import (
     FRAME_RATE,
     HOLDS,
@@ -63,38 +64,19 @@ class Line:
         return f"{self.name}, {worlds_name(self.worlds)}"
 
 
+BY_RULE = Line("stiff pads by the rule", NEWTON, RULE, step_cost.STIFF, STIFF, "D")
+ROOT_CURE = Line("the root cure, stiff pads", "cure", RULE, "cure", CURE, "o")
+FIXED = "stiff pads, the same at each step"
 LINES = (
-    Line("shipped pads", time_step.NEWTON, "shipped", step_cost.PADS, SHIPPED, "o"),
-    Line(
-        "stiff pads, the same at each step",
-        time_step.NEWTON,
-        "stiff",
-        step_cost.PADS,
-        GREY,
-        "s",
-    ),
-    Line(
-        "stiff pads by the rule",
-        time_step.NEWTON,
-        time_step.RULE,
-        step_cost.PADS,
-        STIFF,
-        "D",
-    ),
-    Line("RK4", "rk4", time_step.RULE, "rk4", GREY, "^"),
-    Line("the root cure, stiff pads", "cure", time_step.RULE, "cure", CURE, "o"),
-    Line(
-        "stiff pads by the rule",
-        time_step.NEWTON,
-        time_step.RULE,
-        step_cost.PADS,
-        STIFF,
-        "D",
-        MANY,
-    ),
-    Line("the root cure, stiff pads", "cure", time_step.RULE, "cure", CURE, "o", MANY),
+    Line("shipped pads", NEWTON, "shipped", step_cost.STIFF, SHIPPED, "o"),
+    Line(FIXED, NEWTON, "stiff", step_cost.STIFF, GREY, "s"),
+    BY_RULE,
+    Line("RK4", "rk4", RULE, "rk4", GREY, "^"),
+    ROOT_CURE,
+    replace(BY_RULE, worlds=MANY),
+    replace(ROOT_CURE, worlds=MANY),
 )
-IN_C = Line("MuJoCo C", "c", time_step.RULE, "", SERIES[4], "v")
+IN_C = Line("MuJoCo C", "c", RULE, "", SERIES[4], "v")
 
 
 class Point(NamedTuple):
@@ -179,7 +161,7 @@ def _points(sections: Sections, line: Line) -> list[Point]:
 
 def _points_in_c(sections: Sections) -> list[Point]:
     """Return the runs of MuJoCo's C engine with the run time of a simulated second."""
-    runs = _runs(sections, "c", time_step.RULE)
+    runs = _runs(sections, "c", RULE)
     times = {
         count: sections.cell("error_runtime", f"stiff/c/substeps-{count}", "ms_per_s")
         for count in runs
@@ -257,7 +239,7 @@ def _draw_line(axes: Axes, times: list[float], points: list[Point], line: Line) 
         label=line.label,
     )
     look = {"color": line.colour, "fontsize": 8.5}
-    if (line.pads, line.cost) == (time_step.RULE, step_cost.PADS) and not is_narrow():
+    if (line.pads, line.cost) == (RULE, step_cost.STIFF) and not is_narrow():
         place = (times[0], points[0].slip.number)
         write_beside(axes, worlds_name(line.worlds), place, (0, 8), ha="center", **look)
         for time, point in zip(times, points, strict=True):

@@ -1,6 +1,7 @@
 """Show the pads to paste at each time step, and the resulting slip, on the front page."""
 
-from report.sections import step_cost, time_step
+from report.sections import step_cost
+from report.sections.time_step import ladder
 from report.shared import Quantity, Row, Sections, Table, table_of
 
 NAMES = {
@@ -9,7 +10,7 @@ NAMES = {
     "mujoco-elliptic": "MuJoCo, elliptic",
     "mujoco-pyramidal": "MuJoCo, pyramidal",
 }
-"""Source of the contacts and friction cone, by setting of section time_step."""
+"""Source of the contacts and friction cone, by setting of section ladder."""
 
 
 def table(sections: Sections) -> Table | None:
@@ -17,14 +18,14 @@ def table(sections: Sections) -> Table | None:
     runs = {
         (row.plain["setting"], row.plain["substeps"]): row
         for row in sections.rows("time_step")
-        if row.plain["pads"] == time_step.RULES.get(row.plain["setting"])
+        if row.plain["pads"] == ladder.RULES.get(row.plain["setting"])
     }
-    pads = [row for (setting, _), row in runs.items() if setting == time_step.NEWTON]
+    pads = [row for (setting, _), row in runs.items() if setting == ladder.NEWTON]
     if not pads:
         return None
     ratios = step_cost.ratios(sections)
     counts = [row.plain["substeps"] for row in pads]
-    gentle = [runs.get((time_step.PYRAMIDAL, count)) for count in counts]
+    gentle = [runs.get((ladder.PYRAMIDAL, count)) for count in counts]
     columns: dict[str, list] = {
         "kd": [row.pad_kd for row in pads],
         "ke, elliptic": [row.pad_ke for row in pads],

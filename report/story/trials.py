@@ -178,7 +178,7 @@ class Verdict:
             return UNMEASURED
         open_ones = [outcome for outcome in outcomes if outcome.is_inconclusive]
         outcome = FAILS if self.is_mixed else (open_ones or outcomes)[0]
-        reads = outcome.reads.union(*(each.reads for each in outcomes))
+        reads = outcome.reads.union(*(test.reads for test in outcomes))
         return replace(outcome, reads=reads)
 
     @property
@@ -196,7 +196,9 @@ class Verdict:
         places: dict[str, list[str]] = {}
         for trial, outcome in self.measured.items():
             places.setdefault(VERDICTS[outcome.answer], []).append(trial.where)
-        parts = [f"{word} ({', '.join(found)})" for word, found in places.items()]
+        parts = [
+            f"{word} ({', '.join(conditions)})" for word, conditions in places.items()
+        ]
         html = Markup("<span><b>{}</b>: {}</span>")
         return html.format(self.word, "; ".join(parts))
 

@@ -25,12 +25,12 @@ STATE = re.compile(".{1,4}")  # the digits of an episode's final state
 
 def rows_of(releases: Releases, section: str, task: str) -> dict[str, Row]:
     """Return the row of a task in each release that ran it, oldest first."""
-    there = {
+    measured = {
         release: chapters[section].results
         for release, chapters in releases.items()
         if section in chapters
     }
-    rows = {release: results.row[task] for release, results in there.items()}
+    rows = {release: results.row[task] for release, results in measured.items()}
     return {
         release: row
         for release, row in rows.items()
@@ -64,13 +64,15 @@ class Step:
         Only seeds that ran in both releases are compared.
         """
         pairs = list(zip(*(row.steps.split() for row in self.rows), strict=False))
-        both = [(int(old), int(new)) for old, new in pairs if FAILED not in (old, new)]
+        lengths = [
+            (int(old), int(new)) for old, new in pairs if FAILED not in (old, new)
+        ]
         states = zip(*(STATE.findall(row.states) for row in self.rows), strict=False)
         return {
             "lost": sum(old != FAILED == new for old, new in pairs),
             "gained": sum(old == FAILED != new for old, new in pairs),
-            "slower": sum(old < new for old, new in both),
-            "faster": sum(old > new for old, new in both),
+            "slower": sum(old < new for old, new in lengths),
+            "faster": sum(old > new for old, new in lengths),
             "other_motion": sum(old != new for old, new in states),
         }
 
@@ -97,34 +99,38 @@ def steps_of(releases: Releases, section: str, tasks: Sequence[str]) -> Iterator
             yield Step(task, (old, new), (before, after))
 
 
-def counted(results: Results, name: str, what: str, steps: Sequence[Step]) -> Value:
+def counted(
+    results: Results, name: str, difference: str, steps: Sequence[Step]
+) -> Value:
     """Return the number of episodes with this kind of difference, as a value of ``results``."""
     count, cells = (
-        sum(step.counts[what] for step in steps),
+        sum(step.counts[difference] for step in steps),
         [row.success_count for step in steps for row in step.rows],
     )
-    formula = f"episodes of the same seeds: {what.replace('_', ' ')}"
+    formula = f"episodes of the same seeds: {difference.replace('_', ' ')}"
     return results.value(
-        f"{what}_{name}", formula, lambda *_: count, *cells, across=True
+        f"{difference}_{name}", formula, lambda *_: count, *cells, across=True
     )
 
 
 def changes(results: Results, steps: Sequence[Step], tests: int) -> Table:
     """Return a table of the steps that differ by more than chance explains."""
-    found = [step for step in steps if step.beyond_chance(tests)]
-    found.sort(
+    real_steps = [step for step in steps if step.beyond_chance(tests)]
+    real_steps.sort(
         key=lambda step: (list(map(int, step.releases[1].split("."))), step.task)
     )
-    names = [what for pair in OPPOSITES for what in pair]
+    names = [difference for pair in OPPOSITES for difference in pair]
     lines = [
         {"MuJoCo": " → ".join(step.releases)}
         | {
-            what: counted(results, f"{step.task}_{step.releases[1]}", what, [step])
-            for what in names
+            difference: counted(
+                results, f"{step.task}_{step.releases[1]}", difference, [step]
+            )
+            for difference in names
         }
-        for step in found
+        for step in real_steps
     ]
-    index = pd.Index([step.task for step in found], name="task")
+    index = pd.Index([step.task for step in real_steps], name="task")
     return Table(
         pd.DataFrame(lines, index=index, columns=["MuJoCo", *names], dtype=object)
     )

@@ -130,7 +130,7 @@ def _change(
 
 
 def _in_one_step(
-    results: Results, releases: Releases, bound: Value, same: Outcome
+    results: Results, releases: Releases, bound: Value, slip_outcome: Outcome
 ) -> Claim:
     """Claim that the slip changes by a relevant amount between only two releases."""
     cells = {name: tables.SLIP.cell(releases[name], name) for name in releases}
@@ -154,7 +154,7 @@ def _in_one_step(
     named = [
         [results.columns.settings.name_of(name) for name in step] for step in steps
     ]
-    outcome = _nothing_to_explain(same) or outcome
+    outcome = _nothing_to_explain(slip_outcome) or outcome
     return Claim("in_one_step", outcome, {"steps": named})
 
 
@@ -193,11 +193,11 @@ def _same_speed(results: Results, ends: Ends) -> Claim:
     return Claim("same_speed", ends.alone or outcome, ends.names | numbers)
 
 
-def _nothing_to_explain(same: Outcome) -> Outcome | None:
-    if same == HOLDS:
+def _nothing_to_explain(outcome: Outcome) -> Outcome | None:
+    if outcome == HOLDS:
         reason = "the slip is the same in both"
-        return Outcome("unknown", reason, reads=same.reads)
-    return same if same.name == "unknown" else None
+        return Outcome("unknown", reason, reads=outcome.reads)
+    return outcome if outcome.name == "unknown" else None
 
 
 def _cause(results: Results, ends: Ends, same_slip: Outcome) -> list[Claim]:

@@ -34,7 +34,7 @@ REST_MM, LOCK_STEPS = 10.0, 100.0
 
 def derive(results: Results, releases: Releases) -> Section:
     tasks = [row.case for row in results.rows]
-    found = {task: rows_of(releases, "confirm", task) for task in tasks}
+    rows_by_task = {task: rows_of(releases, "confirm", task) for task in tasks}
     steps = list(steps_of(releases, "confirm", tasks))
     row, seeds = results.row, {"all": results.row[DIAL].seed_count}
     turns, moved, slow = (
@@ -70,15 +70,17 @@ def derive(results: Results, releases: Releases) -> Section:
             [step for step in steps if step.task == PEG],
             2 * len(tasks),
         ),
-        _since("lock_slower", row[LOCK], "step_median", LOCK_STEPS, found[LOCK]),
-        _since("thermos_leaves", row[PUSH], "untouched_mm", REST_MM, found[PUSH]),
+        _since("lock_slower", row[LOCK], "step_median", LOCK_STEPS, rows_by_task[LOCK]),
+        _since(
+            "thermos_leaves", row[PUSH], "untouched_mm", REST_MM, rows_by_task[PUSH]
+        ),
     ]
     tables = {
         column.partition("_")[0]: Table(
             pd.DataFrame(
                 {
-                    task: {each: row[column] for each, row in rows.items()}
-                    for task, rows in found.items()
+                    task: {release: row[column] for release, row in rows.items()}
+                    for task, rows in rows_by_task.items()
                 }
             ).T,
             seeds,
@@ -86,11 +88,11 @@ def derive(results: Results, releases: Releases) -> Section:
         for column in TOLD
     }
     drawn = [
-        each[column]
+        row[column]
         for task, (column, _) in PANELS.items()
-        for each in found[task].values()
+        for row in rows_by_task[task].values()
     ]
-    figure = Figure(lambda: _draw(found), drawn, seeds)
+    figure = Figure(lambda: _draw(rows_by_task), drawn, seeds)
     tables["changes"] = changes(results, steps, 2 * len(tasks))
     return Section(tables=tables, figures={"course": figure}, claims=claims)
 
@@ -143,13 +145,13 @@ def _since(
     )
 
 
-def _draw(found: Mapping[str, Mapping[str, Row]]):
+def _draw(rows_by_task: Mapping[str, Mapping[str, Row]]):
     drawing, panels = new_figure(7.2, 4.6, nrows=2, ncols=2)
     for axes, (task, (column, title)), colour in zip(
         panels.flat, PANELS.items(), SERIES, strict=False
     ):
         course = pd.Series(
-            {release: row[column].value for release, row in found[task].items()},
+            {release: row[column].value for release, row in rows_by_task[task].items()},
             dtype=float,
         )
         axes.plot(range(len(course)), course, color=colour, marker="o", markevery=1)

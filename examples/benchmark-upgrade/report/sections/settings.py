@@ -28,18 +28,18 @@ COLUMNS = {"faster": "step_median", "untouched": "untouched_mm"}
 def derive(results: Results, releases: Releases) -> Section:
     claims, columns = [], {}
     for name, (task, release, setting, effect) in SHOWN.items():
-        there = releases.get(release, {})
-        if "settings" not in there or "confirm" not in there:
+        chapters = releases.get(release, {})
+        if "settings" not in chapters or "confirm" not in chapters:
             continue
-        rows = {SHIPPED: there["confirm"].results.row[task]}
+        rows = {SHIPPED: chapters["confirm"].results.row[task]}
         rows |= {
             row.setting: row
-            for row in there["settings"].results.rows
+            for row in chapters["settings"].results.rows
             if row.task == task
         }
         cells = {
-            each: row[COLUMNS.get(effect, "success_count")]
-            for each, row in rows.items()
+            setting_name: row[COLUMNS.get(effect, "success_count")]
+            for setting_name, row in rows.items()
         }
         columns[f"{task} {release}"] = cells
         # An episode is the same on every machine, so rows of different machines can be compared.
@@ -50,8 +50,8 @@ def derive(results: Results, releases: Releases) -> Section:
         if effect == "untouched":
             outcome = at_most(cells[setting], 30.0, "far less than it slides")
         numbers = {
-            each.replace("-", "_").replace(" ", "_"): cell
-            for each, cell in cells.items()
+            setting_name.replace("-", "_").replace(" ", "_"): cell
+            for setting_name, cell in cells.items()
         }
         claims.append(
             Claim(
