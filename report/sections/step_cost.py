@@ -25,7 +25,7 @@ SETTINGS = {
     "pyramidal": "Newton's contacts, pyramidal cone",
     "mujoco": "MuJoCo's contacts, elliptic cone",
     "mujoco-pyramidal": "MuJoCo's contacts, pyramidal cone",
-    "cure": "the root cure",
+    "cure": "the root cure, stiff pads",
     "rk4": "RK4",
 }
 

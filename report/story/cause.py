@@ -11,6 +11,8 @@ from report.sections.priority import CUBE
 from report.sections.stiffness import FIX, HARDEST
 from report.shared import HOLDS, Quantity, Row, Section, table_of
 
+DAMPING = "yes: their kd sets the damping of friction"
+
 
 @dataclass(frozen=True)
 class Suspect:
@@ -39,11 +41,11 @@ class Suspect:
         holds = {test.name: test.outcome == HOLDS for test in claims}
         opposite = {test.name: test.outcome.is_opposite for test in claims}
         if not self.claim:
-            return "it is the cause" if holds.get("together_they_hold") else ""
+            return DAMPING if holds.get("together_they_hold") else "not shown"
         is_excluded = holds.get(self.claim) and holds.get("not_the_cause", True)
         if is_excluded:
             return f"no: {self.why}"
-        return "it changes the slip" if opposite.get("not_the_cause") else ""
+        return "it changes the slip" if opposite.get("not_the_cause") else "not shown"
 
 
 SUSPECTS = (
@@ -65,7 +67,7 @@ SUSPECTS = (
         "solver",
         "iterations, tolerance, cone, step",
         claim="solver_has_converged",
-        why="it has converged",
+        why="it has converged, and cone and shorter steps change little",
     ),
     Suspect(
         "contact gap [m]",

@@ -150,13 +150,13 @@ SETUPS = (
         "cure_cost/term-rk4",
     ),
     Setup(
-        "the root cure",
+        "the root cure on shipped pads",
         PATCH,
         "cure/newton-euler-400-shipped-3cm-full-kept",
         "cure_cost/best",
     ),
     Setup(
-        "the root cure, stiff pads",
+        "the root cure on stiff pads",
         PATCH,
         "cure/newton-implicitfast-400-stiff-3cm-centred-kept",
         "cure_cost/firm",

@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from itertools import islice
 from typing import NamedTuple
 
 from matplotlib.axes import Axes
@@ -206,7 +207,9 @@ def _draw(
         times = [point.time.number / per_frame for point in points]
         if points:
             _draw_line(axes, times, points, line)
-            ends.append((times[-1], points[-1].slip.number, line))
+            # The lower end of the line of MuJoCo C is close to other lines.
+            end = 0 if line is IN_C else -1
+            ends.append((times[end], points[end].slip.number, line))
     axes.set(
         xscale="log",
         yscale="log",
@@ -242,7 +245,9 @@ def _draw_line(axes: Axes, times: list[float], points: list[Point], line: Line) 
     if (line.pads, line.cost) == (RULE, step_cost.STIFF) and not is_narrow():
         place = (times[0], points[0].slip.number)
         write_beside(axes, worlds_name(line.worlds), place, (0, 8), ha="center", **look)
-        for time, point in zip(times, points, strict=True):
+        # Every second step has a label, because labels need room.
+        pairs = zip(times, points, strict=True)
+        for time, point in islice(pairs, 0, None, 2 if len(points) > 4 else 1):
             write_beside(
                 axes,
                 f"{write(point.step, is_short=True)} ms",

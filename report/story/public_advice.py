@@ -191,7 +191,7 @@ ADVICE = (
         "Raise the pads’ ke and kd, and reduce the cube’s gap",
         "investigation",
         (Trial("fix", "as-shipped", "fixed"),),
-        "speed/fixed",
+        "speed/stiff-pads-only",
     ),
     Advice(
         "elliptic",
@@ -523,7 +523,7 @@ ADVICE = (
         "solref",
         (
             _held(
-                "clamp-direct-1", "clamp-direct-2", "without clamp", "timeconst_steps"
+                "clamp-direct-1", "clamp-direct-2", "direct solref", "timeconst_steps"
             ),
         ),
     ),

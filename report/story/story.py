@@ -106,6 +106,7 @@ def derive(releases: Releases, release: str) -> Section:
             {
                 "until": slipping[-1] if slipping else "",
                 "since": fine[0] if fine else "",
+                "bound": bound,
             },
         ),
         Claim("still_needed", is_needed, {"pyramids": pyramids}),

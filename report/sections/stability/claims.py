@@ -224,7 +224,7 @@ def clamp(results: Results) -> Claim:
     never, always = (
         Markup(", ").join(
             name
-            for mode, name in (("off", "clamp off"), ("direct", "direct solref"))
+            for mode, name in (("off", "the clamp off"), ("direct", "a direct solref"))
             if {is_stable(row) for row in rows if row.clamp == mode} == {holds}
         )
         for holds in (False, True)

@@ -142,7 +142,9 @@ def _draw_limit(axes: Axes, limit: Limit) -> None:
     else:
         axes.margins(x=0.15)
     tick_at(axes.xaxis, [low, high])
-    axes.set_xticklabels([write(limit.low, is_short=low < 0.1), write(limit.high)])
+    axes.set_xticklabels(
+        [write(limit.low, is_short=0.01 < low < 0.1), write(limit.high)]
+    )
     axes.set_title(limit.name, fontsize=9, pad=4)
     axes.set_yticks([])
     axes.set_ylim(-0.5, 0.5)

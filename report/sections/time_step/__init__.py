@@ -48,11 +48,12 @@ def derive(results: Results) -> Section:
         for key in rows
         if key[0] in ELLIPTIC and key[1] in COMPARED
     }
+    shipped = claims.shipped(results, ladder)
     return Section(
         tables={"rule": _table(results, ladder, laws), "grid": _grid(ladder)},
         figures={"steps": slip_figure(ladder)},
         claims=[
-            claims.shipped(results, ladder),
+            shipped,
             claims.is_best(results, ladder),
             claims.halves(results, ladder),
             claims.finest(ladder),
@@ -60,7 +61,7 @@ def derive(results: Results) -> Section:
             claims.fixed_pads(ladder),
             claims.follows(results, ladder, laws),
             claims.margin(results, ladder),
-            claims.fine(results, ladder),
+            claims.fine(results, ladder, shipped),
         ],
     )
 

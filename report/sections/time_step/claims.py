@@ -250,23 +250,21 @@ def margin(results: Results, ladder: Ladder) -> Claim:
     )
 
 
-def fine(results: Results, ladder: Ladder) -> Claim:
-    """Find the longest step at which the rule ends the creep, and its price."""
+def fine(results: Results, ladder: Ladder, shipped_is_enough: Claim) -> Claim:
+    """Find the longest step at which pads end the creep, and its price."""
     others = Sections(results.others)
     bound = results.chosen(
         "fine_bound", "a tenth of a slip that can be seen", 0.1, "mm"
     )
-    counts = [
-        count
-        for count in ladder.substeps()
-        if at_most(ladder.slip(NEWTON, RULE, count), bound) == HOLDS
-    ]
-    slips = [ladder.slip(NEWTON, RULE, count) for count in ladder.substeps()]
+    # Shipped pads need no change where they slip as little as the pads of the rule.
+    pads = "shipped" if shipped_is_enough.outcome == HOLDS else RULE
+    slips = {count: ladder.slip(NEWTON, pads, count) for count in ladder.substeps()}
+    counts = [count for count, slip in slips.items() if at_most(slip, bound) == HOLDS]
     if not counts:
         names = ("substeps", "step", "ke", "kd", "slip", "ratio")
-        outcome = all_of(*(at_most(slip, bound) for slip in slips))
+        outcome = all_of(*(at_most(slip, bound) for slip in slips.values()))
         return Claim("fine", outcome, dict.fromkeys(names, "") | {"bound": bound})
-    row = ladder.row(NEWTON, RULE, counts[0])
+    row = ladder.row(NEWTON, pads, counts[0])
     unmeasured = absent("1", "section step_cost was not measured")
     ratio = step_cost.ratios(others).get(counts[0], unmeasured)
     return _claim(

@@ -225,7 +225,7 @@ GIVEN = {
             },
             {
                 "clamp_off": "fails",
-                "clamp_off/never": "clamp off",
+                "clamp_off/never": "the clamp off",
                 "shake_crossover": "fails",
                 "shake_crossover_failed": 1,
                 "shake_lost_over": -50,

@@ -221,17 +221,25 @@ NOT_KAMINO = {"kamino-3cm": 5.0}
     ("slips", "first", "ends"),
     [
         ({}, ("holds", "stiff pads"), ("holds", "Kamino")),
-        (NOT_KAMINO, ("holds", "stiff pads"), ("fails", "the root cure")),
-        ({"kamino-weight": 5.0}, ("holds", "stiff pads"), ("fails", "the root cure")),
+        (
+            NOT_KAMINO,
+            ("holds", "stiff pads"),
+            ("fails", "the root cure on shipped pads"),
+        ),
+        (
+            {"kamino-weight": 5.0},
+            ("holds", "stiff pads"),
+            ("fails", "the root cure on shipped pads"),
+        ),
         (
             {"stiff-pads": 5.0, **NOT_KAMINO},
             ("holds", "RK4, stiff pads"),
-            ("fails", "the root cure"),
+            ("fails", "the root cure on shipped pads"),
         ),
         (
             {"stiff-pads": 5.0, RK4: 5.0, **NOT_KAMINO},
             ("fails", "the term"),
-            ("fails", "the root cure"),
+            ("fails", "the root cure on shipped pads"),
         ),
         ({RK4: 0.05}, ("holds", "stiff pads"), ("holds", "RK4, stiff pads")),
         ({"as-shipped": 0.05}, ("holds", "as shipped"), ("holds", "as shipped")),
