@@ -6,6 +6,7 @@ import re
 import shutil
 import subprocess
 import sys
+import textwrap
 
 import mujoco
 import newton
@@ -229,6 +230,30 @@ def test_folders_and_several_files(scene, tmp_path, capsys):
         and len(json.loads(capsys.readouterr().out)) == 2
     )
     assert main([target, "nowhere.xml"]) == 2
+
+
+def test_the_documented_call_works_in_a_new_process(scene):
+    document = (ROOT / "docs" / "lint.md").read_text(encoding="utf-8")
+    example = re.search(
+        r"(?:^    .*\n|^\n)*?^    from newton_lint.*\n(?:^    .*\n|^\n)+",
+        document,
+        re.MULTILINE,
+    )
+    path = scene('solref="0.001 1"')
+    lines = [
+        "import mujoco",
+        f"model = mujoco.MjModel.from_xml_path({path!r})",
+        *textwrap.dedent(example[0]).splitlines(),
+    ]
+    result = subprocess.run(
+        [sys.executable, "-c", "\n".join(lines)],
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    # check prints the finding, and so does the loop of the example.
+    assert result.stdout.count("warning one-sided") == 2
+    assert "$" not in result.stdout
 
 
 def test_installed_by_itself_it_needs_no_checkout(scene, tmp_path):

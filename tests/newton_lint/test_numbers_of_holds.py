@@ -10,7 +10,7 @@ import mujoco
 import pytest
 
 from newton_lint.law import DISCRETE
-from newton_lint.report import scene_of
+from newton_lint.report import Request, report_of, scene_of
 from newton_lint.scene import changed
 from newton_lint.target import Target
 from tests.newton_lint.cases import Case
@@ -61,6 +61,21 @@ def test_a_slope_is_borne_by_four_points(changes, lift, creep):
         assert touch.normal[2] == pytest.approx(1.0) and touch.softer == pytest.approx(
             1.0, rel=1e-3
         )
+
+
+def test_changes_for_a_lifted_body_are_tried_under_its_lift():
+    """The creep of 0.48 mm/s doubles with the load, so only the lift exceeds 0.6."""
+    target = Case("incline", (("solimp", FLAT),)).target
+    request = Request(hold="held", lift_m_s2=9.81, below_mm_s=0.6)
+    findings = report_of(target, request).findings
+    [finding] = [finding for finding in findings if finding.rule == "creep"]
+    assert finding.value == pytest.approx(2.0 * CREEP, rel=2e-2)
+    assert finding.cures[0].before == pytest.approx(finding.value)
+    assert finding.cures[0].after < 0.6
+    assert not any(
+        item.rule == "creep"
+        for item in report_of(target, replace(request, lift_m_s2=0.0)).findings
+    )
 
 
 @pytest.mark.parametrize(

@@ -9,7 +9,7 @@ import mujoco
 import numpy as np
 import pytest
 
-from newton_lint.findings import Finding
+from newton_lint.findings import Finding, rounded
 from newton_lint.ledger import Run, Start, run_of, starts
 from newton_lint.mend import _measures
 from newton_lint.motion import motions
@@ -188,6 +188,23 @@ def test_what_flies_through_a_wall_is_followed_and_what_flies_past_is_not(
     found = found_in(target).get("tunnel")
     assert bool(found) == said
     assert not found or found.value == pytest.approx(20.0)
+
+
+@pytest.mark.parametrize(
+    ("value", "unit", "text"),
+    [
+        (0.0, "mm", "0 mm"),
+        (0.0004, "mm", "below 0.001 mm"),
+        (2.0004, "°/s", "2°/s"),
+        (999.4, "mm", "999 mm"),
+        (999.6, "mm", "1,000 mm"),
+        (2004.2, "mm", "2,004 mm"),
+        (1.6e5, "1", "160,000"),
+        (-1.2e4, "%", "-12,000%"),
+    ],
+)
+def test_large_numbers_are_printed_in_full(value, unit, text):
+    assert rounded(value, unit) == text
 
 
 @pytest.mark.parametrize(("timeconst", "said"), [(0.043, False), (0.047, True)])

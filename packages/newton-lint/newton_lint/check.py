@@ -1,11 +1,6 @@
-"""Lets programs lint a scene: ``from newton_lint import check; check(model)``.
+"""Lets programs lint a scene: ``from newton_lint.check import check``."""
 
-The module itself can be called, because importing the package must stay cheap.
-"""
-
-import sys
 from dataclasses import replace
-from types import ModuleType
 from typing import Any
 
 from newton_lint.findings import Finding, sentence
@@ -34,11 +29,3 @@ def check(
     return tuple(
         replace(finding, message=sentence([finding])) for finding in report.findings
     )
-
-
-class _Callable(ModuleType):
-    def __call__(self, scene: Any, **options: Any) -> tuple[Finding, ...]:
-        return check(scene, **options)
-
-
-sys.modules[__name__].__class__ = _Callable

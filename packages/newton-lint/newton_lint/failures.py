@@ -16,7 +16,7 @@ from newton_lint.changes import (
     of_servo,
     text_of,
 )
-from newton_lint.findings import Finding
+from newton_lint.findings import Finding, number
 from newton_lint.law import EULER, M
 from newton_lint.ledger import Run, free_joints
 from newton_lint.scene import FREE, ON_JOINT, Scene
@@ -57,7 +57,7 @@ def unstable(scene: Scene, run: Run) -> Iterator[Symptom]:
         for servo, _, ratio, _ in _stiff(model, begin)[:1]:
             most = "4 - 2 kv·h/m" if opt.integrator == EULER else "4 + 2 kv·h/m"
             why = (
-                f"the kp·h²/m of servo {scene.name('actuator', servo)} is {ratio:.3g},"
+                f"the kp·h²/m of servo {scene.name('actuator', servo)} is {number(ratio)},"
                 f" and the time step is stable only up to {most}"
             )
         finding = Finding(
@@ -226,11 +226,11 @@ def overlapping(scene: Scene, run: Run) -> Iterator[Symptom]:
         is_base = is_piece and first == 0 == parent
         if jammed:
             message += (
-                f", and {force:.3g} N press them apart, which is"
-                f" {force / weight:.3g} times the weight of all moving bodies"
+                f", and {number(force)} N press them apart, which is"
+                f" {number(force / weight)} times the weight of all moving bodies"
             )
         elif speed(bodies) > THROWN_M_S:
-            message += f", which throws them apart at {speed(bodies):.2g} m/s"
+            message += f", which throws them apart at {number(speed(bodies), 2)} m/s"
         if is_base:
             message += "; MuJoCo ignores this contact if the base can move"
         hard = jammed or run.bad or speed(bodies) > THROWN_M_S
@@ -250,7 +250,7 @@ def overlapping(scene: Scene, run: Run) -> Iterator[Symptom]:
                 against=(partner,),
                 unit="mm",
                 severity="warning" if hard and not is_base else "note",
-                hint=f"{separation} one of them by {M * depth:.3g} mm.",
+                hint=f"{separation} one of them by {number(M * depth)} mm.",
             ),
             overlap,
             list(_separating(scene, run, bodies, pair, depth)),

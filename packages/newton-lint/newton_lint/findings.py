@@ -12,6 +12,8 @@ from newton_lint.source import Element
 SEVERITIES = ("note", "warning", "error")
 LEAST = 1e-3
 """Smaller values are printed as being below this one."""
+HUGE = 1e12
+"""Only larger values are printed with an exponent."""
 SHOWN = 3
 """Names that a list has before it counts the rest."""
 
@@ -77,14 +79,23 @@ class Finding:
         return " ".join(f"{cure}." for cure in self.cures) or self.hint
 
 
+def number(value: float, digits: int = 3) -> str:
+    """Return a value with some digits, or with all before the point if it is larger."""
+    # Three digits of 999.5 would be printed as 1e+03.
+    is_long = 10.0**digits - 0.5 <= abs(value) < HUGE
+    return f"{value:,.0f}" if is_long else f"{value:.{digits}g}"
+
+
+def quantity(value: float, unit: str) -> str:
+    """Return a value with its unit; the unit 1 is not printed."""
+    space = "" if unit in ("1", "%", "°", "°/s") else " "
+    return f"{number(value)}{space}{'' if unit == '1' else unit}"
+
+
 def rounded(value: float, unit: str) -> str:
-    """Return a value with its unit and three digits; small ones as being below one."""
-    unit = unit if unit in ("", "%", "°", "°/s") else f" {unit}"
-    return (
-        f"{value:.3g}{unit}"
-        if value >= LEAST or not value
-        else f"below {LEAST:g}{unit}"
-    )
+    """Return a reading with its unit; small ones as being below the least one."""
+    is_small = 0.0 < value < LEAST
+    return f"below {quantity(LEAST, unit)}" if is_small else quantity(value, unit)
 
 
 def grouped(findings: Iterable[Finding]) -> list[list[Finding]]:
@@ -99,9 +110,6 @@ def grouped(findings: Iterable[Finding]) -> list[list[Finding]]:
 def sentence(group: Sequence[Finding]) -> str:
     """Return one sentence for findings that only differ in their shapes."""
     finding = group[0]
-    unit = "" if finding.unit == "1" else finding.unit
-    digits = "{:.4g}" if not unit else "{:.3g}"
-    space = "" if unit in ("", "%", "°", "°/s") else " "
     shapes = named(member.shape for member in group)
     partners = [partner for member in group for partner in member.against]
     is_short = len(partners) == len({*partners}) and len(group) == 1
@@ -110,8 +118,8 @@ def sentence(group: Sequence[Finding]) -> str:
         shape=shapes if shapes == finding.shape else f"each of {shapes}",
         shapes=shapes,
         against=f"{named(partners)}{count}",
-        value=f"{digits.format(finding.value)}{space}{unit}",
-        used="" if finding.used is None else f"{finding.used:.3g}{space}{unit}",
+        value=quantity(finding.value, finding.unit),
+        used="" if finding.used is None else quantity(finding.used, finding.unit),
     )
 
 

@@ -4,6 +4,7 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
+import mujoco
 import numpy as np
 from mujoco import MjModel
 
@@ -17,9 +18,9 @@ from newton_lint.changes import (
     text_of,
 )
 from newton_lint.failures import origin
-from newton_lint.findings import Finding
+from newton_lint.findings import Finding, number
 from newton_lint.law import M
-from newton_lint.ledger import Run, Sample, run_of
+from newton_lint.ledger import Run, Sample, Start, run_of
 from newton_lint.scene import ON_JOINT, Scene, changed
 from newton_lint.trials import Symptom, Trials
 from newton_lint.yielding import elliptic
@@ -178,7 +179,7 @@ def _creeping(
             "creep",
             speed,
             message=f"$shape creeps at $value {where} $against{origin(run)} because"
-            f" friction yields to its load of {load:.3g} N like a damper, although"
+            f" friction yields to its load of {number(load)} N like a damper, although"
             f" only {hold.used:.0%} of the friction is used",
             against=tuple(scene.names[geom] for geom in supports),
             unit="mm/s",
@@ -222,15 +223,15 @@ def held(
         The hold and a finding if the body slides or creeps too fast, or None if nothing
         touches the body.
     """
+    index = min(1, len(trials.runs) - 1)
+    if lift_m_s2:
+        # The changes are tried under the lift too, so they need runs of their own.
+        trials = _lifted(trials.scene, trials.runs[index].start, lift_m_s2)
+        index = 0
     scene = trials.scene
     model = scene.model
-    index = min(1, len(trials.runs) - 1)
     run = trials.runs[index]
     body = scene.bodies.index(name)
-    if lift_m_s2:
-        gravity = max(float(np.linalg.norm(model.opt.gravity)), 1e-9)
-        model = changed(model, gravity=(1.0 + lift_m_s2 / gravity) * model.opt.gravity)
-        run = run_of(model, run.start)
     late = [grip for sample in run.late if (grip := hold_of(model, sample, body))]
     first = [grip for sample in run.samples if (grip := hold_of(model, sample, body))]
     if not first:
@@ -265,6 +266,14 @@ def held(
         return hold, None
     ways = _firmer(scene, body, supports)
     return hold, trials.found(Symptom(finding, slip, ways, goal=below_mm_s), index)
+
+
+def _lifted(scene: Scene, start: Start, lift_m_s2: float) -> Trials:
+    """Return the run of a scene with more gravity, which acts like a lift."""
+    old = scene.model.opt.gravity
+    norm = max(float(np.linalg.norm(old)), mujoco.mjMINVAL)
+    model = changed(scene.model, gravity=(1.0 + lift_m_s2 / norm) * old)
+    return Trials(replace(scene, model=model), [run_of(model, start)])
 
 
 def _bearable_n(scene: Scene, body: int, grip: Grip) -> float:
@@ -324,7 +333,7 @@ def _sliding(
     message = "$shape slides"
     if acceleration_m_s2:
         message = f"$shape would slide under {acceleration_m_s2:g} m/s²"
-    why = f"its load of {load:.3g} N exceeds the {bears:.3g} N that friction can bear"
+    why = f"its load of {number(load)} N exceeds the {number(bears)} N that friction can bear"
     if bears > load:
         why = "the grip opens, or its friction is used up"
     return Symptom(

@@ -10,7 +10,7 @@ import mujoco
 import numpy as np
 
 from newton_lint.changes import Change
-from newton_lint.findings import Finding
+from newton_lint.findings import Finding, number
 from newton_lint.fix import Unwritable, edited, undo, write
 from newton_lint.law import M
 from newton_lint.ledger import Run
@@ -29,8 +29,8 @@ def _measures(runs: Sequence[Run]) -> str:
     depth = max((run.deepest_m for run in runs), default=0.0)
     seconds = sum(run.cost_s for run in runs) / max(len(runs), 1)
     return (
-        f"the deepest contact is {M * depth:.3g} mm and a simulated second takes"
-        f" {seconds:.2g} s"
+        f"the deepest contact is {number(M * depth)} mm and a simulated second takes"
+        f" {number(seconds, 2)} s"
     )
 
 

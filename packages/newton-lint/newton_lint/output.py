@@ -4,15 +4,21 @@ import json
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
-from newton_lint.findings import SEVERITIES, Finding, grouped, named, sentence
+from newton_lint.findings import (
+    SEVERITIES,
+    Finding,
+    grouped,
+    named,
+    number,
+    rounded,
+    sentence,
+)
 from newton_lint.law import M
 from newton_lint.prediction import Load, Prediction
 from newton_lint.report import Report, as_json
 
 # At most this many predictions of creep are printed.
 WORST = 5
-LEAST_MM_S = 1e-3
-"""Slower creep is printed as being below this speed."""
 
 
 def printable(text: str) -> str:
@@ -91,9 +97,13 @@ def text_of(report: Report, detail: Detail = Detail()) -> Iterator[str]:
         if group[0].severity != "note" or detail.notes:
             yield from _lines(group, detail)
     if hold := report.hold:
-        rate = f"creeps at {rated(hold.mm_s)}" if hold.mm_s is not None else "slides"
+        rate = (
+            f"creeps at {rounded(hold.mm_s, 'mm/s')}"
+            if hold.mm_s is not None
+            else "slides"
+        )
         points = f"{hold.point_count:.3g} contact points"
-        yield f"{hold.body} {rate} under {hold.load_n:.3g} N on {points}"
+        yield f"{hold.body} {rate} under {number(hold.load_n)} N on {points}"
     if report.creep and any(vars(report.load).values()):
         yield "predicted creep:"
         yield from (
@@ -128,28 +138,22 @@ def creep_line(prediction: Prediction, load: Load) -> str:
     shapes, partners = zip(*prediction.pairs, strict=True)
     parts = [
         f"timeconst {prediction.timeconst_s:.3g} s",
-        f"{M * prediction.acceleration_response_s:.3g} mm/s per m/s² of acceleration"
-        " of a turning support",
+        f"{number(M * prediction.acceleration_response_s)} mm/s per m/s² of"
+        " acceleration of a turning support",
     ]
     if load.acceleration_m_s2:
         parts.append(
-            f"{rated(prediction.acceleration_mm_s)} at {load.acceleration_m_s2:g} m/s²"
+            f"{rounded(prediction.acceleration_mm_s, 'mm/s')} at {load.acceleration_m_s2:g} m/s²"
         )
     if load.load_n:
         least = prediction.load_deep_mm_s
         most = prediction.load_shallow_mm_s
-        between = " to ".join(dict.fromkeys([rated(least), rated(most)]))
+        between = " to ".join(
+            dict.fromkeys([rounded(least, "mm/s"), rounded(most, "mm/s")])
+        )
         parts.append(f"{between} under {load.load_n:g} N on a contact point")
-    number = f" ({count} pairs)" if count > 1 else ""
-    return f"{named(shapes)} on {named(partners)}{number}: {'; '.join(parts)}"
-
-
-def rated(mm_s: float) -> str:
-    return (
-        f"{mm_s:.3g} mm/s"
-        if abs(mm_s) >= LEAST_MM_S or not mm_s
-        else f"below {LEAST_MM_S:g} mm/s"
-    )
+    counted = f" ({count} pairs)" if count > 1 else ""
+    return f"{named(shapes)} on {named(partners)}{counted}: {'; '.join(parts)}"
 
 
 def _github(report: Report, detail: Detail) -> Iterator[str]:

@@ -11,7 +11,7 @@ import mujoco
 import numpy as np
 
 from newton_lint.changes import Changes, distinct, of_contact, of_geom, of_option
-from newton_lint.findings import Finding, Hits, Remedy, Wording, findings_of
+from newton_lint.findings import Finding, Hits, Remedy, Wording, findings_of, number
 from newton_lint.law import DEFAULT_SOLREF, clamped
 from newton_lint.scene import Scene
 from newton_lint.scene_rules import closed, damped, engine, lost, pyramid, visual
@@ -133,9 +133,7 @@ def timeconst(scene: Scene) -> Iterator[Hits]:
         if factor > FAR:
             return longer
         step = of_option(scene, timestep=f"{option.timestep_s / factor:.3g}")
-        stiffer = (
-            f"makes the contact as stiff as written, for {factor:.2g} times the steps"
-        )
+        stiffer = f"makes the contact as stiff as written, for {number(factor, 2)} times the steps"
         return [*longer, (step, stiffer)]
 
     yield _pair_hits(scene, wording, pairs, authored, limit, advise)

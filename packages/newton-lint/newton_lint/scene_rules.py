@@ -7,7 +7,7 @@ import mujoco
 import numpy as np
 
 from newton_lint.changes import of_element, of_geom, of_option
-from newton_lint.findings import Finding, Remedy
+from newton_lint.findings import Finding, Remedy, number
 from newton_lint.pairs import OFF, read
 from newton_lint.scene import FREE, WEIGHTLESS, Scene
 from newton_lint.warp_engine import refusal
@@ -76,7 +76,7 @@ def damped(scene: Scene) -> Iterator[Found]:
             "damping",
             damping,
             message="$shape never falls faster than"
-            f" {weight / damping:.3g} m/s because its free joint has a damping of"
+            f" {number(weight / damping)} m/s because its free joint has a damping of"
             " $value, which acts on it like a thick fluid",
             severity="warning" if weight < FAST_M_S * damping else "note",
             element=scene.source.find("joint", joint),
@@ -120,14 +120,14 @@ def visual(scene: Scene) -> Iterator[Found]:
                 scene.bodies[body],
                 "mass",
                 mass,
-                message=f"$shape weighs $value, which is {times[body]:.2g} times its"
+                message=f"$shape weighs $value, which is {number(times[body], 2)} times its"
                 " mass without the visual geoms, which collide with nothing",
                 unit="kg",
                 severity="warning" if is_twice else "note",
             )
             hint = (
                 'Set mass="0" on the visual geoms, or add an <inertial> to the body;'
-                f" its mass is then {used:.3g} kg."
+                f" its mass is then {number(used)} kg."
             )
             yield finding, [((), hint)]
 
@@ -183,17 +183,17 @@ def pyramid(scene: Scene) -> Iterator[Found]:
     impratio = option.impratio
     # mj_diagApprox: an edge of a pyramid has (1 + μ²) times the weight.
     less = 1.0 + steepest**2
-    effect = "reduces creep under load by a factor of {:.3g} (predicted)"
+    effect = "reduces creep under load by a factor of {} (predicted)"
     remedy = []
     iterations = scene.model.opt.iterations
     for few in (
         (count for count in FEW if count > iterations) if iterations < 10 else (0,)
     ):
         attributes = {"cone": "elliptic"} | ({"iterations": str(few)} if few else {})
-        remedy.append((of_option(scene, **attributes), effect.format(less)))
+        remedy.append((of_option(scene, **attributes), effect.format(number(less))))
         if impratio <= 1.0:
             firm = of_option(scene, **attributes, impratio="10")
-            remedy.append((firm, effect.format(10.0 * less / impratio)))
+            remedy.append((firm, effect.format(number(10.0 * less / impratio))))
     if impratio > 1.0:
         finding = _scene_finding(
             scene,
@@ -212,7 +212,7 @@ def pyramid(scene: Scene) -> Iterator[Found]:
             "pyramid",
             "friction",
             steepest,
-            message=f"friction $value makes contacts {softer:.3g} times softer with a"
+            message=f"friction $value makes contacts {number(softer)} times softer with a"
             " pyramidal cone, so bodies sink and creep more",
         )
         yield finding, remedy

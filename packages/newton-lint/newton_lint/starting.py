@@ -9,7 +9,7 @@ from mujoco import MjData
 
 from newton_lint.changes import Changes, of_element, text_of
 from newton_lint.failures import is_servo, origin
-from newton_lint.findings import Finding
+from newton_lint.findings import Finding, number
 from newton_lint.ledger import Run
 from newton_lint.scene import HINGE, Scene
 from newton_lint.trials import Symptom
@@ -151,7 +151,7 @@ def torn(scene: Scene, run: Run) -> Iterator[Symptom]:
             "gap",
             value,
             message=f"$shape is $value open at {run.start.name}, and the scene starts"
-            f" with {speed:.2g} m/s or rad/s because {what}",
+            f" with {number(speed, 2)} m/s or rad/s because {what}",
             unit=unit,
             severity="warning" if speed > LEAVES else "note",
         )

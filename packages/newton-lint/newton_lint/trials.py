@@ -7,7 +7,7 @@ import mujoco
 from mujoco import MjModel
 
 from newton_lint.changes import Changes, applied
-from newton_lint.findings import Cure, Finding, Remedy
+from newton_lint.findings import Cure, Finding, Remedy, number
 from newton_lint.fix import Unwritable, edited
 from newton_lint.law import M
 from newton_lint.ledger import SPAN_S, Run, run_of
@@ -179,7 +179,7 @@ def harm(before: Sequence[Run], after: Sequence[Run], rules: Collection[str]) ->
         new_cost = sum(getattr(run, name) for run in after)
         if new_cost > most * old_cost:
             ratio = new_cost / max(old_cost, 1e-9)
-            return f"a simulated second costs {ratio:.2g} times as much"
+            return f"a simulated second costs {number(ratio, 2)} times as much"
     return ""
 
 
@@ -203,14 +203,14 @@ def _motion_harm(old: Run, new: Run, rules: Collection[str]) -> str:
         exempt = (*SINKING, *(LEADING if reading == "deepest_m" else ()))
         if deeper and not lies and not {*exempt} & {*rules}:
             return (
-                f"the {name} goes from {M * old_depth:.3g} to {M * new_depth:.3g} mm"
+                f"the {name} goes from {number(M * old_depth)} to {number(M * new_depth)} mm"
                 f" from {new.start.name}"
             )
     old_speed = old.speed
     new_speed = new.speed
     if new_speed > FASTER * old_speed + FASTER_M_S and not {*MOVING} & {*rules}:
         return (
-            f"the fastest speed at the end goes from {old_speed:.3g} to"
-            f" {new_speed:.3g} m/s or rad/s"
+            f"the fastest speed at the end goes from {number(old_speed)} to"
+            f" {number(new_speed)} m/s or rad/s"
         )
     return ""

@@ -19,7 +19,7 @@ from newton_lint.changes import (
     text_of,
 )
 from newton_lint.failures import is_servo, origin
-from newton_lint.findings import Finding, rounded
+from newton_lint.findings import Finding, number, rounded
 from newton_lint.law import DEFAULT_SOLREF, M
 from newton_lint.ledger import Run, Sample
 from newton_lint.pairs import HFIELD, PLANE
@@ -117,7 +117,7 @@ def depths(scene: Scene, run: Run) -> Iterator[Symptom]:
         much = LEAST if is_soft else DEEP_MM
         severe = depth > min(much, max(2.0 * THIN * sizes[thin], 0.2))
         if scene.option.cone == "pyramidal" and mu > STEEP:
-            why = f"a friction of {mu:.3g} softens contacts with a pyramidal cone"
+            why = f"a friction of {number(mu)} softens contacts with a pyramidal cone"
         elif is_soft:
             solref = text_of(contacts.solref[contact])
             why = f"the solref of their contact ({solref}) is too soft for the load"
@@ -238,7 +238,7 @@ def limits(scene: Scene, run: Run) -> Iterator[Symptom]:
                 told = float(ctrl[servo]) * gear
                 if not low <= told <= high:
                     name = scene.name("actuator", servo)
-                    why = f"{name} pulls it to a target of {told:.4g}"
+                    why = f"{name} pulls it to a target of {number(told)}"
                     span = text_of(sorted((low / gear, high / gear)))
                     ways.append(of_element(scene, "actuator", servo, ctrlrange=span))
         else:
@@ -440,7 +440,7 @@ def sagging(scene: Scene, run: Run) -> Iterator[Symptom]:
                 "speed",
                 scale(unit) * rate,
                 message=f"$shape creeps at $value{origin(run)} under a load of"
-                f" {force:.3g}, which is {force / loss:.0%} of its frictionloss,"
+                f" {number(force)}, which is {force / loss:.0%} of its frictionloss,"
                 " because MuJoCo's dry friction yields like a damper",
                 unit=unit,
                 severity="note" if dof in undriven else "warning",
