@@ -1,4 +1,4 @@
-"""Runs the lint as a program: ``newton-lint TARGET…`` and its subcommands.
+"""Runs the lint as a program: ``newton-lint TARGET…``.
 
 docs/lint.md documents the options.
 """
@@ -21,8 +21,6 @@ UNFIT = 2
 BROKEN = 3
 STOPPED = 130
 PROGRAM = "newton-lint"
-SUBCOMMANDS = ("page",)
-"""Subcommands; each of them is a module."""
 SEVERITIES = ("note", "warning", "error")
 RULE = re.compile(r"^\| `([\w-]+)` \| (\w+) \| (.+) \| .+ \|$", re.MULTILINE)
 """Matches a row of rules.md."""
@@ -42,19 +40,13 @@ def main(arguments: Sequence[str] | None = None) -> int:
             stream.reconfigure(errors="backslashreplace")
     try:
         # The user's function may render or compute with NumPy's threads.
-        if arguments[:1] != ["page"] and not any(
-            ".py:" in argument for argument in arguments
-        ):
+        if not any(".py:" in argument for argument in arguments):
             _import_mujoco()
         from newton_lint.target import TargetError, mujoco
 
         # By default MuJoCo writes warnings to MUJOCO_LOG.TXT in the current folder.
         mujoco.set_mju_user_warning(lambda _: None)
         try:
-            if arguments and arguments[0] in SUBCOMMANDS:
-                return importlib.import_module(f"newton_lint.{arguments[0]}").main(
-                    arguments[1:]
-                )
             return _linted(lint_parser().parse_args(arguments))
         except TargetError as error:
             print(error, file=sys.stderr)
@@ -222,7 +214,6 @@ def lint_parser() -> Parser:
         prog=PROGRAM,
         description="Find contact parameters that MuJoCo does not use as they are"
         " written, predict creep, and recommend changes.",
-        epilog="The subcommand newton-lint page writes an HTML page.",
     )
     add = parser.add_argument
     add(
@@ -270,27 +261,6 @@ def lint_parser() -> Parser:
         metavar="PATTERN",
         help="leave out files that match this pattern when reading folders",
     )
-    add_work(parser)
-    add(
-        "--load",
-        type=positive,
-        default=0.0,
-        metavar="N",
-        help="tangential force on each contact point [N]",
-    )
-    add(
-        "--acceleration",
-        type=positive,
-        default=0.0,
-        metavar="M/S²",
-        help="acceleration that contacts and grips have to bear",
-    )
-    return parser
-
-
-def add_work(parser: argparse.ArgumentParser) -> None:
-    """Add options for the engine and for a held body."""
-    add = parser.add_argument
     default = "default: that of the scene"
     add(
         "--engine",
@@ -318,6 +288,21 @@ def add_work(parser: argparse.ArgumentParser) -> None:
         metavar="MM/S",
         help="largest acceptable creep of the held body; default: 1",
     )
+    add(
+        "--load",
+        type=positive,
+        default=0.0,
+        metavar="N",
+        help="tangential force on each contact point [N]",
+    )
+    add(
+        "--acceleration",
+        type=positive,
+        default=0.0,
+        metavar="M/S²",
+        help="acceleration that contacts and grips have to bear",
+    )
+    return parser
 
 
 def positive(text: str) -> float:
