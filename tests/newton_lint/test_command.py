@@ -7,6 +7,7 @@ import shutil
 import subprocess
 import sys
 import textwrap
+from pathlib import Path
 
 import mujoco
 import newton
@@ -15,6 +16,7 @@ import warp as wp
 
 from measured_report.files.config import read_toml
 from measured_report.files.root import ROOT
+from newton_lint.check import check
 from newton_lint.command import main
 
 SCENE = """
@@ -192,6 +194,15 @@ def test_comments_ignore_rules(comment, line, left, scene, tmp_path, capsys):
     )
     main([str(tmp_path / "scene.xml"), "--json"])
     assert len(json.loads(capsys.readouterr().out)["findings"]) == left
+
+
+def test_a_comment_that_is_added_between_two_calls_counts(scene):
+    path = Path(scene(LOW))
+    [finding] = check(path, show=False)
+    assert finding.rule == "overlap"
+    ignoring = "<!-- newton-lint: ignore=overlap -->\n"
+    path.write_text(ignoring + path.read_text().strip())
+    assert not check(path, show=False)
 
 
 def test_a_table_of_the_project_counts_below_options(

@@ -50,12 +50,14 @@ def is_ignored(finding: Finding, source: Source, rules: Collection[str]) -> bool
     return any(
         line in lines and (not named or finding.rule in named)
         for file, lines in ((root.file, range(max(root.line, 2))), *near)
-        for line, named in _comments(file)
+        for line, named in _comments(file, file.stat().st_mtime_ns)
     )
 
 
 @functools.cache
-def _comments(file: Path) -> list[tuple[int, set[str]]]:
+def _comments(file: Path, _: int) -> list[tuple[int, set[str]]]:
+    # The second argument is the time of the last change, so that an edited file is
+    # read again in a program that calls check several times.
     text = file.read_text(encoding="utf-8", errors="replace")
     return [
         (
