@@ -82,6 +82,7 @@ def applied(model: MjModel, changes: Changes) -> MjModel | None:
         for name, _ in change.attributes
     ):
         return None
+    # Copying a compiled model is faster than compiling its file again.
     model = copy.copy(model)
     for change in changes:
         for name, text in change.attributes:
@@ -109,6 +110,7 @@ def _set(model: MjModel, change: Change, name: str, values: np.ndarray) -> None:
             model.actuator_gainprm[ids, 0] = values[0]
         return
     if (change.kind, name) == ("body", "pos"):
+        # The initial position of a free body is in qpos0, and not in body_pos.
         moved = np.isin(model.jnt_bodyid, ids) & (model.jnt_type == FREE)
         for address in model.jnt_qposadr[moved]:
             model.qpos0[address : address + 3] = values
@@ -156,6 +158,7 @@ def of_geom(scene: Scene, geom: int, attributes: Mapping[str, str]) -> Changes:
     source = scene.source
     element = source.geom(geom)
     authored = source.authored(geom, items[0][0])
+    # Several attributes may come from several defaults, so the geom gets them all.
     if authored in (None, element) or len(items) > 1:
         return (Change("geom", (geom,), items, scene.names[geom], element),)
     ids = tuple(
@@ -187,11 +190,21 @@ def of_contact(scene: Scene, pair: int, solref: Solref, solimp: str = "") -> Cha
     return distinct(changes)
 
 
+def of_contacts(
+    scene: Scene, pairs: Iterable[int], solref: Solref, solimp: str = ""
+) -> Changes:
+    """Return changes of several contacts, each only once if they share geoms."""
+    return distinct(
+        change for pair in pairs for change in of_contact(scene, pair, solref, solimp)
+    )
+
+
 def of_servo(scene: Scene, servo: int, kp: float, kv: float) -> Changes:
     """Return changes of the gains of a position servo."""
     element = scene.source.find("actuator", servo)
     is_general = element is not None and element.tag == "general"
     if is_general:
+        # <general> has no kp and kv, but the parameters that they set.
         bias = f"0 {-kp:.4g} {-kv:.4g}"
         return of_element(scene, "actuator", servo, gainprm=f"{kp:.4g}", biasprm=bias)
     more = {"kv": f"{kv:.4g}"} if kv else {}

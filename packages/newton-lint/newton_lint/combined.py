@@ -1,6 +1,7 @@
 """Combines the parameters of touching geoms as ``mj_contactParam`` does."""
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import mujoco
 import numpy as np
@@ -37,6 +38,19 @@ class Contacts:
 
     def __len__(self) -> int:
         return len(self.first)
+
+    @cached_property
+    def geoms(self) -> np.ndarray:
+        """Return the geoms of each pair, shape [pair_count, 2]."""
+        return np.stack([self.first, self.second], axis=1)
+
+    @cached_property
+    def dampratio(self) -> np.ndarray:
+        """Return the damping ratio of each pair, which may be NaN or infinite."""
+        first, second = self.solref.T
+        with np.errstate(divide="ignore", invalid="ignore"):
+            direct = -second / (2.0 * np.sqrt(-first))
+        return np.where(first > 0.0, second, direct)
 
     def contact(self, index: int) -> Contact:
         """Return the contact of one pair, as input for the law."""

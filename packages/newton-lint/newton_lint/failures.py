@@ -5,7 +5,7 @@ from collections.abc import Iterator
 
 import mujoco
 import numpy as np
-from mujoco import MjData, MjModel
+from mujoco import MjModel
 
 from newton_lint.changes import (
     Change,
@@ -50,11 +50,10 @@ def unstable(scene: Scene, run: Run) -> Iterator[Symptom]:
     """Yield a run that diverges, throws a body or does not converge."""
     model = scene.model
     opt = model.opt
-    begin = run.start.data(model)
-    ways = list(_calming(scene, begin, run.at_limit > LIMITED))
     if run.bad:
         why = "accelerations become infinite, and MuJoCo resets the state"
-        for servo, _, ratio, _ in _stiff(model, begin)[:1]:
+        # A stiff servo is the likely cause, because its limit is known in closed form.
+        for servo, _, ratio, _ in _stiff(model, run)[:1]:
             most = "4 - 2 kv·h/m" if opt.integrator == EULER else "4 + 2 kv·h/m"
             why = (
                 f"the kp·h²/m of servo {scene.name('actuator', servo)} is {number(ratio)},"
@@ -69,7 +68,7 @@ def unstable(scene: Scene, run: Run) -> Iterator[Symptom]:
             f" from {run.start.name} because {why}",
             severity="error",
         )
-        yield Symptom(finding, lambda run: float(run.bad), ways)
+        yield Symptom(finding, lambda run: float(run.bad), list(_calming(scene, run)))
         return
     fast = run.thrown_m_s.max(initial=0.0)
     if fast > THROWN_M_S:
@@ -86,11 +85,11 @@ def unstable(scene: Scene, run: Run) -> Iterator[Symptom]:
                 severity="error",
             ),
             lambda run: run.thrown_m_s.max(initial=0.0),
-            ways,
+            list(_calming(scene, run)),
             needs_cure=True,
         )
     elif run.at_limit > LIMITED and opt.iterations:
-        more = of_option(scene, iterations=str(max(3, 10 * opt.iterations)))
+        more = _more_iterations(scene)
         finding = Finding(
             "solver",
             "",
@@ -107,23 +106,32 @@ def unstable(scene: Scene, run: Run) -> Iterator[Symptom]:
         yield Symptom(finding, error, [more], needs_cure=True, effect=effect)
 
 
-def _calming(scene: Scene, data: MjData, limited: bool) -> Iterator[Changes]:
+def _calming(scene: Scene, run: Run) -> Iterator[Changes]:
     """Yield changes that may stabilize a scene: options, then servo parameters."""
     model = scene.model
-    if limited:
-        yield of_option(scene, iterations=str(max(3, 10 * model.opt.iterations)))
+    if run.at_limit > LIMITED:
+        yield _more_iterations(scene)
     # Euler integrates velocity-dependent forces explicitly, except joint damping.
     implicit: Changes = ()
     if model.opt.integrator == EULER:
         implicit = of_option(scene, integrator="implicitfast")
         yield implicit
-    if stiff := _stiff(model, data):
+    if stiff := _stiff(model, run):
         yield from _calmed(scene, stiff, implicit)
-    for share in SHORTER:
-        yield of_option(scene, timestep=f"{share * model.opt.timestep:.3g}")
+    yield from shorter_steps(scene)
 
 
-def _stiff(model: MjModel, data: MjData) -> list[tuple[int, int, float, float]]:
+def _more_iterations(scene: Scene) -> Changes:
+    return of_option(scene, iterations=str(max(3, 10 * scene.model.opt.iterations)))
+
+
+def shorter_steps(scene: Scene) -> list[Changes]:
+    """Return changes to shorter time steps, the longest one first."""
+    step = scene.model.opt.timestep
+    return [of_option(scene, timestep=f"{share * step:.3g}") for share in SHORTER]
+
+
+def _stiff(model: MjModel, run: Run) -> list[tuple[int, int, float, float]]:
     """Return servos whose kp h²/m is above 1.
 
     Implicit integrators are stable up to 4 + 2 kv h/m, and with any kp if kv is at
@@ -132,6 +140,7 @@ def _stiff(model: MjModel, data: MjData) -> list[tuple[int, int, float, float]]:
     Returns:
         Servo, dof, kp h²/m, and the mass or inertia m of the dof [kg or kg m²].
     """
+    data = run.start.data(model)
     mujoco.mj_forward(model, data)
     stiff = []
     unit = np.zeros((1, model.nv))
@@ -140,6 +149,8 @@ def _stiff(model: MjModel, data: MjData) -> list[tuple[int, int, float, float]]:
         dof = int(model.jnt_dofadr[model.actuator_trnid[servo, 0]])
         unit[:] = 0.0
         unit[0, dof] = 1.0
+        # The acceleration under a unit force is the inverse of the effective mass, which
+        # includes the bodies that the joint carries.
         mujoco.mj_solveM(model, data, moved, unit)
         mass = 1.0 / max(moved[0, dof], mujoco.mjMINVAL)
         pull = model.actuator_gainprm[servo, 0] * model.actuator_gear[servo, 0] ** 2
@@ -160,6 +171,7 @@ def _calmed(
         gain = model.actuator_gainprm[servo, 0]
         damping = -model.actuator_biasprm[servo, 2]
         damped += of_servo(scene, servo, gain, gain * model.opt.timestep)
+        # The stability limit is linear in kp, so kp / ratio brings kp·h²/m to 1.
         weaker += of_servo(scene, servo, gain / ratio, damping / ratio)
         armature = model.dof_armature[dof] + (ratio - 1.0) * mass
         joint = model.dof_jntid[dof]
@@ -187,9 +199,12 @@ def overlapping(scene: Scene, run: Run) -> Iterator[Symptom]:
     last = run.samples[-1].touches
     touching = np.sort(body_of[last.geoms], axis=1)
     thrown = np.zeros(model.nbody)
+    # Bodies without a free joint keep 0.
     thrown[model.jnt_bodyid[free_joints(model)]] = run.thrown_m_s
     weight = model.body_mass.sum() * np.linalg.norm(model.opt.gravity)
     root = scene.source.root
+    # A single robot usually stands on the origin because its base will be attached
+    # later by another file or by code.
     is_piece = (root is not None and root.tag == "robot") or len(
         {*model.body_rootid[body_of].tolist()}
     ) == 1
@@ -223,6 +238,7 @@ def overlapping(scene: Scene, run: Run) -> Iterator[Symptom]:
         first, second = model.body_weldid[list(bodies)].tolist()
         # filterBodyPair
         parent = model.body_weldid[model.body_parentid[second]]
+        # A base that is welded to the world here will not be once it can move.
         is_base = is_piece and first == 0 == parent
         if jammed:
             message += (
@@ -274,17 +290,19 @@ def _separating(
         yield (Change("exclude", (), names, "<contact>"),)
         return
     touches = run.samples[0].touches
-    row = np.flatnonzero((np.sort(touches.geoms, axis=1) == sorted(pair)).all(axis=1))
+    row = np.flatnonzero(touches.between(pair))
     for body in sorted(bodies, reverse=True):
         free = np.flatnonzero(
             (model.jnt_bodyid == model.body_rootid[body]) & (model.jnt_type == FREE)
         )
         if not len(free) or not len(row):
             continue
+        # The normal of a contact points from its first geom to its second one.
         is_second = model.geom_bodyid[touches.geoms[row[0], 1]] == body
         away = touches.normal[row[0]] * (1.0 if is_second else -1.0)
         if run.start.key is None:
             root = int(model.body_rootid[body])
+            # Without a gap of 0.1 mm, rounding in the file could leave a contact.
             place = model.body_pos[root] + (depth + 1e-4) * away
             yield of_element(scene, "body", root, pos=text_of(place))
 
@@ -304,14 +322,15 @@ def jittering(scene: Scene, run: Run) -> Iterator[Symptom]:
         is_free and dof - model.jnt_dofadr[joint] < 3
     )
     inertia = model.dof_M0[dof]
-    ways = list(_calming(scene, run.start.data(model), run.at_limit > LIMITED))
+    ways = list(_calming(scene, run))
+    # Joints that merely follow the vibrating one jump less, and need no armature.
     jumping = run.jitter > 0.1 * run.jitter[dof]
     light = jumping & (model.jnt_type[model.dof_jntid] >= 2) & (model.dof_M0 < LIGHT)
     for times in (100.0, 10.0) if light.any() else ():
         changes: Changes = ()
-        for each in np.flatnonzero(light).tolist():
-            value = model.dof_armature[each] + times * model.dof_M0[each]
-            joint = model.dof_jntid[each]
+        for index in np.flatnonzero(light).tolist():
+            value = model.dof_armature[index] + times * model.dof_M0[index]
+            joint = model.dof_jntid[index]
             changes += of_element(scene, "joint", joint, armature=f"{value:.2g}")
         ways.insert(0, changes)
     finding = Finding(
@@ -331,17 +350,18 @@ def bouncing(scene: Scene, run: Run) -> Iterator[Symptom]:
     """Yield contacts with a damping ratio below 1 that rattle or bounce wrongly."""
     contacts = scene.contacts
     first, second = contacts.solref.T
-    with np.errstate(divide="ignore", invalid="ignore"):
-        ratios = np.where(first > 0.0, second, -second / (2.0 * np.sqrt(-first)))
+    ratios = contacts.dampratio
+    # Without damping (a second number of 0) the ratio is 0 in both forms.
     is_bouncy = ((first > 0.0) == (second > 0.0)) | (second == 0.0)
     for contact in np.flatnonzero(is_bouncy & (ratios < BOUNCY)).tolist():
         geoms = (int(contacts.first[contact]), int(contacts.second[contact]))
         pair = tuple(sorted(geoms))
         ratio = abs(float(ratios[contact]))
+        # A linear spring and damper returns exp(-π ζ / √(1 - ζ²)) of the speed.
         rebound = math.exp(-math.pi * ratio / math.sqrt(1.0 - ratio**2))
         bodies = scene.model.geom_bodyid[list(pair)]
         free = [int(body) for body in bodies if scene.free[body]]
-        if len(free) == 1 and len(_rebounds(scene, run, pair, free[0])) > 1:
+        if len(free) == 1 and _restitution(scene, run, pair, free[0]) is not None:
             yield from _misjudged(scene, run, pair, free[0], rebound)
         else:
             yield from _rattling(scene, run, contact, pair, ratio, rebound)
@@ -353,38 +373,33 @@ def _misjudged(
     """Yield a body that bounces with another energy than its damping ratio implies."""
 
     def error(run: Run) -> float:
-        rebounds = _rebounds(scene, run, pair, body)
-        if len(rebounds) < 2:
-            return 100.0
-        # Energies are proportional to the square of the speed.
-        kept = (rebounds[-1] / rebounds[0]) ** (0.5 / (len(rebounds) - 1))
-        return 100.0 * abs(kept - rebound)
+        kept = _restitution(scene, run, pair, body)
+        return 100.0 if kept is None else 100.0 * abs(kept - rebound)
 
-    rebounds = _rebounds(scene, run, pair, body)
-    kept = (rebounds[-1] / rebounds[0]) ** (0.5 / (len(rebounds) - 1))
-    if error(run) < MISSES:
+    kept = _restitution(scene, run, pair, body)
+    if kept is None or (miss := error(run)) < MISSES:
         return
-    step = scene.option.timestep_s
-    ways = [of_option(scene, timestep=f"{share * step:.3g}") for share in SHORTER]
     yield Symptom(
         Finding(
             "bounce",
             scene.bodies[body],
             "rebound",
-            error(run),
+            miss,
             message=f"$shape rebounds with {kept:.0%} of its speed instead of the"
             f" {rebound:.0%} that the solref implies{origin(run)}, because a bounce"
             " lasts only a few time steps",
             unit="%",
         ),
         error,
-        ways,
+        shorter_steps(scene),
         effect="reduces the error to {}",
     )
 
 
-def _rebounds(scene: Scene, run: Run, pair: tuple[int, ...], body: int) -> list[float]:
-    """Return the energy of a body above its lowest contact in each flight [m²/s²]."""
+def _restitution(
+    scene: Scene, run: Run, pair: tuple[int, ...], body: int
+) -> float | None:
+    """Return the share of its speed that a body keeps in a bounce, or None."""
     model = scene.model
     joint = int(np.flatnonzero(model.jnt_bodyid == model.body_weldid[body])[0])
     dof = int(model.jnt_dofadr[joint])
@@ -393,8 +408,9 @@ def _rebounds(scene: Scene, run: Run, pair: tuple[int, ...], body: int) -> list[
     lowest = math.inf
     for sample in run.samples:
         touches = sample.touches
+        # Potential energy per mass, so that the sample may lie anywhere in a flight.
         place = -sample.arrays["xpos"][body] @ gravity
-        if (np.sort(touches.geoms, axis=1) == pair).all(axis=1).any():
+        if touches.between(pair).any():
             lowest = min(lowest, place)
             flights += [[]] if flights[-1] else []
             continue
@@ -402,7 +418,11 @@ def _rebounds(scene: Scene, run: Run, pair: tuple[int, ...], body: int) -> list[
         flights[-1].append(0.5 * speed @ speed + place)
     # A single sample may be a gap of a rattling contact.
     energies = [np.mean(flight) - lowest for flight in flights if len(flight) > 2]
-    return [float(energy) for energy in energies if energy > 0.01]
+    rebounds = [float(energy) for energy in energies if energy > 0.01]
+    if len(rebounds) < 2:
+        return None
+    # Energies are proportional to the square of the speed.
+    return (rebounds[-1] / rebounds[0]) ** (0.5 / (len(rebounds) - 1))
 
 
 def _rattling(
@@ -423,6 +443,8 @@ def _rattling(
     timeconst, damping = scene.contacts.solref[contact].tolist()
     if timeconst <= 0.0:
         timeconst = 2.0 / max(-damping, 1e-9)
+    # ratio · timeconst keeps the stiffness of the contact; the timeconst alone keeps
+    # its damping.
     stiff = max(2.0 * scene.option.timestep_s, ratio * timeconst)
     ways = [
         of_contact(scene, contact, f"{min(new, 0.02):.3g} 1".format)
@@ -457,7 +479,7 @@ def _rattle_m_s(run: Run, pair: tuple[int, ...]) -> float:
     speeds: list[float] = []
     for sample in run.samples[len(run.samples) // 4 :]:
         touches = sample.touches
-        rows = (np.sort(touches.geoms, axis=1) == pair).all(axis=1)
+        rows = touches.between(pair)
         along = (touches.velocity_m_s[rows] * touches.normal[rows]).sum(axis=1)
         speeds.extend(np.abs(along).tolist())
     return float(np.mean(speeds)) if speeds else 0.0

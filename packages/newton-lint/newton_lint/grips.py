@@ -11,10 +11,9 @@ from mujoco import MjModel
 from newton_lint.changes import (
     Changes,
     distinct,
-    of_contact,
+    of_contacts,
     of_element,
     of_geom,
-    of_option,
     text_of,
 )
 from newton_lint.failures import origin
@@ -23,7 +22,7 @@ from newton_lint.law import M
 from newton_lint.ledger import Run, Sample, Start, run_of
 from newton_lint.scene import ON_JOINT, Scene, changed
 from newton_lint.trials import Symptom, Trials
-from newton_lint.yielding import elliptic
+from newton_lint.yielding import elliptic, noslip, stiffest
 
 SLIP_MM_S = 1.0
 """A body creeps if it moves at least this fast on its support."""
@@ -92,15 +91,18 @@ def hold_of(model: MjModel, sample: Sample, body: int) -> Grip | None:
     if not len(rows):
         return None
     is_second = welds[rows, 1] == weld
+    # Contact forces act on the second geom, so they are reversed for the first one.
     signs = np.where(is_second, 1.0, -1.0)[:, None]
     others = np.where(is_second, touches.geoms[rows, 0], touches.geoms[rows, 1])
     normals = signs * touches.normal[rows]
     normal_n = touches.normal_n[rows]
     velocity = signs * touches.velocity_m_s[rows]
+    # Only the part along the surface is slip; the rest is the contact settling.
     velocity -= (velocity * normals).sum(axis=1)[:, None] * normals
     weights = normal_n / normal_n.sum()
     geom = int(others[normal_n.argmax()])
     support = int(model.geom_bodyid[geom])
+    # In the frame of the support, a constant creep stays constant while it turns.
     frame = sample.arrays["xmat"][support].reshape(3, 3)
     return Grip(
         geoms=others.tolist(),
@@ -118,10 +120,13 @@ def hold_of(model: MjModel, sample: Sample, body: int) -> Grip | None:
 def grips(scene: Scene, run: Run, acceleration_m_s2: float = 0.0) -> Iterator[Symptom]:
     """Yield bodies that creep on their support, slide out of a grip, or turn in it."""
     model = scene.model
+    # Bodies that are welded to another one are counted with it. A body with children
+    # is a robot, which holds itself by its joints.
     free = np.flatnonzero(scene.free & (model.body_weldid == np.arange(model.nbody)))
     alone = np.isclose(model.body_subtreemass, model.body_mass)
     for body in free[alone[free]].tolist():
         first = round(EARLY * len(run.samples))
+        # The grip is judged early because a body that slides out of it has none later.
         early = [hold_of(model, sample, body) for sample in run.samples[:first]]
         gripping = [hold for hold in early if hold and hold.opposed]
         late = [hold_of(model, sample, body) for sample in run.late]
@@ -129,6 +134,7 @@ def grips(scene: Scene, run: Run, acceleration_m_s2: float = 0.0) -> Iterator[Sy
         lasts = bool(gripping) and all(hold and hold.opposed for hold in late)
         if gripping:
             load = _weight_n(scene, body, acceleration_m_s2)
+            # The friction of the grip is averaged, because normal forces swing while it closes.
             bears = np.mean([_bearable_n(scene, body, hold) for hold in gripping])
             lost = not lasts and (_edge(gripping) or bears < load)
             if lost or _edge(held) or (acceleration_m_s2 and bears < load):
@@ -162,12 +168,14 @@ def _creeping(
     slips = np.array([hold.slip_m_s for hold in held])
     speed = M * float(np.linalg.norm(slips.mean(axis=0)))
     path = M * float(np.linalg.norm(slips, axis=1).mean())
+    # A body that shakes has a long path but a small mean velocity.
     if speed < SLIP_MM_S or speed < STEADY * path:
         return
     model = scene.model
     hold = held[-1]
     supports = list(dict.fromkeys(hold.geoms))
     load = float(np.linalg.norm(hold.friction_n))
+    # A body that lies level drifts at random, without any load.
     if load < LEAST * _weight_n(scene, body, 0.0):
         return
     turning = np.linalg.norm(run.samples[-1].arrays["cvel"][hold.support, :3]) > 0.1
@@ -193,22 +201,11 @@ def _creeping(
 def _firmer(scene: Scene, body: int, supports: list[int]) -> list[Changes]:
     """Return changes that reduce the creep of a body on some geoms."""
     impratio = max(scene.option.impratio, 1.0)
+    # impratio divides R, and with it the creep under load.
     firm = [elliptic(scene, times * impratio) for times in (10.0, 100.0)]
-    least = f"{2.0 * scene.option.timestep_s:.3g} 1"
-    stiff = distinct(
-        change
-        for contact in sorted(
-            {each for geom in supports for each in _contacts(scene, geom, body)}
-        )
-        for change in of_contact(scene, contact, lambda _: least)
-    )
-    noslip = scene.engine.name == "mujoco"
-    return [
-        *firm,
-        stiff,
-        firm[0] + stiff,
-        *([of_option(scene, noslip_iterations="10")] if noslip else ()),
-    ]
+    pairs = {pair for geom in supports for pair in _pairs(scene, geom, body)}
+    stiff = of_contacts(scene, sorted(pairs), lambda _: stiffest(scene))
+    return [*firm, stiff, firm[0] + stiff, *noslip(scene)]
 
 
 def held(
@@ -236,6 +233,7 @@ def held(
     first = [grip for sample in run.samples if (grip := hold_of(model, sample, body))]
     if not first:
         return None
+    # A body that is lost before the end is described by the grip that it had.
     grips = late or first
     load = np.linalg.norm(np.mean([grip.friction_n for grip in grips], axis=0))
     supports = list(dict.fromkeys(geom for grip in grips for geom in grip.geoms))
@@ -265,7 +263,7 @@ def held(
     elif speed <= below_mm_s:
         return hold, None
     ways = _firmer(scene, body, supports)
-    return hold, trials.found(Symptom(finding, slip, ways, goal=below_mm_s), index)
+    return hold, trials.finding_of(Symptom(finding, slip, ways, goal=below_mm_s), index)
 
 
 def _lifted(scene: Scene, start: Start, lift_m_s2: float) -> Trials:
@@ -280,7 +278,7 @@ def _bearable_n(scene: Scene, body: int, grip: Grip) -> float:
     """Return the load that the friction of a grip can bear [N]."""
     total = 0.0
     for geom, normal in zip(grip.geoms, grip.normal_n.tolist(), strict=True):
-        indices = _contacts(scene, geom, body)
+        indices = _pairs(scene, geom, body)
         total += scene.contacts.friction[indices, 0].max(initial=0.0) * normal
     return total
 
@@ -308,17 +306,19 @@ def _sliding(
     model = scene.model
     grip = gripping[-1]
     pads = list(dict.fromkeys(geom for hold in gripping for geom in hold.geoms))
+    # Grips with margin are recommended: at the exact limit the body would creep out.
     times = max(FIRM * load / max(bears, 1e-9), FIRM)
     rougher: Changes = ()
     mus = [
         float(scene.contacts.friction[index, 0])
         for pad in pads
-        for index in _contacts(scene, pad, body)
+        for index in _pairs(scene, pad, body)
     ]
     mu = times * max(mus, default=1.0)
     for pad in pads:
         friction = model.geom_friction[pad].copy()
         friction[0] = mu
+        # Friction takes the larger of both geoms, so it is enough to change the pads.
         rougher += of_geom(scene, pad, {"friction": text_of(friction)})
     ways = [_stronger(scene, pads, share * times) for share in (1.0, 2.0, 4.0)]
     if mu <= MOST_MU:
@@ -327,6 +327,7 @@ def _sliding(
     def fall(run: Run) -> float:
         first = run.samples[0].arrays["xpos"]
         last = run.samples[-1].arrays["xpos"]
+        # The support may move by intention, so only the motion relative to it counts.
         moved = (last - first)[body] - (last - first)[grip.support]
         return M * float(np.linalg.norm(moved))
 
@@ -355,11 +356,11 @@ def _sliding(
     )
 
 
-def _contacts(scene: Scene, geom: int, body: int) -> list[int]:
+def _pairs(scene: Scene, geom: int, body: int) -> list[int]:
     """Return the indices of the pairs of a geom and a body."""
     model = scene.model
-    own = np.flatnonzero(model.body_weldid[model.geom_bodyid] == body).tolist()
-    pairs = (tuple(sorted((geom, each))) for each in own)
+    geoms = np.flatnonzero(model.body_weldid[model.geom_bodyid] == body).tolist()
+    pairs = (tuple(sorted((geom, partner))) for partner in geoms)
     indices = scene.pair_indices
     return [indices[pair] for pair in pairs if pair in indices]
 
@@ -391,7 +392,8 @@ def turned_deg(model: MjModel, run: Run, body: int) -> float:
     rotations = [hold.rotation for hold in holds if hold and hold.opposed]
     if not rotations:
         return math.inf
-    cosines = [0.5 * (np.trace(rotations[0].T @ each) - 1.0) for each in rotations]
+    traces = [np.trace(rotations[0].T @ rotation) for rotation in rotations]
+    cosines = [0.5 * (trace - 1.0) for trace in traces]
     return math.degrees(math.acos(min(1.0, max(-1.0, min(cosines)))))
 
 
@@ -401,10 +403,11 @@ def _turning(scene: Scene, run: Run, body: int, hold: Grip) -> Iterator[Symptom]
     angle = turned_deg(model, run, body)
     pads = list(dict.fromkeys(hold.geoms))
     down = model.opt.gravity / max(float(np.linalg.norm(model.opt.gravity)), 1e-9)
+    # A body on a shelf turns for other reasons than a grip by two points.
     lies = np.abs(hold.normals @ down).max() > -OPPOSE
     if angle < TURNS_DEG or lies or not len(pads) == len(hold.geoms) == 2:
         return
-    indices = [each for pad in pads for each in _contacts(scene, pad, body)]
+    indices = [pair for pad in pads for pair in _pairs(scene, pad, body)]
     condim = int(scene.contacts.condim[indices].max(initial=3))
     if condim < 4:
         why = f"condim {condim} has no torsional friction"
@@ -413,6 +416,7 @@ def _turning(scene: Scene, run: Run, body: int, hold: Grip) -> Iterator[Symptom]
     else:
         why = "its torsional friction is too weak"
     ways: list[Changes] = []
+    # condim 4 alone may be enough if the friction of the pads has a torsional part.
     for torsion in (0.0, TORSION, 5.0 * TORSION):
         changes: Changes = ()
         for pad in pads:

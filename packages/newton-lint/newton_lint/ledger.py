@@ -1,6 +1,7 @@
 """Steps a scene in MuJoCo C for 2 s from each start, and records its motion."""
 
 import time
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 
@@ -76,7 +77,6 @@ class Touches:
 
     geoms: np.ndarray
     normal: np.ndarray
-    position: np.ndarray
     depth_m: np.ndarray
     normal_n: np.ndarray
     """Normal force, which is 0 for contacts that bear none."""
@@ -86,6 +86,15 @@ class Touches:
     """Share of the friction cone that is used."""
     velocity_m_s: np.ndarray
     """Velocity of the second geom relative to the first [contact_count, 3]."""
+
+    @cached_property
+    def pairs(self) -> np.ndarray:
+        """Return the geoms of each contact, the lower one first."""
+        return np.sort(self.geoms, axis=1)
+
+    def between(self, pair: Sequence[int]) -> np.ndarray:
+        """Return for each contact whether it is between two geoms."""
+        return (self.pairs == sorted(pair)).all(axis=1)
 
 
 @dataclass(frozen=True)
@@ -98,6 +107,11 @@ class Sample:
     touches: Touches
     gaps: dict[int, float]
     """How far each equality is open; for a weld, only the translation [m or rad]."""
+
+    @property
+    def speed(self) -> float:
+        """Return the fastest speed of any dof [m/s or rad/s]."""
+        return float(np.abs(self.arrays["qvel"]).max(initial=0.0))
 
 
 @dataclass(frozen=True)
@@ -147,13 +161,13 @@ class Run:
     @cached_property
     def speed(self) -> float:
         """Return the fastest speed, averaged over the late samples [m/s or rad/s]."""
-        speeds = [np.abs(each.arrays["qvel"]).max(initial=0.0) for each in self.late]
-        return float(np.mean(speeds))
+        return float(np.mean([sample.speed for sample in self.late]))
 
     @cached_property
     def still(self) -> np.ndarray:
         """Return for each body whether it rests at the end of the run."""
         places = np.array([sample.arrays["xpos"] for sample in self.late])
+        # A ball that rolls on the spot keeps its position, but its axes move.
         axes = np.array([sample.arrays["xmat"] for sample in self.late])
         moved = np.ptp(places, axis=0).max(axis=1)
         turned = np.ptp(axes, axis=0).max(axis=1)
@@ -179,6 +193,13 @@ def starts(model: MjModel, data: MjData | None) -> list[Start]:
     ]
 
 
+def runs_of(model: MjModel, data: MjData | None) -> list[Run]:
+    """Step a model from all its starts, unless it has too many degrees of freedom."""
+    if model.nv > MOST_DOFS:
+        return []
+    return [run_of(model, start) for start in starts(model, data)]
+
+
 def run_of(model: MjModel, start: Start, time_s: float = SPAN_S) -> Run:
     """Step a model from a start and return the record of the run."""
     data = start.data(model)
@@ -189,6 +210,7 @@ def run_of(model: MjModel, start: Start, time_s: float = SPAN_S) -> Run:
     speeds = model.jnt_dofadr[free][:, None] + np.arange(3)
     gravity = np.zeros(3) if model.opt.disableflags & WEIGHTLESS else model.opt.gravity
 
+    # The energy of a free body can only fall unless a contact or an actuator acts on it.
     def energy() -> np.ndarray:
         return 0.5 * (data.qvel[speeds] ** 2).sum(axis=1) - data.qpos[places] @ gravity
 
@@ -197,14 +219,15 @@ def run_of(model: MjModel, start: Start, time_s: float = SPAN_S) -> Run:
     samples = [sample_of(model, data)]
     depths = [deepest_of(data)]
     step = model.opt.timestep
-    each = max(1, round(SAMPLE_S / step))
-    count = max(1, round(time_s / (each * step)))
+    # Steps longer than the sampling time are sampled one by one.
+    stride = max(1, round(SAMPLE_S / step))
+    count = max(1, round(time_s / (stride * step)))
     limited = 0
     solved = 0.0
     bad = False
     since = time.process_time()
     for _ in range(count):
-        mujoco.mj_step(model, data, nstep=each)
+        mujoco.mj_step(model, data, nstep=stride)
         iterations = data.solver_niter  # One number per island, 0 for unused ones.
         limited += int(iterations.max() >= model.opt.iterations)
         solved += float(iterations.sum())
@@ -213,10 +236,12 @@ def run_of(model: MjModel, start: Start, time_s: float = SPAN_S) -> Run:
         depths.append(deepest_of(data))
         rise = np.maximum(rise, energy() - begin)
         samples.append(sample_of(model, data))
+        # A short run is still read, but no change is tried against it.
         if time.process_time() - since > BUDGET_S:
             break
     spent = time.process_time() - since
-    reached = data.time - samples[0].time_s if not bad else len(samples) * each * step
+    # MuJoCo sets the time back to 0 when it resets the state.
+    reached = data.time - samples[0].time_s if not bad else len(samples) * stride * step
     sampled = max(1, len(samples) - 1)
     return Run(
         start=start,
@@ -242,6 +267,8 @@ def _jitter(model: MjModel, data: MjData) -> np.ndarray:
     for row in speeds:
         mujoco.mj_step(model, data)
         row[:] = data.qvel
+    # A smooth motion is close to a parabola over so few steps, so the residual is
+    # the vibration from one step to the next.
     powers = np.vander(np.linspace(-1.0, 1.0, SINGLE_STEPS), 3)
     smooth = powers @ np.linalg.lstsq(powers, speeds, rcond=None)[0]
     return np.sqrt(((speeds - smooth) ** 2).mean(axis=0))
@@ -252,6 +279,7 @@ def sample_of(model: MjModel, data: MjData) -> Sample:
     rows = data.efc_type[: data.nefc] == int(mujoco.mjtConstraint.mjCNSTR_EQUALITY)
     ids = data.efc_id[: data.nefc][rows]
     errors = data.efc_pos[: data.nefc][rows]
+    # A weld has six rows: the first three are the translation.
     gaps = {
         int(equality): float(np.linalg.norm(errors[ids == equality][:3]))
         for equality in np.unique(ids)
@@ -268,17 +296,19 @@ def touches_of(model: MjModel, data: MjData) -> Touches:
     frames = contact.frame[kept].reshape(-1, 3, 3)
     forces = contact_forces(model, data, kept)
     mu = np.maximum(contact.friction[kept, :2], mujoco.mjMINMU)
+    # A pyramid limits the sum of both axes, an elliptic cone their Euclidean length.
     shares = np.abs(forces[:, 1:]) / mu
     is_pyramid = model.opt.cone == int(mujoco.mjtCone.mjCONE_PYRAMIDAL)
     load = shares.sum(axis=1) if is_pyramid else np.hypot(*shares.T)
     bodies = model.geom_bodyid[geoms]
     spins = data.cvel[bodies, :3]
+    # cvel is the velocity at the centre of mass of the whole tree, so it is moved to
+    # the contact point.
     arms = contact.pos[kept][:, None] - data.subtree_com[model.body_rootid[bodies]]
     speeds = data.cvel[bodies, 3:] + np.cross(spins, arms)
     return Touches(
         geoms=geoms,
         normal=frames[:, 0],
-        position=contact.pos[kept].copy(),
         depth_m=-contact.dist[kept],
         normal_n=forces[:, 0],
         friction_n=np.einsum("ni,nij->nj", forces[:, 1:], frames[:, 1:]),

@@ -13,7 +13,7 @@ from newton_lint.changes import Change
 from newton_lint.findings import Finding, number
 from newton_lint.fix import Unwritable, edited, undo, write
 from newton_lint.law import M
-from newton_lint.ledger import Run
+from newton_lint.ledger import Run, runs_of
 from newton_lint.report import Report, Request, report_of
 from newton_lint.source import Texts, parse
 from newton_lint.target import Target, TargetError, compiled, read_target, tried
@@ -54,13 +54,15 @@ class Mending:
             if not self.outcomes[line]:
                 rules.append(finding.rule)
                 # Another change may do no harm any more.
-                self.outcomes = {each: "" for each, why in self._tried() if not why}
+                self.outcomes = {
+                    line: "" for line, reason in self._tried() if not reason
+                }
         # Each change alone does little harm, but many of them may add up.
         if reason := harm(self.first.runs, self.report.runs, rules):
             self.texts = {}
             self.report = self.first
             reason = f"together with the other changes, {reason}"
-            self.outcomes = {each: why or reason for each, why in self._tried()}
+            self.outcomes = {line: why or reason for line, why in self._tried()}
 
     def _tried(self) -> list[tuple[str, str]]:
         return list(self.outcomes.items())
@@ -84,6 +86,7 @@ class Mending:
         except (ValueError, OSError, expat.ExpatError, mujoco.FatalError) as error:
             return f"MuJoCo refuses it: {' '.join(str(error).split())[:200]}"
         key = _key(finding)
+        # The change was tried alone before, but now it is on top of the others.
         if _worst(report).get(key, 0.0) > MENDS * _worst(self.report)[key]:
             return "the finding remains"
         known = {_key(item) for item in self.report.findings}
@@ -107,9 +110,11 @@ class Mending:
             files = {element.file for element in parse(path).walk()}
             if path == self.target.path or not included & files:
                 continue
-            scene = Target(path.name, compiled(path), path=path)
-            before = report_of(scene, self.request).runs
-            after = report_of(tried(scene, texts), self.request).runs
+            engine = self.request.engine
+            before, after = (
+                runs_of(engine.configured(compiled(path, contents)), None)
+                for contents in ({}, texts)
+            )
             if reason := harm(before, after, [rule]):
                 return f"in {path.name}, {reason}"
         return ""

@@ -55,11 +55,13 @@ def motions(trials: Trials, acceleration_m_s2: float = 0.0) -> list[Finding]:
         is_idle = run.start.name == "the start" and (
             scene.model.nkey > 0 or ill_posed(scene, run)
         )
+        # Findings of all starts are merged, and the worst one of a kind is kept.
         items = [
             finding
             for rule in rules
             for symptom in rule(scene, run)
-            if (finding := trials.found(_noted(symptom, is_idle), index)) is not None
+            if (finding := trials.finding_of(_noted(symptom, is_idle), index))
+            is not None
         ]
         for item in _without_effects(items):
             key = (item.rule, item.shape, item.against)

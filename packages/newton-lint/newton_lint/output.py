@@ -85,10 +85,10 @@ def text_of(report: Report, detail: Detail = Detail()) -> Iterator[str]:
         name: sum(group[0].severity == name for group in groups) for name in SEVERITIES
     }
     notes = counts.pop("note")
-    found = [
+    totals = [
         _counted(counts[name], name) for name in ("error", "warning") if counts[name]
     ]
-    total = ", ".join(found) or "nothing found"
+    total = ", ".join(totals) or "nothing found"
     if notes:
         hidden = "" if detail.notes else " (--notes prints them)"
         total += f", {_counted(notes, 'note')}{hidden}"
@@ -126,7 +126,9 @@ def _lines(group: Sequence[Finding], detail: Detail) -> Iterator[str]:
         return
     yield f"      Rule: {detail.rules[finding.rule]}"
     for cure in finding.cures:
-        places = [f"{each} ({each.place})" for each in cure.changes if each.place]
+        places = [
+            f"{change} ({change.place})" for change in cure.changes if change.place
+        ]
         yield f"      Change: {cure}"
         yield from (f"        {line}" for line in places)
     if finding.hint and finding.cures:

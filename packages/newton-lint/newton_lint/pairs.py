@@ -8,6 +8,7 @@ from mujoco import MjModel
 
 PLANE = int(mujoco.mjtGeom.mjGEOM_PLANE)
 HFIELD = int(mujoco.mjtGeom.mjGEOM_HFIELD)
+MESH = int(mujoco.mjtGeom.mjGEOM_MESH)
 OFF = int(mujoco.mjtDisableBit.mjDSBL_CONTACT) | int(
     mujoco.mjtDisableBit.mjDSBL_CONSTRAINT
 )

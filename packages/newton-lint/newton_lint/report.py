@@ -10,7 +10,7 @@ import numpy as np
 from newton_lint.changes import Changes
 from newton_lint.findings import SEVERITIES, Finding, sentence
 from newton_lint.grips import SLIP_MM_S, Hold, held
-from newton_lint.ledger import MOST_DOFS, Run, run_of, starts
+from newton_lint.ledger import MOST_DOFS, Run, runs_of
 from newton_lint.motion import motions
 from newton_lint.prediction import Load, Prediction, predictions
 from newton_lint.rules import lint
@@ -111,9 +111,7 @@ def report_on(
         more: Findings of other rules.
     """
     model = scene.model
-    runs: list[Run] = []
-    if request.step and model.nv <= MOST_DOFS:
-        runs = [run_of(model, start) for start in starts(model, target.data)]
+    runs = runs_of(model, target.data) if request.step else []
     trials = Trials(scene, runs)
     findings = [*more, *lint(scene, trials)]
     # Creep is undefined if the engine refuses the scene or throws bodies off.
@@ -139,6 +137,7 @@ def report_on(
             hold, creep = measured
             findings += [creep] if creep else []
     motion = motions(trials, request.load.acceleration_m_s2)
+    # The finding of --hold on the same body replaces its finding on slip.
     known = [hold.body] if hold else []
     findings += [
         item for item in motion if item.rule != "slip" or item.shape not in known

@@ -11,9 +11,8 @@ from newton_lint.failures import origin
 from newton_lint.findings import Finding
 from newton_lint.law import M
 from newton_lint.ledger import Run
-from newton_lint.pairs import PLANE
+from newton_lint.pairs import MESH, PLANE
 from newton_lint.scene import FREE, Scene
-from newton_lint.scene_rules import MESH
 from newton_lint.trials import Symptom
 
 WANDERS_DEG_S = 1.0
@@ -35,7 +34,7 @@ def wandering(scene: Scene, run: Run) -> Iterator[Symptom]:
         dof = int(model.jnt_dofadr[joint]) + 3
 
         def turning(run: Run, dof=dof) -> float:
-            spins = [each.arrays["qvel"][dof : dof + 3] for each in run.late]
+            spins = [sample.arrays["qvel"][dof : dof + 3] for sample in run.late]
             return math.degrees(float(np.linalg.norm(spins, axis=1).mean()))
 
         value = turning(run)
@@ -49,6 +48,7 @@ def wandering(scene: Scene, run: Run) -> Iterator[Symptom]:
         ]
         own = {geom for pair in geoms for geom in pair if not static[geom]}
         under = {geom for pair in geoms for geom in pair if static[geom]}
+        # Mean number of contact points per sample.
         points = len(geoms) / len(run.samples)
         meshes = [geom for geom in own if model.geom_type[geom] == MESH]
         ways: list[Changes] = []
@@ -85,12 +85,12 @@ def wandering(scene: Scene, run: Run) -> Iterator[Symptom]:
 def fallen(scene: Scene, run: Run) -> Iterator[Symptom]:
     """Yield parts of a free robot that pass a plane because only others collide."""
     model = scene.model
-    contacts = scene.contacts
-    pairs = np.stack([contacts.first, contacts.second], axis=1)
+    pairs = scene.contacts.geoms
     for plane in np.flatnonzero(model.geom_type == PLANE).tolist():
-        met = np.unique(pairs[(pairs == plane).any(axis=1)])
-        bodies = {int(body) for body in model.geom_bodyid[met]}
+        partners = np.unique(pairs[(pairs == plane).any(axis=1)])
+        bodies = {int(body) for body in model.geom_bodyid[partners]}
         roots = {int(model.body_rootid[body]) for body in bodies}
+        # Geoms of the same robot on bodies that never collide with this plane.
         others = [
             geom
             for geom in range(model.ngeom)

@@ -186,7 +186,7 @@ def too_stiff(scene: Scene) -> Iterator[Hits]:
 def dampratio(scene: Scene) -> Iterator[Hits]:
     """Yield contacts with a high damping ratio."""
     first, second = scene.contacts.solref.T
-    ratio = np.where(first > 0.0, second, -second / (2.0 * np.sqrt(-first)))
+    ratio = scene.contacts.dampratio
     # A solref of both forms is replaced by the default, and has a rule of its own.
     sound = (first > 0.0) == (second > 0.0)
     yield _pair_hits(
@@ -206,14 +206,14 @@ def dampratio(scene: Scene) -> Iterator[Hits]:
 
 def _touched(scene: Scene, trials: Trials) -> np.ndarray:
     """Return for each pair whether it touches in a run, or may if nothing is known."""
-    met = {
+    touched = {
         tuple(pair)
         for run in trials.runs
         for sample in run.samples
-        for pair in np.sort(sample.touches.geoms, axis=1).tolist()
+        for pair in sample.touches.pairs.tolist()
     }
     pairs = scene.pair_indices
-    return np.array([not met or pair in met for pair in pairs], dtype=bool)
+    return np.array([not touched or pair in touched for pair in pairs], dtype=bool)
 
 
 def one_sided(scene: Scene, touched: np.ndarray) -> Iterator[Hits]:

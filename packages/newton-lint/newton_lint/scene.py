@@ -14,6 +14,7 @@ from newton_lint.source import Element, Source, Texts
 from newton_lint.warp_engine import has_noslip
 
 FREE = int(mujoco.mjtJoint.mjJNT_FREE)
+SLIDE = int(mujoco.mjtJoint.mjJNT_SLIDE)
 HINGE = int(mujoco.mjtJoint.mjJNT_HINGE)
 ON_JOINT = int(mujoco.mjtTrn.mjTRN_JOINT)
 WEIGHTLESS = int(mujoco.mjtDisableBit.mjDSBL_GRAVITY)
@@ -25,6 +26,11 @@ def changed(model: MjModel, **options: float) -> MjModel:
     for name, value in options.items():
         setattr(model.opt, name, value)
     return model
+
+
+def qualified(owner: str, name: str) -> str:
+    """Return a name with that of its body, unless the body has none or the same."""
+    return name if owner in ("", name) else f"{owner}/{name}"
 
 
 @dataclass(frozen=True)
@@ -98,10 +104,7 @@ class Scene:
             model.geom(index).name or f"geom_{index}" for index in range(model.ngeom)
         ]
         owners = [self.bodies[body] if body else "" for body in model.geom_bodyid]
-        return [
-            geom if owner in ("", geom) else f"{owner}/{geom}"
-            for owner, geom in zip(owners, geoms, strict=True)
-        ]
+        return list(map(qualified, owners, geoms))
 
     def place(self, name: str) -> Element | None:
         """Return the element of a geom or a body with a name, or None."""
@@ -114,9 +117,7 @@ class Scene:
     @cached_property
     def pair_indices(self) -> dict[tuple[int, int], int]:
         """Return the index of each pair by its geoms, the lower one first."""
-        pairs = np.sort(
-            np.stack([self.contacts.first, self.contacts.second], axis=1), axis=1
-        )
+        pairs = np.sort(self.contacts.geoms, axis=1)
         return {pair: index for index, pair in enumerate(map(tuple, pairs.tolist()))}
 
     def pair_element(self, contact: int) -> Element | None:

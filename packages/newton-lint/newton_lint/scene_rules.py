@@ -8,7 +8,7 @@ import numpy as np
 
 from newton_lint.changes import of_element, of_geom, of_option
 from newton_lint.findings import Finding, Remedy, number
-from newton_lint.pairs import OFF, read
+from newton_lint.pairs import MESH, OFF, read
 from newton_lint.scene import FREE, WEIGHTLESS, Scene
 from newton_lint.warp_engine import refusal
 
@@ -21,7 +21,6 @@ HEAVIER = 1.7
 TWICE = 0.1
 # A mesh is reported if its convex hull has this many times its volume.
 HOLLOW = 2.0
-MESH = int(mujoco.mjtGeom.mjGEOM_MESH)
 FEW = (4, 10)
 """An elliptic cone needs at least one of these numbers of solver iterations."""
 FAST_M_S = 20.0
@@ -44,8 +43,8 @@ def lost(scene: Scene) -> Iterator[Found]:
     is_off = model.opt.disableflags & (WEIGHTLESS | OFF)
     if is_off or not (model.opt.gravity.any() and is_whole and len(attached)):
         return
-    met = tree[np.concatenate([contacts.first, contacts.second])]
-    for body in np.setdiff1d(tree[is_free & collides], met).tolist():
+    touchable = tree[contacts.geoms]
+    for body in np.setdiff1d(tree[is_free & collides], touchable).tolist():
         bits = int(np.bitwise_or.reduce(model.geom_contype[tree != body]))
         geom = int(np.flatnonzero(tree == body)[0] if bits else attached[0])
         finding = Finding(

@@ -143,9 +143,9 @@ class Source:
             return self._placed[kind]
         tags = (kind, f"free{kind}")
         placed = [
-            each
-            for each in self._in_order
-            if each[0].tag in tags or SECTIONS.get(each[1] or "") == kind
+            (element, name)
+            for element, name in self._in_order
+            if element.tag in tags or SECTIONS.get(name or "") == kind
         ]
         count = getattr(self._model, COUNTS.get(kind, f"n{kind}"))
         names = [getattr(self._model, kind)(index).name for index in range(count)]

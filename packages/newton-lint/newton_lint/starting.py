@@ -38,10 +38,8 @@ def ill_posed(scene: Scene, run: Run) -> bool:
 
 def fastest(run: Run) -> float:
     """Return the fastest speed within 0.2 s of the start [m/s or rad/s]."""
-    speeds = [
-        np.abs(each.arrays["qvel"]).max(initial=0.0) for each in run.samples[:EARLY]
-    ]
-    return math.inf if run.bad else float(max(speeds))
+    speeds = [sample.speed for sample in run.samples[:EARLY]]
+    return math.inf if run.bad else max(speeds)
 
 
 def leaving(scene: Scene, run: Run) -> Iterator[Symptom]:
@@ -58,6 +56,7 @@ def leaving(scene: Scene, run: Run) -> Iterator[Symptom]:
     ctrl = data.ctrl.copy()
     act = data.act.copy()
     missing = []
+    # Servos with a filter start from act, all others from ctrl.
     stateless = servos[model.actuator_dyntype[servos] == 0]
     if "ctrl" not in authored and len(stateless) and not ctrl[stateless].any():
         ctrl[stateless] = data.actuator_length[stateless]
@@ -93,6 +92,7 @@ def misled(scene: Scene, run: Run) -> Iterator[Symptom]:
         joint = int(model.actuator_trnid[servo, 0])
         target = float(ctrl[servo] * model.actuator_gear[servo, 0])
         span = model.jnt_range[joint] if model.jnt_limited[joint] else (-7.0, 7.0)
+        # Without a range, angles of up to a turn are plausible.
         in_range = span[0] <= math.radians(target) <= span[1]
         if model.jnt_type[joint] != HINGE or abs(target) <= FULL_TURN or not in_range:
             continue
@@ -142,16 +142,16 @@ def torn(scene: Scene, run: Run) -> Iterator[Symptom]:
         kind = COUPLINGS.get(int(model.eq_type[equality]), "")
         bodies = [int(body) for body in _bodies(scene, equality)]
         mocap = [body for body in bodies if model.body_mocapid[body] >= 0]
-        what = f"the {kind} equality pulls its two sides together"
+        why = f"the {kind} equality pulls its two sides together"
         if mocap:
-            what = f"its mocap body {scene.bodies[mocap[0]]} starts away from it"
+            why = f"its mocap body {scene.bodies[mocap[0]]} starts away from it"
         finding = Finding(
             "apart",
             scene.name("equality", equality),
             "gap",
             value,
             message=f"$shape is $value open at {run.start.name}, and the scene starts"
-            f" with {number(speed, 2)} m/s or rad/s because {what}",
+            f" with {number(speed, 2)} m/s or rad/s because {why}",
             unit=unit,
             severity="warning" if speed > LEAVES else "note",
         )
@@ -190,6 +190,7 @@ def _joining(
         points = data.xpos[bodies] + np.einsum("nij,nj->ni", frames, anchors)
     shift = points[1] - points[0]
     for side, body in enumerate(bodies):
+        # Either side may move to the other one, but only a mocap body is free to.
         moved = data.xpos[body] + (shift if side == 0 else -shift)
         mocap = int(model.body_mocapid[body])
         if mocap < 0:

@@ -98,6 +98,7 @@ class Trials:
         if root is None:
             return None
         try:
+            # Attributes that only the compiler reads need a changed file.
             texts = dict(scene.texts)
             texts |= edited(changes, scene.source, texts)
             return scene.engine.configured(compiled(root.file, texts))
@@ -107,6 +108,7 @@ class Trials:
     def runs_with(self, changes: Changes) -> list[Run] | None:
         """Return the runs of a changed scene, or None if there are none."""
         if changes not in self.variants:
+            # A variant of a run that stopped early cannot be compared with it.
             long = all(run.time_s > 0.99 * SPAN_S or run.bad for run in self.runs)
             model = None
             if changes and long and self.spent_s < BUDGET_S:
@@ -116,7 +118,7 @@ class Trials:
             self.variants[changes] = runs
         return self.variants[changes]
 
-    def found(self, symptom: Symptom, index: int) -> Finding | None:
+    def finding_of(self, symptom: Symptom, index: int) -> Finding | None:
         """Return the finding of a symptom in a run with the changes that mend it."""
         finding = symptom.finding
         # Notes are seldom read, so nothing is tried for them.
@@ -129,6 +131,7 @@ class Trials:
             if any(run.bad or run.time_s < 0.99 * SPAN_S for run in runs):
                 continue
             after = symptom.read(runs[index])
+            # The negation also refuses NaN.
             if not after < MENDS * before:
                 continue
             if harm(self.runs, runs, [finding.rule]):
@@ -142,6 +145,7 @@ class Trials:
             return None
         if finding.rule in DOUBTFUL and not cures:
             finding = replace(finding, severity="note")
+        # Changes that mend it well come first; the sort keeps the order of the rule.
         cures.sort(key=lambda cure: (cure.after or 0.0) > GOOD * before)
         element = finding.element or self.scene.place(finding.shape)
         return replace(finding, cures=tuple(cures), element=element)

@@ -9,21 +9,20 @@ from mujoco import MjModel
 
 from newton_lint.changes import (
     Changes,
-    Solref,
-    distinct,
-    of_contact,
+    of_contacts,
     of_element,
     of_geom,
     of_option,
     of_servo,
     text_of,
 )
-from newton_lint.failures import is_servo, origin
+from newton_lint.failures import is_servo, origin, shorter_steps
 from newton_lint.findings import Finding, number, rounded
 from newton_lint.law import DEFAULT_SOLREF, M
 from newton_lint.ledger import Run, Sample
 from newton_lint.pairs import HFIELD, PLANE
-from newton_lint.scene import HINGE, ON_JOINT, Scene
+from newton_lint.scene import HINGE, ON_JOINT, SLIDE, Scene
+from newton_lint.scene_rules import STEEP
 from newton_lint.trials import Read, Symptom
 
 LEAST = 1.0
@@ -38,8 +37,6 @@ DEEP_MM = 2.0
 """A depth is a warning from here on."""
 HARD = "0.999 0.999 0.001"
 FEW_ALIKE = 3
-STEEP = 3.0
-"""From this friction on, bodies sink into a pyramidal cone."""
 SAGS = 5e-3
 """A joint creeps from this speed on [m/s or rad/s]."""
 HELD = 0.99
@@ -50,7 +47,6 @@ LEAST_SWING = 0.1
 """A reading swings if it changes by this share in the late samples."""
 THICKER = (2, 4, 8, 16, 32)
 MOST_CONTACTS = int(mujoco.mjMAXCONPAIR)
-SLIDE = int(mujoco.mjtJoint.mjJNT_SLIDE)
 DRY_FRICTION = int(mujoco.mjtConstraint.mjCNSTR_FRICTION_DOF)
 PLATES = tuple(range(mujoco.mjtGeom.mjGEOM_ELLIPSOID, mujoco.mjtGeom.mjGEOM_MESH + 1))
 ELLIPSOID, CYLINDER, BOX, MESH = PLATES
@@ -80,10 +76,11 @@ def depths(scene: Scene, run: Run) -> Iterator[Symptom]:
     model = scene.model
     contacts = scene.contacts
     sizes = M * _thin(model)
+    # A dict keeps the order, so that the findings of two runs have the same order.
     late = {
         tuple(pair): 0.0
         for sample in run.late
-        for pair in np.sort(sample.touches.geoms, axis=1).tolist()
+        for pair in sample.touches.pairs.tolist()
     }
     indices = scene.pair_indices
     sunk = [
@@ -108,11 +105,13 @@ def depths(scene: Scene, run: Run) -> Iterator[Symptom]:
         shape, partner = (partner, thin) if is_static[0] else (thin, partner)
         lies = scene.free[bodies].sum() == 1 and model.body_weldid[bodies].min() == 0
         first = M * run.first.get(pair, 0.0)
+        # A pair that overlaps from the start on has the rule overlap.
         if depth <= least or (depth < 2.0 * first and not lies):
             continue
         rests = run.still[bodies].all()
         timeconst = float(contacts.solref[contact, 0])
         mu = float(contacts.friction[contact, 0])
+        # A direct solref was chosen by someone, so it counts as soft too.
         is_soft = not 0.0 < timeconst <= DEFAULT_SOLREF[0]
         much = LEAST if is_soft else DEEP_MM
         severe = depth > min(much, max(2.0 * THIN * sizes[thin], 0.2))
@@ -147,9 +146,7 @@ def depth_m(run: Run, pair: Sequence[int]) -> float:
     return float(
         np.mean(
             [
-                sample.touches.depth_m[
-                    (np.sort(sample.touches.geoms, axis=1) == pair).all(axis=1)
-                ].max(initial=0.0)
+                sample.touches.depth_m[sample.touches.between(pair)].max(initial=0.0)
                 for sample in run.late
             ]
         )
@@ -173,32 +170,26 @@ def _stiffening(
         first, second = old
         if first > 0.0:
             return f"{max(share**0.5 * first, least):.2g} {max(second, 1.0):g}"
+        # For a direct solref, the damping grows with the root of the stiffness.
         return f"{first / share:.3g} {second / share**0.5:.3g}"
 
     def hardest(_: Sequence[float]) -> str:
-        return f"{least:.3g} 1"
-
-    def together(group: Sequence[int], solref: Solref, solimp: str = "") -> Changes:
-        return distinct(
-            change
-            for each in group
-            for change in of_contact(scene, each, solref, solimp)
-        )
+        return stiffest(scene)
 
     if scene.option.cone == "pyramidal" and contacts.friction[contact, 0] > STEEP:
         yield elliptic(scene)
     alike = [
-        each
-        for each in sunk
-        if np.array_equal(contacts.solref[each], contacts.solref[contact])
+        pair
+        for pair in sunk
+        if np.array_equal(contacts.solref[pair], contacts.solref[contact])
     ]
     # Many equal contacts have one change, and not each its own.
     group = alike if len(alike) > FEW_ALIKE else [contact]
-    yield together(group, stiffer)
-    yield together(group, hardest)
-    yield together(group, hardest, HARD)
+    yield of_contacts(scene, group, stiffer)
+    yield of_contacts(scene, group, hardest)
+    yield of_contacts(scene, group, hardest, HARD)
     # A body between two others sinks into one of them if only the other gets stiffer.
-    yield together(sunk, hardest, HARD)
+    yield of_contacts(scene, sunk, hardest, HARD)
 
 
 def elliptic(scene: Scene, impratio: float = 0.0) -> Changes:
@@ -209,6 +200,13 @@ def elliptic(scene: Scene, impratio: float = 0.0) -> Changes:
     if scene.model.opt.iterations < 10:
         attributes["iterations"] = "10"
     return of_option(scene, **attributes)
+
+
+def noslip(scene: Scene) -> list[Changes]:
+    """Return changes that add the noslip pass, unless the engine may not have it."""
+    if scene.engine.name != "mujoco":
+        return []
+    return [of_option(scene, noslip_iterations="10")]
 
 
 def limits(scene: Scene, run: Run) -> Iterator[Symptom]:
@@ -235,10 +233,10 @@ def limits(scene: Scene, run: Run) -> Iterator[Symptom]:
             at = int(model.jnt_qposadr[index])
             for servo in servos[model.actuator_trnid[servos, 0] == index].tolist():
                 gear = float(model.actuator_gear[servo, 0])
-                told = float(ctrl[servo]) * gear
-                if not low <= told <= high:
+                target = float(ctrl[servo]) * gear
+                if not low <= target <= high:
                     name = scene.name("actuator", servo)
-                    why = f"{name} pulls it to a target of {number(told)}"
+                    why = f"{name} pulls it to a target of {number(target)}"
                     span = text_of(sorted((low / gear, high / gear)))
                     ways.append(of_element(scene, "actuator", servo, ctrlrange=span))
         else:
@@ -336,9 +334,12 @@ def equalities(scene: Scene, run: Run) -> Iterator[Symptom]:
 def _centre(values: np.ndarray, late: int) -> float:
     """Return the value about which a reading swings, or its mean in the late samples."""
     ways = np.sign(np.diff(values))
+    # Turning points of the swing: the sign of the slope changes there.
     turns = values[1:-1][(ways[1:] * ways[:-1]) < 0.0]
     if len(turns) < 3 or np.ptp(values[-late:]) < LEAST_SWING * values[-late:].mean():
         return float(values[-late:].mean())
+    # This mean is exact for a decaying oscillation in which each half swing is
+    # smaller by the same amount.
     before, last, after = turns[-3:].tolist()
     return 0.25 * (before + 2.0 * last + after)
 
@@ -355,6 +356,7 @@ def servos(scene: Scene, run: Run) -> Iterator[Symptom]:
         joint = int(model.actuator_trnid[servo, 0])
         dof = int(model.jnt_dofadr[joint])
         body = int(model.jnt_bodyid[joint])
+        # A servo that presses against a contact or a limit does not have to arrive.
         is_blocked = abs(run.mean("qfrc_constraint")[dof]) > 1e-9
         if model.jnt_type[joint] not in (HINGE, SLIDE) or is_blocked:
             continue
@@ -367,11 +369,13 @@ def servos(scene: Scene, run: Run) -> Iterator[Symptom]:
         if (value := short(run)) <= LEAST or not run.still[body]:
             continue
         weightless: Changes = ()
-        for each in range(1, model.nbody):
-            if body in _ancestors(model, each):
-                weightless += of_element(scene, "body", each, gravcomp="1")
+        for child in range(1, model.nbody):
+            if body in _ancestors(model, child):
+                weightless += of_element(scene, "body", child, gravcomp="1")
+        # The error is proportional to 1/kp; half of the least error leaves a margin.
         times = math.ceil(2.0 * value / LEAST)
         gain = times * float(model.actuator_gainprm[servo, 0])
+        # The damping ratio stays the same if kv grows with the root of kp.
         damping = -(times**0.5) * float(model.actuator_biasprm[servo, 2])
         finding = Finding(
             "servo",
@@ -419,8 +423,11 @@ def sagging(scene: Scene, run: Run) -> Iterator[Symptom]:
 
         rate = creep(run) / scale(unit)
         force = max(abs(data.efc_force[row]), mujoco.mjMINVAL)
+        # At a steady speed the row balances b v = R f, as in law.py.
         predicted = data.efc_R[row] * force / data.efc_KBIP[row, 1]
         loads = [abs(data.qfrc_smooth[dof]), abs(data.qfrc_constraint[dof])]
+        # Only creep that the law predicts is reported, under a load that is constant:
+        # both the applied and the constraint force are close to that of the row.
         ratios = [rate / max(predicted, 1e-12), *(load / force for load in loads)]
         if (
             rate < SAGS
@@ -431,8 +438,7 @@ def sagging(scene: Scene, run: Run) -> Iterator[Symptom]:
             continue
         loss = model.dof_frictionloss[dof]
         ways = [of_element(scene, "joint", joint, solimpfriction=HARD)]
-        if scene.engine.name == "mujoco":
-            ways.append(of_option(scene, noslip_iterations="10"))
+        ways += noslip(scene)
         yield Symptom(
             Finding(
                 "sag",
@@ -454,8 +460,7 @@ def passing(scene: Scene, run: Run) -> Iterator[Symptom]:
     """Yield geoms that pass through a plate that a thicker one would stop."""
     model = scene.model
     contacts = scene.contacts
-    pairs = np.stack([contacts.first, contacts.second], axis=1)
-    pairs = np.concatenate([pairs, pairs[:, ::-1]])
+    pairs = np.concatenate([contacts.geoms, contacts.geoms[:, ::-1]])
     # Only plates that stand still count; moving bodies pass others without contact.
     still = model.body_weldid[model.geom_bodyid] == 0
     walls = np.isin(model.geom_type, PLATES) & still
@@ -467,6 +472,7 @@ def passing(scene: Scene, run: Run) -> Iterator[Symptom]:
             # A geom that stops within a plate has not been stopped by it.
             return float(_crossing(model, pair, run, inside=0.5).any())
 
+        # The thinnest direction of the bounding box is the normal of a plate.
         axis = int(model.geom_aabb[wall, 3:].argmin())
         thick = 2.0 * M * model.geom_aabb[wall, 3 + axis]
         column = axis // 2 if model.geom_type[wall] == CYLINDER else axis
@@ -479,10 +485,7 @@ def passing(scene: Scene, run: Run) -> Iterator[Symptom]:
             size[column] *= times
             count = 2 if model.geom_type[wall] == CYLINDER else 3
             ways.append(of_geom(scene, wall, {"size": text_of(size[:count])}))
-        ways += [
-            of_option(scene, timestep=f"{share * model.opt.timestep:.3g}")
-            for share in (0.5, 0.25, 0.1)
-        ]
+        ways += shorter_steps(scene)
         finding = Finding(
             "tunnel",
             scene.names[geom],
@@ -522,8 +525,10 @@ def _crossing(
         way -= centres
         normals = axes[rows, :, axis]
         along = np.abs(np.einsum("ni,nij->nj", normals, frames[geoms]))
+        # Half the width of the rotated bounding box along the normal of the plate.
         extent = (along * model.geom_aabb[geoms, 3:]).sum(axis=1)
         if last is None:
+            # The geom starts on one side, and has passed if it leaves on the other side.
             side = np.sign(way[rows, axis])
         else:
             edge = side * inside * extent
@@ -532,6 +537,7 @@ def _crossing(
             is_through = (side * before > 0.0) & (side * after < 0.0)
             span = np.where(is_through, before - after, 1.0)
             share = np.where(is_through, before / span, 0.0)
+            # Interpolate to the moment of passage, because samples are far apart.
             across = np.abs(last + (way - last) * share[:, None])
             across[rows, axis] = 0.0
             crossing |= is_through & (across <= sizes).all(axis=1)
@@ -550,6 +556,7 @@ def crowded(scene: Scene, run: Run) -> Iterator[Symptom]:
             field, geom = sorted(pair, key=lambda geom: model.geom_type[geom] != HFIELD)
             asset = int(model.geom_dataid[field])
             wide = model.hfield_size[asset][:2].tolist()
+            # With cells of 0.7 radii, a geom touches too few of them to reach the limit.
             ncol, nrow = (
                 max(2, round(2.0 * side / (0.7 * model.geom_rbound[geom])))
                 for side in wide

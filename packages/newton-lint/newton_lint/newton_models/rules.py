@@ -15,7 +15,7 @@ from newton_lint.findings import Finding, Hits, Remedy, Wording, findings_of
 from newton_lint.law import DEFAULT_SOLREF
 from newton_lint.newton_models.compat import kf_is_read
 from newton_lint.rules import SAME
-from newton_lint.scene import Engine, Scene
+from newton_lint.scene import Engine, Scene, qualified
 from newton_lint.source import Source
 from newton_lint.warp_engine import muted_standard_error
 
@@ -59,11 +59,7 @@ class Shapes(Scene):
         owners = [
             bodies[body] if body >= 0 else "" for body in self.shapes.shape_body.numpy()
         ]
-        pairs = [(owners[shape], labels[shape]) for shape in self.index]
-        return [
-            label if owner in ("", label) else f"{owner}/{label}"
-            for owner, label in pairs
-        ]
+        return [qualified(owners[shape], labels[shape]) for shape in self.index]
 
     def of_geoms(self, name: str) -> np.ndarray:
         """Return an array of the model's shapes, indexed by geom."""
