@@ -170,6 +170,7 @@ class Audit:
             obstacle = "a power of ten"
         elif not same_unit(match["unit"] or mark.unit, quantity.unit):
             obstacle = "this number because its unit is not known: write it in the mark"
+        # repr has the shortest digits of a float, so 1.005 is rounded as it is written.
         exact = Decimal(repr(value))
         if mark.digits and value:
             last_digit = exact.adjusted() + 1 - int(mark.digits)
@@ -253,6 +254,7 @@ class Audit:
         if value is None:
             raise AuditError(f"the mark {file} depends on itself")
         if isinstance(value, Exception):
+            # Each mark that uses the name reports the error, so it is raised anew.
             raise AuditError(message_of(value))
         return value
 
@@ -261,6 +263,7 @@ class Audit:
         operands: dict[str, Quantity] = {}
 
         def operand_name(match: re.Match[str]) -> str:
+            # A place contains characters that are not allowed in a name of Python.
             name = f"q{len(operands)}"
             operands[name] = self._operand(match[0])
             return name
@@ -299,6 +302,7 @@ def _computed(code: str, operands: Mapping[str, Quantity], expression: str) -> Q
         )
 
     try:
+        # The text may be from a stranger, so its expressions are never executed.
         return value_of(ast.parse(code, mode="eval").body)
     except SyntaxError as error:
         raise AuditError(f"cannot compute {expression:.60}: {error.msg}") from None
@@ -313,19 +317,21 @@ def _printed_range(before: str, printed: float) -> tuple[float, float, str]:
     is empty for other numbers. ``before`` is the text before the number.
     """
     if match := BOUND_BEFORE.search(before):
+        # "not more than 5" is an upper bound, although "more than 5" is a lower one.
         if bool(match["upper"]) != bool(match["negation"]):
             return -math.inf, printed, "a bound"
         return printed, math.inf, "a bound"
     match = RANGE_BEFORE.search(before)
     if not match or ("and" in match["joint"] and not match["between"]):
         return printed, printed, ""
-    other = printed_value(match)[0]
+    first = printed_value(match)[0]
     joint = match["joint"]
+    # The m is part of \pm in LaTeX, and the / is part of +/-.
     if re.search(r"[±m/]", joint):
-        return other - printed, other + printed, "a number with ±"
+        return first - printed, first + printed, "a number with ±"
     if re.fullmatch(r"\s+[–—-]\s+|.*(to|or).*", joint):  # It may fall from 5 to 3.
         return printed, printed, "a number that may end a range"
-    return min(other, printed), max(other, printed), "a range"
+    return min(first, printed), max(first, printed), "a range"
 
 
 def _rounded(value: Decimal, last_digit: int, printed: re.Match[str]) -> str:

@@ -149,6 +149,7 @@ def _files(path: Path) -> list[Path]:
     """Return the files that match a path, which may contain * in its last part."""
     if "*" not in path.name:
         return [path.absolute()]
+    # Only * is special, because names of files can contain brackets.
     pattern = glob.escape(path.name).replace("[*]", "*")
     files = sorted(path.absolute().parent.glob(pattern))
     if not files:
@@ -160,6 +161,7 @@ def _earlier_sources(folder: Path, name: str) -> Iterator[tuple[str, Repeats]]:
     """Yield the last commits of a result file and its content at that time."""
     log = _git(folder, "log", f"-{COMMIT_LIMIT}", "--format=%h", "--", name)
     for commit in log.decode().split():
+        # Without ./ the name would be relative to the root of the repository.
         content = _git(folder, "show", f"{commit}:./{name}")
         with suppress(Exception):  # The file may have been damaged at that time.
             yield commit, Repeats(name, [Source(Path(name), content)])
@@ -177,8 +179,11 @@ def _git(folder: Path, *command: str) -> bytes:
 
 def _project_of(path: Path) -> Path:
     """Return the repository of a file, or the current folder if there is none."""
+    # A worktree or a submodule has a file .git instead of a folder.
     folders = path.absolute().parents
-    return next((each for each in folders if (each / ".git").exists()), Path.cwd())
+    return next(
+        (folder for folder in folders if (folder / ".git").exists()), Path.cwd()
+    )
 
 
 def _read_source(file: Path, project: Path, allowed: Sequence[Path]) -> bytes:

@@ -44,6 +44,7 @@ def replace_file(path: Path, old: bytes, new: bytes) -> None:
     if not path.stat().st_mode & stat.S_IWUSR:
         raise AuditError("the file is read-only and was left unchanged")
     try:
+        # In the same folder, because a file cannot be moved atomically between disks.
         descriptor, name = tempfile.mkstemp(prefix=f".{path.name}.", dir=path.parent)
         temporary = Path(name)
         try:
@@ -51,6 +52,7 @@ def replace_file(path: Path, old: bytes, new: bytes) -> None:
                 file.write(new)
                 file.flush()
                 os.fsync(file.fileno())
+            # mkstemp creates files that only their owner can read.
             shutil.copymode(path, temporary)
             if path.read_bytes() != old:
                 raise AuditError(

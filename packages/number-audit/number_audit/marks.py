@@ -150,6 +150,7 @@ def read_marks(text: str, suffix: str) -> Iterator[Mark]:
         start, stop = region.span("printed")
         if region["comment"] is not None:
             stop = region.start()
+            # The limit keeps the time linear in the length of the text.
             start = max(end, stop - BEFORE_LIMIT)
         end = region.end()
         context = Context(line_of(region.start()), start, text[start:stop])
@@ -206,6 +207,7 @@ def _marks_of_table(
     for cell in number_cells(table):
         before = cell.text.rstrip(MARKUP)
         unit = split_unit(cell.column)[1]
+        # The head of the column has the unit, unless the cell has its own.
         if unit != NO_UNIT and before[-1].isdigit():
             before += f" {unit}"
         context = Context(line_of(cell.start), cell.start, before)

@@ -84,13 +84,13 @@ def _xml(text: str) -> Any:
     if "<!DOCTYPE" in text:
         raise AuditError("XML with a DOCTYPE is not supported")
 
-    def of(element: ElementTree.Element) -> dict[str, Any]:
+    def content_of(element: ElementTree.Element) -> dict[str, Any]:
         children: dict[str, Any] = {}
         for child in element:
-            children.setdefault(child.tag, []).append(of(child))
+            children.setdefault(child.tag, []).append(content_of(child))
         return element.attrib | children
 
-    return of(ElementTree.fromstring(text))
+    return content_of(ElementTree.fromstring(text))
 
 
 def _toml(text: str) -> Any:

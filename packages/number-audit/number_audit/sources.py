@@ -96,12 +96,12 @@ class Source:
         """Return the number at a place, such as ``/benchmarks/sort/stats/mean``."""
         pointer = unquote(quoted)
         if pointer not in self.places:
-            others = self._by_simple_pointer.get(
+            candidates = self._by_simple_pointer.get(
                 _simple_pointer(pointer, pointer.rpartition("/")[2]), ()
             )
-            if len(others) != 1:
+            if len(candidates) != 1:
                 raise AuditError(f"no number at {pointer:.120}{self._similar(pointer)}")
-            [pointer] = others
+            [pointer] = candidates
         place = self.places[pointer]
         noise: float | None
         if isinstance(place.value, list):
@@ -119,8 +119,9 @@ class Source:
     def _similar(self, pointer: str) -> str:
         """Return a text that lists similar places with the same key, or ""."""
         key = pointer.rpartition("/")[2]
-        others = [other for other, place in self.places.items() if place.key == key]
-        matches = get_close_matches(pointer, others[:99], n=4, cutoff=0.5)
+        candidates = [name for name, place in self.places.items() if place.key == key]
+        # The comparison of long names is slow, and a file can have 100,000 places.
+        matches = get_close_matches(pointer, candidates[:99], n=4, cutoff=0.5)
         return f"; similar: {', '.join(matches)}" if matches else ""
 
     def _noise(self, pointer: str, place: Place) -> float | None:
@@ -173,6 +174,8 @@ class Repeats:
             return quantities[0]
         if len({quantity.unit for quantity in quantities}) > 1:
             raise AuditError(f"the files of {self.name} have different units")
+        # The scatter between few files can be small by chance, so their own noise is a
+        # lower limit.
         mean, noise = sample_mean([quantity.value for quantity in quantities])
         own_noise = math.hypot(*(quantity.noise for quantity in quantities))
         noise = max(noise, own_noise / len(quantities))

@@ -65,6 +65,7 @@ class Results:
     def _values(self, unit: str) -> Iterator[tuple[str, float]]:
         """Yield the value of each place in a unit, which the mark states if needed."""
         for pointer, place in self.source.places.items():
+            # The mean of samples is rarely printed, and the file states it beside them.
             if place.key in SAMPLES:
                 continue
             name = quote(pointer, PLAIN_IN_PLACES)
@@ -107,7 +108,7 @@ def suggestions(
     places, or none, is listed without a mark.
     """
     editions = [(commit, Results(source)) for commit, source in sources]
-    now = editions[0][1]
+    current = editions[0][1]
     hidden = _blanked(text, [region.span() for region in regions(text, suffix)])
     if suffix not in FORMS:
         hidden = _blanked(
@@ -119,7 +120,7 @@ def suggestions(
     for table in read_tables(text):
         end = table.end
         is_marked = MARKED_TABLE.match(text, end)
-        source = now.source_of(table)
+        source = current.source_of(table)
         if hidden[table.start] == "\0" or not (is_marked or source):
             continue
         marked_tables.append((table.start, end))
@@ -151,6 +152,7 @@ def _suggestion(
     number: str, match: re.Match[str], editions: Sequence[tuple[str, Results]]
 ) -> tuple[str, str, str]:
     """Return the kind of a suggestion, its message and the only place of a number."""
+    # The results now come first, so a number that agrees with them is not stale.
     for commit, results in editions:
         places = results.near(match)
         if len(places) > 1:

@@ -206,12 +206,14 @@ def _which_package(
     steps = [before]
     for names in settings.changes.package_groups:
         if any(old[name] != new[name] for name in names):
+            # A package that is missing cannot be installed as a step.
             if any(new[name] == MISSING for name in names):
                 return (
                     "the package cannot be determined, because a package is missing in "
                     "one of the editions"
                 )
             groups.append(names)
+            # Each step keeps the pins of the steps before it, so only one group changes.
             pins += [f"{name}=={new[name]}" for name in names]
             pinned = release_of(
                 before.spec, " ".join(pins), report=search.project.report

@@ -22,7 +22,7 @@ from measured_report.editions.release import Release
 from measured_report.editions.status import expected_packages
 from measured_report.files.errors import ReportError, UsageError
 from measured_report.files.git import environment, git, run_git
-from measured_report.measuring.batch import now
+from measured_report.measuring.batch import utc_time
 from measured_report.measuring.measure import MODULE
 from measured_report.records.identity import identity_of
 from measured_report.records.record import Carried, Record, basis_of, load_record
@@ -88,7 +88,7 @@ def carry(project: Project, name: str, sides: Sequence[Project], python: Path) -
         recorded.code,
         old_commit,
         new_commit,
-        date=now().isoformat(timespec="seconds"),
+        date=utc_time().isoformat(timespec="seconds"),
         cells=sum(map(len, after.rows)),
     )
     changes = (*record.carried, change)
@@ -147,10 +147,12 @@ def _run(name: str, python: Path, log: Path, side: Project) -> Record:
     The functions that it calls are written to ``log``.
     """
     path = side.record_path(name)
+    # The record of an earlier run would count if this run failed.
     path.unlink(missing_ok=True)
     start = log.with_name("start")
     start.mkdir(exist_ok=True)
     with suppress(FileExistsError):
+        # Python imports this module at its start, before any code that is logged.
         (start / "sitecustomize.py").symlink_to(executed.__file__)
     packages = map(str, sorted((side.root / "packages").glob("*")))
     paths = [str(start), *packages, *filter(None, [os.environ.get("PYTHONPATH")])]

@@ -14,7 +14,7 @@ from measured_report.files.errors import ReportError, suggestion
 from measured_report.findings.editions import Edition
 from measured_report.parts.claim import WITHIN
 from measured_report.records.identity import sections
-from measured_report.values.evidence import repeats_in
+from measured_report.values.evidence import split_repeats
 from measured_report.values.format import format_share
 from measured_report.values.quantities import Quantity
 
@@ -105,9 +105,7 @@ def gaps(edition: Edition) -> list[str]:
     lines = []
     for name, chapter in edition.chapters.items():
         columns = edition.report.columns
-        all_rows = chapter.results.record.rows
-        repeats = repeats_in(all_rows, name, columns)
-        rows = [row for row in all_rows if row not in repeats]
+        rows, _ = split_repeats(chapter.results.record.rows, name, columns)
         exact_cells = [
             tuple(cell for cell in row.items() if not isinstance(cell[1], float))
             for row in rows

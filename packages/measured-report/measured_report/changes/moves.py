@@ -20,7 +20,7 @@ from measured_report.values.evidence import (
     is_absolute,
     is_lost,
     key_of,
-    repeats_in,
+    split_repeats,
 )
 from measured_report.values.noise import (
     FALSE_SHARE,
@@ -165,8 +165,8 @@ class Move:
         if "failure" in self.column.kinds:
             return math.inf
         if self.share is None:
-            is_alarm = self.is_gone and (self.is_setting or self.is_named)
-            return math.inf if is_alarm else 0.0
+            is_missed = self.is_gone and (self.is_setting or self.is_named)
+            return math.inf if is_missed else 0.0
         return abs(self.share) / self.threshold
 
     @property
@@ -291,7 +291,7 @@ def _rows_by_key(results: Results) -> dict[RowKey, Row]:
     """
     section = results.record.section
     columns = results.columns
-    repeats = repeats_in(results.record.rows, section, columns)
+    _, repeats = split_repeats(results.record.rows, section, columns)
     rows = [row for row in results.rows if row.plain not in repeats]
     return single((key_of(row.plain, columns), row) for row in rows)
 
@@ -366,7 +366,7 @@ def _judged(pairs: Sequence[Pair]) -> list[Move]:
 
     if not pairs:
         return []
-    tested = [_known(move, estimates) for move, estimates in pairs]
+    tested = [_with_both_sides(move, estimates) for move, estimates in pairs]
     values = np.array([[side.value for side in sides] for sides, *_ in tested])
     errors = np.array([[side.error for side in sides] for sides, *_ in tested])
     # Both variances come from the same scatter, so their degrees of freedom do not add.
@@ -417,7 +417,7 @@ def _scales(pairs: Sequence[Pair]) -> dict[Column, float]:
     return {column: NEAR_ZERO * median(numbers) for column, numbers in sizes.items()}
 
 
-def _known(
+def _with_both_sides(
     move: Move, estimates: Sequence[Estimate | None]
 ) -> tuple[list[Estimate], float, bool]:
     """Return the estimates of both sides and the smallest difference that counts.
@@ -493,6 +493,7 @@ def _shifts(moves: Sequence[Move], sides: Sequence[Results]) -> list[Move]:
         residual = TO_DEVIATION * median(abs(log - middle) for log in logs)
         variance, freedom = sides[0].evidence.host
         error = math.sqrt(
+            # The first term is the scatter between hosts, the second that of the rows.
             variance * sum(1 / count for count in counts)
             + MEDIAN**2 * residual**2 / len(logs)
         )
@@ -510,6 +511,7 @@ def _shifts(moves: Sequence[Move], sides: Sequence[Results]) -> list[Move]:
                 least=0.0,
                 place={},
                 rows=(),
+                # Bonferroni: the columns are few, so this costs little power.
                 limit=FALSE_SHARE / len(by_column),
                 row_count=len(column_moves),
             )

@@ -107,14 +107,17 @@ def uncovered(old: Program, new: Program, called: set[Place]) -> str:
                 )
         for side in sides:
             places = side.places(name)
+            # Two functions at the same place cannot be distinguished in the log.
             if not called.issuperset(places) or len({*places}) < len(places):
                 return (
                     f"the quick run does not call all of {name}: measure again with "
                     "make rerun"
                 )
             for token in side.tokens(name):
+                # A token that only moved between functions cancels out.
                 counts[token] += 1 if side is new else -1
         changed.append(name)
+    # A function with a new name changes each of its calls.
     renamed = old.defined ^ new.defined
     for (kind, text), count in sorted(counts.items()):
         if count and not (kind == "name" and text in renamed):

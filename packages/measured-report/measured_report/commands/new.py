@@ -84,16 +84,22 @@ def new(folder: Path, file: Path | None = None) -> int:
         "# @SOURCE@\n": source,
         **OLDER,
     }
-    for skeleton in (SKELETON, FROM_FILE) if file else (SKELETON,):
-        for template in skeleton.rglob("*"):
-            is_other = skeleton == SKELETON and FROM_FILE in template.parents
-            is_other |= bool(file) and "pendulum" in template.name
-            if template.is_file() and template.suffix != ".pyc" and not is_other:
-                text = template.read_text(encoding="utf-8")
-                for mark, replacement in marks.items():
-                    text = text.replace(mark, replacement)
-                path = template.relative_to(skeleton).as_posix().replace("dot.", ".")
-                write_file(folder / path, text)
+    templates = {
+        path.relative_to(SKELETON): path
+        for path in SKELETON.rglob("*")
+        if FROM_FILE not in path.parents and not (file and "pendulum" in path.name)
+    }
+    if file:
+        templates |= {
+            path.relative_to(FROM_FILE): path for path in FROM_FILE.rglob("*")
+        }
+    for path, template in templates.items():
+        if template.is_file() and template.suffix != ".pyc":
+            text = template.read_text(encoding="utf-8")
+            for mark, replacement in marks.items():
+                text = text.replace(mark, replacement)
+            # Tools would take files such as .gitignore as settings of this package.
+            write_file(folder / path.as_posix().replace("dot.", "."), text)
     if file:
         write_file(folder / "assets" / file.name, file.read_bytes())
     write_file(folder / FILE, reference(report_in(folder)))

@@ -186,20 +186,22 @@ def _to_branch(copy: Path, location: str, site: Path) -> str:
     remote, _, branch = location.partition("#")
     branch = branch or BRANCH
     ref = f"refs/heads/{branch}"
-    here = partial(run_git, root)
-    if Path(here("rev-parse", "--show-toplevel")) != root.resolve():
+    run_in_clone = partial(run_git, root)
+    if Path(run_in_clone("rev-parse", "--show-toplevel")) != root.resolve():
         raise UsageError(
             f"{root} is not the root of a git repository: use TARGET=dir:PATH"
         )
-    is_plain = here("check-ref-format", "--branch", branch) == branch
+    is_plain = run_in_clone("check-ref-format", "--branch", branch) == branch
     if not is_plain or branch.startswith(("@", "refs/")):
         raise UsageError(
             f"{branch} is not a valid branch name: use TARGET=git:REMOTE#BRANCH"
         )
-    is_named = remote in here("remote").splitlines()
+    is_named = remote in run_in_clone("remote").splitlines()
     addresses = [remote]
     if is_named:
-        addresses = here("remote", "get-url", "--push", "--all", remote).splitlines()
+        addresses = run_in_clone(
+            "remote", "get-url", "--push", "--all", remote
+        ).splitlines()
     if len(addresses) > 1:
         raise UsageError(
             f"{remote} has {len(addresses)} addresses to push to: publish to each of "
@@ -210,7 +212,7 @@ def _to_branch(copy: Path, location: str, site: Path) -> str:
         address = str((root / address).resolve())
     # Use the clone's settings to authenticate, and override settings that affect the
     # copy.
-    config = root / here("rev-parse", "--git-path", "config")
+    config = root / run_in_clone("rev-parse", "--git-path", "config")
     settings = [f"include.path={config}", *OVERRIDES]
     options = [option for setting in settings for option in ("-c", setting)]
     run_in_copy = partial(
@@ -231,6 +233,7 @@ def _to_branch(copy: Path, location: str, site: Path) -> str:
             )
         if DOMAIN in kinds and not (copy / DOMAIN).exists():
             domain = run_in_copy("show", f"{before}:{DOMAIN}")
+            # The modes of regular files begin with 100; those of links with 120.
             if not kinds[DOMAIN].startswith("100") or NOT_UTF8 in domain:
                 raise UsageError(
                     f"{DOMAIN} on the branch {branch} of {remote} is not a text file "

@@ -54,6 +54,7 @@ class _Handler(SimpleHTTPRequestHandler):
         name = super().translate_path(path)
         name += "index.html" if name.endswith("/") else ""
         below = os.path.relpath(name, self.directory)
+        # Equal only if no part of the path below the site is a link.
         expected = os.path.normpath(f"{os.path.realpath(self.directory)}/{below}")
         file = Path(name)
         # Opening a pipe would wait for somebody to write to it.

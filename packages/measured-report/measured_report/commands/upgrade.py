@@ -160,6 +160,7 @@ def timed_in_turn(
             )
             if not is_done:
                 return []
+        # A single pass does not show how the times scatter.
         if number > 1:
             editions = list(map(derive_edition, timed))
             if not hidden_times(*editions):
@@ -258,12 +259,12 @@ def verdict(
         f"flipped: {few(flips) if flips else 'no claim'}",
         *(largest(comparison) or ["changed: nothing"]),
         f"changes that would have been detected: {sensitivity_text(comparison)}",
-        *_why(comparison, say, after),
+        *_cause_lines(comparison, say, after),
         f"what to do: {_advice(comparison, before.project, after.project)}",
     ]
 
 
-def _why(comparison: Comparison, say: Say, after: Edition) -> list[str]:
+def _cause_lines(comparison: Comparison, say: Say, after: Edition) -> list[str]:
     """Return a line about the cause if a claim flipped or a number raised an alarm."""
     if not comparison.flips and all(move.is_setting for move in comparison.alarms):
         return []

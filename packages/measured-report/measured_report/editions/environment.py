@@ -4,7 +4,6 @@ The project's own edition uses the project's environment. Every other edition ha
 separate environment.
 """
 
-import hashlib
 import os
 import re
 import shutil
@@ -69,7 +68,11 @@ def python_of(release: Release, packages: Mapping[str, str], root: Path) -> Path
     pins = [f"{name}=={version}" for name, version in release.pins]
     # A package that pyproject.toml lists later is added. Versions that the records name
     # do not count, because they are those that the environment already has.
-    declared = [*_others(root, settings.packages, settings), *pins, release.requirement]
+    declared = [
+        *_other_requirements(root, settings.packages, settings),
+        *pins,
+        release.requirement,
+    ]
     if not _is_ready(folder, declared):
         # The release itself is added below, because it may be a commit.
         versions = {**packages, package: MISSING, **dict(release.pins)}
@@ -77,7 +80,7 @@ def python_of(release: Release, packages: Mapping[str, str], root: Path) -> Path
         name = f"{settings.option}={release.spec}"
         options = _date_options(release, name, installs)
         arguments = [*options, *installs, release.requirement]
-        _make(folder, name, arguments, pins, declared)
+        _make(folder, name, arguments, declared, pins)
     _link_generator(folder)
     return folder / "bin" / "python"
 
@@ -109,7 +112,7 @@ def python_with(name: str, requirements: Sequence[str]) -> Path:
     The environment is created if it does not exist.
     """
     folder = current().root / f".venv-{name}"
-    _make(folder, name, requirements)
+    _make(folder, name, requirements, requirements)
     return folder / "bin" / "python"
 
 
@@ -130,10 +133,15 @@ def requirements(
             )
         if version != MISSING:
             pinned[name] = f"{settings.requirement_of(name)}=={version}"
-    return [*_others(root, [*pinned, settings.edition], settings), *pinned.values()]
+    return [
+        *_other_requirements(root, [*pinned, settings.edition], settings),
+        *pinned.values(),
+    ]
 
 
-def _others(root: Path, packages: Sequence[str], settings: Config) -> list[str]:
+def _other_requirements(
+    root: Path, packages: Sequence[str], settings: Config
+) -> list[str]:
     """Return the project's requirements, except those of ``packages`` and their groups."""
     replaced = {*packages}.union(*settings.changes.package_groups)
     project = read_toml(root / "pyproject.toml").get("project", {})
@@ -163,39 +171,34 @@ def _date_options(release: Release, name: str, installs: Sequence[str]) -> list[
     return options
 
 
-def _digest(declared: Sequence[str]) -> str:
-    return hashlib.sha256("\n".join(declared).encode()).hexdigest()
-
-
 def _is_ready(folder: Path, declared: Sequence[str]) -> bool:
     """Return whether an environment is complete and was made for these requirements."""
     ready = folder / READY
-    return ready.is_file() and ready.read_text(encoding="utf-8") == _digest(declared)
+    return ready.is_file() and ready.read_text(encoding="utf-8") == "\n".join(declared)
 
 
 def _make(
     folder: Path,
     name: str,
     arguments: Sequence[str],
+    declared: Sequence[str],
     pins: Sequence[str] = (),
-    declared: Sequence[str] = (),
 ) -> None:
     """Create an environment, unless one exists that is ready for ``declared``.
 
-    The default of ``declared`` is ``arguments``. The versions in ``pins`` replace those
-    that other packages require.
+    The versions in ``pins`` replace those that other packages require.
     """
-    declared = declared or arguments
     overrides = folder / "overrides.txt"
     install = ["pip", "install", "--python", f"{folder}/bin/python"]
     with locked(folder.parent):
         if _is_ready(folder, declared):
             return
         try:
+            # Cleared, because a killed process may have left a part of one.
             _run(["venv", "--clear", "--python", sys.executable, str(folder)], name)
             write_file(overrides, "\n".join(pins))
             _run([*install, "--overrides", str(overrides), *arguments], name)
-            write_file(folder / READY, _digest(declared))
+            write_file(folder / READY, "\n".join(declared))
         except BaseException:
             shutil.rmtree(folder, ignore_errors=True)
             raise

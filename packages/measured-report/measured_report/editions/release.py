@@ -78,6 +78,7 @@ class Release:
 def read_label(text: str, settings: Config | None = None) -> Release | None:
     """Return the release that a label names, or None; ``1.8`` means 1.8.0."""
     settings = settings or current().settings
+    # The first package is the edition, whose version is not a pin.
     names = {
         settings.short_names.get(package, package): package
         for package in settings.packages[1:]

@@ -140,16 +140,16 @@ class Schema:
         self.settings = settings
         self.parameters = parameters
         self._columns: dict[str, Column] = {}
-        known = _LENGTHS | _TIMES | _OTHERS
+        own_units = _LENGTHS | _TIMES | _OTHERS
         for end, unit in settings.units.items():
             if not unit:
                 raise ReportError(f"{FILE}: units has {end} without a unit: add one")
-            if known.get(end, unit) != unit:
+            if own_units.get(end, unit) != unit:
                 raise ReportError(
-                    f"{FILE}: units has {end}, which already means {known[end]}: "
+                    f"{FILE}: units has {end}, which already means {own_units[end]}: "
                     "use another ending"
                 )
-        self.units: Mapping[str, str] = known | dict(settings.units)
+        self.units: Mapping[str, str] = own_units | dict(settings.units)
         """The units by the end of a column's name; the longest matching end counts."""
 
     def __getitem__(self, name: str) -> Column:
@@ -171,6 +171,7 @@ class Schema:
         unit = self._unit(name)
         largest = LARGEST.get(unit, 1e18)
         signs = [table.signed for table in declared if table.signed is not None]
+        # The first table that states the sign wins over the unit.
         is_signed = [*signs, unit not in NEVER_NEGATIVE][0]
         kinds = {table.kind for table in declared} - {""}
         if name in self.parameters:

@@ -59,9 +59,9 @@ class DerivedCache(Cache):
                 folder for folder in module.parents if (folder / "report").is_dir()
             )
         code = self.code(root, self.report.root)
-        here = Path(__file__).resolve()
+        own_file = Path(__file__).resolve()
         # Sections do not import the modules that evaluate replicas, but depend on them.
-        starts = filter(None, (here, here.with_name("replicas.py"), module))
+        starts = filter(None, (own_file, own_file.with_name("replicas.py"), module))
         closure = {file for start in starts for file in code.closure(str(start))}
         sources = {code.name_of(file): code.source(file) for file in closure}
         # Modules do not import report.toml, which describes the columns.
@@ -87,10 +87,10 @@ class DerivedCache(Cache):
         Without a module it is a function of the generator.
         """
         key = self.key(code, inputs)
-        if (kept := self.get(name, key)) is None:
-            kept = (make(),)  # a tuple, because the result may be None
-            self.put(name, key, kept)
-        return kept[0]
+        if (entry := self.get(name, key)) is None:
+            entry = (make(),)  # a tuple, because the result may be None
+            self.put(name, key, entry)
+        return entry[0]
 
 
 @functools.cache

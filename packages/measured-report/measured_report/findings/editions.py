@@ -211,6 +211,7 @@ class Edition:
             return chapter
         for name_read in outline.reads:
             order = self._outline_of(name_read).order
+            # Sections of the same order are derived by their names.
             if (order, name_read) >= (outline.order, name):
                 raise ReportError(
                     f"{outline.source} reads {name_read}, which comes after it: "
@@ -226,13 +227,14 @@ class Edition:
             derived={},
         )
         chapter = replace(chapter, results=results)
+        # It needs the results of all editions, which are derived first.
         if outline.compares and releases is None:
             return chapter
 
         def derive() -> Derived:
             return derive_section(results, releases or {}), results.derived
 
-        section, values = self._kept(self._entry(name), chapter.key, name, derive)
+        section, values = self._cached(self._entry(name), chapter.key, name, derive)
         results.derived.update(values)
         claims = [self._with_count(claim, name) for claim in section.claims]
         return replace(chapter, section=replace(section, claims=claims))
@@ -262,12 +264,12 @@ class Edition:
 
         key = self.cache.key(file, _digests_of(chapters_read))
         try:
-            return self._kept(self._entry(f"{name}.text"), key, name, derive)[0]
+            return self._cached(self._entry(f"{name}.text"), key, name, derive)[0]
         except Exception as error:
             self.left_out.append(State(name, Kind.NOT_SHOWN, notes=(bug_of(error),)))
             return Section()
 
-    def _kept(
+    def _cached(
         self, entry: str, key: str, anchor: str, derive: Callable[[], Derived]
     ) -> Derived:
         """Return a section and its values from the cache, or derive and draw them."""
@@ -287,11 +289,13 @@ class Edition:
 
     def _read_by(self, chapter: Chapter) -> Chapters:
         """Return the chapters whose results a chapter can read."""
-        others = before(chapter.name, self.chapters)
+        earlier_chapters = before(chapter.name, self.chapters)
         if chapter.compares:
-            return others
+            return earlier_chapters
         reads = chapter.outline.reads
-        return {name: other for name, other in others.items() if name in reads}
+        return {
+            name: earlier for name, earlier in earlier_chapters.items() if name in reads
+        }
 
     @cached_property
     def _measured(self) -> str:
@@ -397,12 +401,12 @@ def read_edition(project: Project, cache: DerivedCache) -> Edition:
             )
             chapters.append(Chapter(state, outline, results))
     chapters.sort(key=lambda chapter: chapter.outline.order)
-    for one, other in pairwise(chapters):
-        order = one.outline.order
-        if order == other.outline.order != LAST:
+    outlines = [chapter.outline for chapter in chapters]
+    for outline, next_outline in pairwise(outlines):
+        if outline.order == next_outline.order != LAST:
             raise ReportError(
-                f"{one.outline.source} and {other.outline.source} both have the order "
-                f"{order}: change one of them"
+                f"{outline.source} and {next_outline.source} both have the order "
+                f"{outline.order}: change one of them"
             )
     edition.chapters = {chapter.name: chapter for chapter in chapters}
     return edition

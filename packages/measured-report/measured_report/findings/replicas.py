@@ -83,8 +83,8 @@ def _measurements(project: Project) -> dict[str, Measurements]:
         named_replicas, damaged = read_replicas(edition)
         replicas = [alike(shown, records) for records in named_replicas.values()]
         for name, record in shown.items():
-            others = [records.get(name) for records in replicas]
-            measured[label, name] = [record, *others]
+            repeated = [records.get(name) for records in replicas]
+            measured[label, name] = [record, *repeated]
         by_edition[label] = Measurements(damaged=damaged, names=[*named_replicas])
     body = body_of(measured, project.report.columns)
     for label, measurements in by_edition.items():

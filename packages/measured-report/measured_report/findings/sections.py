@@ -55,8 +55,13 @@ def outline_of(section: str, report: Report | None = None) -> Outline:
     is_folder = file.name == "__init__.py"
     name = file.relative_to(file.parents[3 if is_folder else 2]).as_posix()
     label = section.replace("_", " ")
-    facts: dict[str, Any] = {"first": False, "label": label, "labels": {}, "reads": ()}
-    facts["order"] = LAST
+    facts: dict[str, Any] = {
+        "order": LAST,
+        "first": False,
+        "label": label,
+        "labels": {},
+        "reads": (),
+    }
     facts |= read_source(file, name).top
     for fact, (kind, words) in FACTS.items():
         value = facts.get(fact)

@@ -96,7 +96,7 @@ def measure_batch(packed: bytes, device: str) -> Result:
         description = machine(device)
         gc.collect()  # simulations that are no longer used would make frames slower
         with device_lock(exclusive=batch.exclusive):
-            started = now()
+            started = utc_time()
             start = time.perf_counter()
             value = batch.function(*batch.arguments)
             seconds = time.perf_counter() - start
@@ -136,7 +136,7 @@ def is_out_of_memory(error: BaseException) -> bool:
     return isinstance(error, MemoryError) or bool(OUT_OF_MEMORY.search(str(error)))
 
 
-def now() -> datetime:
+def utc_time() -> datetime:
     """Return the current time; raise ReportError if the clock is not set."""
     time = datetime.now(timezone.utc)
     if time.year not in range(2000, 2100):

@@ -46,6 +46,7 @@ def _table(file: str) -> Iterator[tuple[str, dict[str, Any]]]:
 
 def _times(file: str) -> Iterator[tuple[str, dict[str, Any]]]:
     for case, seconds in _timings(json.loads(Path(file).read_text(encoding="utf-8"))):
+        # Rounded up, so that there are at most RUN_COUNT groups.
         size = -(-len(seconds) // RUN_COUNT)
         for start in range(0, len(seconds), size):
             yield case, {"run_ms": 1e3 * fmean(seconds[start : start + size])}
@@ -56,6 +57,7 @@ def _timings(data: Any) -> Iterator[tuple[str, Sequence[float]]]:
     if "benchmarks" in data:  # pytest-benchmark
         for benchmark in data["benchmarks"]:
             stats = benchmark["stats"]
+            # The runs are in the file only with --benchmark-save-data.
             yield benchmark["name"], stats.get("data") or [stats["median"]]
     elif isinstance(data["results"], list):  # hyperfine
         for result in data["results"]:
@@ -64,6 +66,7 @@ def _timings(data: Any) -> Iterator[tuple[str, Sequence[float]]]:
         for name, fields in data["results"].items():
             result = dict(zip(data["result_columns"], fields, strict=False))
             samples = result.get("samples") or [None] * len(result["result"])
+            # Without parameters this is one empty tuple, as there is one result.
             labels = product(*result["params"])
             for label, time, runs in zip(
                 labels, result["result"], samples, strict=True

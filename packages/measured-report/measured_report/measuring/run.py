@@ -153,7 +153,9 @@ class Section:
             if not path.is_relative_to(self.project.root) or not path.is_file():
                 continue
             name = path.relative_to(self.project.root).as_posix()
+            # Environments and outputs can be below the root, but are not its sources.
             is_other = re.search(r"(^|/)(\.|site-packages/|results/|site/)", name)
+            # The identity covers Python files already, by the imports of the section.
             is_known = path.suffix in (".py", ".pyc") or name in SETTINGS
             if not (is_other or is_known or name in self.basis.identity.files):
                 raise ReportError(

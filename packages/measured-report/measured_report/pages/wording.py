@@ -99,7 +99,7 @@ def _rendered(
         for key, table in chapter.section.tables.items()
     }
     section = replace(chapter.section, tables=tables)
-    sections = {key: other.section for key, other in edition.chapters.items()}
+    sections = {key: member.section for key, member in edition.chapters.items()}
     names = {
         "release": results.record.origin.release,
         "row": results.row,

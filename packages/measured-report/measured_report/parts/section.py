@@ -85,6 +85,7 @@ def _column(name: str, values: "pd.Series") -> dict[str, Any]:
             return value.bare, missing if count else POINT_SPACE + missing
         if isinstance(value, bool):
             return "yes" if value else "no", ""
+        # Only NaN differs from itself.
         if value is None or value != value or value == "":
             return ABSENT, ""
         if isinstance(value, int | float):
@@ -225,8 +226,11 @@ class Section:
 
         Claims that share a wording also count under the name of their wording.
         """
-        claims = {("claim", claim.name) for claim in self.claims}
-        claims |= {("claim", claim.wording_name) for claim in self.claims}
+        claims = {
+            ("claim", name)
+            for claim in self.claims
+            for name in (claim.name, claim.wording_name)
+        }
         figures = {("figure", name) for name in self.figures}
         return claims | figures | {("table", name) for name in self.tables}
 

@@ -208,6 +208,7 @@ def _typed(nodes: Sequence[ast.AST]) -> Iterator[int]:
             continue
         for part in chain.from_iterable(map(ast.walk, [node.func.value, *node.args])):
             if isinstance(part, ast.Name):
+                # A name assigned in the same file, as in ``sizes = [3, 7]``.
                 part = named.get(part.id, part)
             if not isinstance(part, LISTS):
                 continue
@@ -215,6 +216,7 @@ def _typed(nodes: Sequence[ast.AST]) -> Iterator[int]:
                 ast.literal_eval(part)  # raises ValueError if anything is computed
                 cells = [getattr(cell, "value", None) for cell in ast.walk(part)]
                 numbers = [cell for cell in cells if type(cell) in (int, float)]
+                # Positions count from 0 or from 1.
                 start = int(0 not in numbers)
                 if numbers[1:] and numbers != [*range(start, start + len(numbers))]:
                     yield node.lineno

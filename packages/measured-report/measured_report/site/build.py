@@ -76,6 +76,7 @@ def build(project: Project, address: str = "") -> Built:
                 content = content.read_bytes()
             atomic.write_file(fresh / name, content)
         links = broken_links(fresh)
+        # Written last, because it contains the digests of all other files.
         atomic.write_file(fresh / SUMS, atomic.sums(atomic.digests_below(fresh)))
         atomic.put_in_place(project.site, fresh)
         states = {name: [*_not_fresh(edition)] for name, edition in editions.items()}

@@ -5,7 +5,6 @@ import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
-from itertools import combinations
 from typing import Any
 
 from measured_report.changes.alarm import (
@@ -16,7 +15,8 @@ from measured_report.changes.alarm import (
 )
 from measured_report.changes.compare import Comparison, compare
 from measured_report.changes.moves import Move
-from measured_report.changes.query import Query, points, schema_of
+from measured_report.changes.query import Query, points
+from measured_report.files.columns import Schema
 from measured_report.files.config import Page
 from measured_report.files.groups import grouped
 from measured_report.findings.chapters import Releases
@@ -70,10 +70,10 @@ class Pair:
         for column_moves in columns.values():
             shown = column_moves[:SHOWN]
             for number, move in enumerate(shown, 1):
-                left = len(column_moves) - number if number == SHOWN else 0
+                hidden_count = len(column_moves) - number if number == SHOWN else 0
                 is_finite = math.isfinite(move.relevance)
                 relevance = format_number(move.relevance) if is_finite else "new"
-                yield move, left, relevance if move.relevance else ""
+                yield move, hidden_count, relevance if move.relevance else ""
 
     @property
     def summary(self) -> str:
@@ -86,6 +86,7 @@ class Pair:
     def json(self) -> bytes:
         """Return the list that ``make diff FORMAT=json`` prints, compressed."""
         rate = false_alarm_counts(self.before) + false_alarm_counts(self.after)
+        # The claims have their wording already, so no template is read again.
         text = diff_text(
             self.comparison, rate_text(rate), "json", lambda _, claim: claim.text
         )
@@ -97,19 +98,24 @@ def compare_page(
 ) -> tuple[Prose, dict[str, bytes]] | None:
     """Return the page and its files, or None without two editions to compare."""
     measured = [edition for edition in editions.values() if edition.chapters]
-    if len(measured) < 2 or PAGE in measured[0].report.settings.pages:
+    if len(measured) < 2:
+        return None
+    columns = measured[0].report.columns
+    settings = columns.settings
+    # A page of the report with this name has the same file, and replaces this one.
+    if PAGE.name in {page.name for page in settings.pages}:
         return None
     pairs = [
-        Pair(before, after, measured.index(after) == measured.index(before) + 1)
-        for before, after in combinations(measured, 2)
+        Pair(before, after, is_next=place == 0)
+        for index, before in enumerate(measured)
+        for place, after in enumerate(measured[index + 1 :])
     ]
-    settings = measured[0].report.settings
     # The script shows the first pair: the two newest releases, without trials.
     pairs.reverse()
     pairs.sort(key=lambda pair: pair.after.project.release in settings.trials)
     names = {
         "headlines": _headlines(
-            {name: each.chapters for name, each in editions.items()}
+            {name: edition.chapters for name, edition in editions.items()}, columns
         ),
         "pairs": [macros().pair(pair, settings) for pair in pairs],
     }
@@ -117,9 +123,8 @@ def compare_page(
     return page, {pair.file: pair.json for pair in pairs}
 
 
-def _headlines(releases: Releases) -> Any:
+def _headlines(releases: Releases, columns: Schema) -> Any:
     """Return a table of the headlines that at least two editions have, or None."""
-    columns = next(filter(None, map(schema_of, releases.values())))
     rows = []
     for label, value in columns.settings.changes.headlines.items():
         query = Query(value, label=label)

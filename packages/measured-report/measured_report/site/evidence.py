@@ -40,7 +40,7 @@ class Evidence:
             for value in chapter.results.derived.values()
         }
 
-    def of(self, pointers: Iterable[str]) -> dict[str, Any]:
+    def describe(self, pointers: Iterable[str]) -> dict[str, Any]:
         """Return the rows that each derived number depends on, and describe all rows.
 
         A derived number has the count of its rows and the positions of the first few.
@@ -52,18 +52,19 @@ class Evidence:
             value = self.values.get(pointer)
             matches = map(ROW.match, sorted(value.roots) if value else [pointer])
             cells = dict.fromkeys(map(_cell, filter(None, matches)))
-            known = {
+            cells_by_name = {
                 f"{file}#/rows/{index}": (file, index)
                 for file, index in cells
                 if file in self.chapters
             }
-            shown = dict(islice(known.items(), FEW))
+            shown = dict(islice(cells_by_name.items(), FEW))
             for name, (file, index) in shown.items():
                 edition, chapter = self.chapters[file]
                 rows.setdefault(name, _description(chapter, index))
                 records.setdefault(file, _measurement(edition, chapter))
             if value:
-                derived[pointer] = [len(known), *map(list(rows).index, shown)]
+                # Positions instead of names, because many numbers share their rows.
+                derived[pointer] = [len(cells_by_name), *map(list(rows).index, shown)]
         return {"derived": derived, "rows": rows, "records": records}
 
 

@@ -83,10 +83,13 @@ class Content:
         return [*self.texts, *proses]
 
     @property
+    def body(self) -> str:
+        return "".join(part.body for part in self.parts)
+
+    @property
     def cited(self) -> list[str]:
         """Return the names of all sources that the page cites, in order."""
-        bodies = "".join(part.body for part in self.parts)
-        return list(dict.fromkeys(CITED.findall(bodies)))
+        return list(dict.fromkeys(CITED.findall(self.body)))
 
 
 def contents_of(
@@ -195,8 +198,7 @@ def _pages(
     pages = {}
     for content, linked in zip(contents, names["contents"], strict=True):
         references = [templates.references[name] for name in content.cited]
-        bodies = "".join(part.body for part in content.parts)
-        evidence = about["evidence"].of(POINTERS.findall(bodies))
+        evidence = about["evidence"].describe(POINTERS.findall(content.body))
         on_page = {
             **names,
             "content": linked,

@@ -32,9 +32,9 @@ from measured_report.values.evidence import (
     is_absolute,
     is_lost,
     key_of,
-    repeats_in,
     repeats_of,
     scatters,
+    split_repeats,
 )
 from measured_report.values.noise import (
     FALSE_SHARE,
@@ -112,9 +112,13 @@ def body_of(
     chances = _chances(samples, fits)
     host = _host_scatter(samples, fits, columns)
     within = _within(gathered, columns, fits, several)
+    repeats = {
+        edition: repeats_of(measurements.rows, columns)
+        for (edition, section), measurements in gathered.items()
+        if section == columns.settings.noise_section
+    }
     sections = {}
     for (edition, section), measurements in gathered.items():
-        noise = measured.get((edition, columns.settings.noise_section), [None])[0]
         sections[edition, section] = Evidence(
             count=measurements.count,
             numbers=several[edition, section],
@@ -124,7 +128,7 @@ def body_of(
                 for (name, column_key), fit in fits.items()
                 if name == section
             },
-            repeats=repeats_of(noise.rows if noise else (), columns),
+            repeats=repeats.get(edition, {}),
             edges=frozenset(measurements.edges),
             odd_rows=odd_rows.get(section),
             host=host,
@@ -143,7 +147,7 @@ class _Gathered:
         assert shown, "the record that is shown comes first"
         self.columns = columns
         self.rows = shown.rows
-        self.repeats = repeats_in(shown.rows, section, columns)
+        _, self.repeats = split_repeats(shown.rows, section, columns)
         self.count = sum(record is not None for record in records)
         self.edges: set[RowKey] = set()  # rows that end in one of two ways, by chance
         self.dissenting = (
@@ -176,6 +180,7 @@ class _Gathered:
                     continue
                 column_key = column_key_of(name, shown, self.columns)
                 if row_key[0] == MEAN:
+                    # A mean scatters less than one run, so it has a fit of its own.
                     column_key = MEAN, name
                 samples = [
                     self.columns.number_of(name, row) if row and name in row else None
@@ -216,8 +221,7 @@ def rows_by_key(
     The cost of a case is the mean of all its runs. In the section on noise, the mean of
     the runs of one case is a row of its own for each column, in place of the runs.
     """
-    repeats = repeats_in(rows, section, columns)
-    singles = [row for row in rows if row not in repeats]
+    singles, repeats = split_repeats(rows, section, columns)
     runs = grouped((run["of"], run) for run in repeats)
     if section == columns.settings.noise_section:
         by_key = single((key_of(row, columns), row) for row in singles)
@@ -237,7 +241,7 @@ def _with_mean_costs(
     samples = {name: _samples(name, row, runs) for name in costs}
     return {
         **row,
-        **{name: fmean(fenced(of)) for name, of in samples.items() if of[1:]},
+        **{name: fmean(fenced(runs)) for name, runs in samples.items() if runs[1:]},
     }
 
 
@@ -323,19 +327,21 @@ def _within(
                 if (numbers := _samples(name, row, repeats))[1:]:
                     key = section, column_key_of(name, row, columns)
                     samples[key][edition, key_of(row, columns), name] = numbers
-    found: dict[str, dict[ColumnKey, Scatter]] = defaultdict(dict)
+    scatters_within: dict[str, dict[ColumnKey, Scatter]] = defaultdict(dict)
     for (section, column_key), of_column in samples.items():
         column = _column(column_key, columns)
         array = _array(of_column)
         sizes = np.maximum(abs(np.nanmean(array, axis=1)), 1e-12)
         shares = np.nanvar(array, axis=1, ddof=1) / sizes**2
         level = max(float(shares.mean()), rounding_variance(1.0))
+        # The noise of few rows is assumed to be in proportion to their numbers.
         few = Scatter(level, 2.0, USUAL_FREEDOM)
         slopes = _slopes(column_key, columns)
         fit = fit_of(array, _row_keys(of_column), few, slopes)
         assert fit, "the scatter of few rows is given"
+        # All runs were on one host, so their scatter does not contain its error.
         shared = HOST_SHARE**2 if is_absolute(column) else 0.0
-        found[section][column_key] = replace(fit.scatter, shared=shared)
+        scatters_within[section][column_key] = replace(fit.scatter, shared=shared)
         for (edition, row_key, name), numbers in of_column.items():
             if column.is_cost:
                 mean = fmean(fenced(numbers))
@@ -343,7 +349,7 @@ def _within(
                 several[edition, section].setdefault(
                     (row_key, name), Several(mean, runs, len(runs))
                 )
-    return found
+    return scatters_within
 
 
 def _slopes(key: ColumnKey, columns: Schema) -> Sequence[float]:

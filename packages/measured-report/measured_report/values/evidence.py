@@ -79,14 +79,21 @@ def column_key_of(name: str, row: Cells, columns: Schema) -> ColumnKey:
     return name, *(row.get(engine) for engine in columns.settings.repeating)
 
 
-def repeats_in(rows: Sequence[Cells], section: str, columns: Schema) -> list[Cells]:
-    """Return the rows that repeat the case ``of``, and are not compared by themselves.
+def split_repeats(
+    rows: Sequence[Cells], section: str, columns: Schema
+) -> tuple[list[Cells], list[Cells]]:
+    """Return the rows to compare, and the rows that repeat the case ``of``.
 
     Outside of the section on noise, this must be a case of the section.
     """
     is_noise = section == columns.settings.noise_section
     cases = {row["case"] for row in rows}
-    return [row for row in rows if "of" in row and (is_noise or row["of"] in cases)]
+    singles: list[Cells] = []
+    repeats: list[Cells] = []
+    for row in rows:
+        is_repeat = "of" in row and (is_noise or row["of"] in cases)
+        (repeats if is_repeat else singles).append(row)
+    return singles, repeats
 
 
 class Repeats(NamedTuple):
@@ -174,6 +181,7 @@ class Evidence:
         column_key = column_key_of(name, row, columns)
         if several := self.numbers.get((key, name)):
             return self._by_measurements(several, column, key, column_key)
+        # A count is exact unless several measurements show otherwise.
         if isinstance(value, int):
             return Estimate(value)
         if scatter := self.scatters.get(column_key):
@@ -241,6 +249,7 @@ class Evidence:
         scatter = self.scatters.get(column_key)
         if scatter is None:
             freedom = several.total - 1
+            # The column has too few rows for a fit, so only these measurements count.
             variance = variance_of(present) if freedom else 0.0
             return Estimate(value, variance, freedom, **common)
         return Estimate(value, *scatter.of(key, abs(value), several.total), **common)

@@ -328,6 +328,7 @@ def noise_of(function: Callable[..., float], sources: Sequence[Any]) -> float | 
             for index, noise in independent.items()
             if not sources[index].samples
         }
+        # Scaled so that the squares add up to the interval of the mean.
         scale = t_quantile(SURE, len(rows) - 1) / math.sqrt(len(rows) * (len(rows) - 1))
         means = [*map(fmean, zip(*rows, strict=True))]
         for row in rows:
@@ -357,8 +358,10 @@ def extreme_noise(
         for value, other_noise in zip(values, noises, strict=True)
     )
     factor = _widening(near)
-    tops = [value + factor * by for value, by in zip(values, noises, strict=True)]
-    bottoms = [value - factor * by for value, by in zip(values, noises, strict=True)]
+    tops = [value + factor * width for value, width in zip(values, noises, strict=True)]
+    bottoms = [
+        value - factor * width for value, width in zip(values, noises, strict=True)
+    ]
     return max(choose(tops) - extreme, extreme - choose(bottoms))
 
 
@@ -383,9 +386,9 @@ def _shifted(
     def effect(shift: Mapping[int, float]) -> float:
         above = list(values)
         below = list(values)
-        for index, by in shift.items():
-            above[index] += by
-            below[index] -= by
+        for index, distance in shift.items():
+            above[index] += distance
+            below[index] -= distance
         return max(abs(function(*above) - middle), abs(function(*below) - middle))
 
     # The function may not be defined there, for example the root of a negative number.

@@ -130,6 +130,7 @@ def fit_of(
     distances = samples - medians[:, None]
     deviations = TO_DEVIATION * _medians(abs(distances))
     reach = OUTLIER * np.maximum(deviations, np.sqrt(usual))
+    # Of two measurements, none is an outlier.
     reach = np.where(counts > 2, reach, np.inf)[:, None]
     fenced = medians[:, None] + np.clip(distances, -reach, reach)
     sizes = np.maximum(abs(np.nanmean(fenced, axis=1)), 1e-12)
@@ -195,6 +196,7 @@ def _with_rows(
     for row, (weighted, freedom) in sums.items():
         prior_freedom = prior.freedom
         ratio = weighted / freedom / prior.level
+        # This is an F test, whose probability is converted to normal deviations.
         if -ndtri(fdtrc(freedom, prior.freedom, ratio)) > WILD:
             prior_freedom = 0.0
         level = (prior_freedom * prior.level + weighted) / (prior_freedom + freedom)

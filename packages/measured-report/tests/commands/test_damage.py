@@ -28,9 +28,10 @@ from measured_report.commands.command_line import status_of
 from measured_report.commands.new import main as measured_report
 from measured_report.editions.project import Manifest, Project, write_manifest
 from measured_report.editions.release import release_of
-from measured_report.files.atomic import short_path
+from measured_report.files.atomic import remove, short_path
 from measured_report.files.cache import Cache
 from measured_report.files.config import report_in
+from measured_report.files.errors import NO_MEMORY
 from measured_report.records.replicas import FOLDER, archive_of
 
 COMMANDS = {
@@ -44,14 +45,6 @@ COMMANDS = {
     "carry": carry,
     "audit": audit,
 }
-
-
-def remove(path: Path) -> None:
-    """Remove a file or a folder, if it exists."""
-    if path.is_dir() and not path.is_symlink():
-        shutil.rmtree(path)
-    else:
-        path.unlink(missing_ok=True)
 
 
 def instead(make) -> object:
@@ -254,8 +247,29 @@ def test_too_little_memory_is_one_line(capsys):
 
     assert status_of(fill) == 1
     sys.excepthook(MemoryError, MemoryError(), None)
-    line = "there is not enough memory: close other programs or raise ulimit -v\n"
-    assert capsys.readouterr().err == 2 * line
+    assert NO_MEMORY.startswith("there is not enough memory: ")
+    assert capsys.readouterr().err == 2 * f"{NO_MEMORY}\n"
+
+
+@pytest.mark.parametrize(
+    ("file", "passage", "filling"),
+    [
+        ("report/sections/toy.py", "    soft, stiff =", "    raise MemoryError\n"),
+        ("report/sections/toy.py", "    axes.legend()", "    raise MemoryError\n"),
+        ("templates/story.md.j2", "", "{{ 'x' * 10**18 }}\n"),
+    ],
+)
+def test_a_build_without_enough_memory_stops_instead_of_leaving_a_part_out(
+    toy, file, passage, filling, capsys
+):
+    toy.build()
+    before = toy.page
+    text = (toy.project.root / file).read_text()
+    toy.write(file, text.replace(passage, filling + passage, 1))
+    capsys.readouterr()
+    assert run(toy, "page") == 1
+    assert capsys.readouterr().err == f"{NO_MEMORY}\n"
+    assert toy.page == before
 
 
 def test_a_folder_whose_name_is_not_utf_8_is_one_line(toy, tmp_path, capsys):

@@ -144,11 +144,9 @@ def test_nothing_of_the_generator_is_installed_beside_what_is_measured_and_all_o
     """Test that an environment without the generator's other dependencies can measure
     any edition.
     """
-    environment._make(
-        folder := tmp_path / ".venv-numpy-1.26.4",
-        "NUMPY=1.26.4",
-        ["--requirement", os.devnull],
-    )
+    requirements = ["--requirement", os.devnull]
+    folder = tmp_path / ".venv-numpy-1.26.4"
+    environment._make(folder, "NUMPY=1.26.4", requirements, requirements)
     environment._link_generator(folder)
     environment._link_generator(folder)
     (tmp_path / "report.toml").write_text('edition = "numpy"\n')

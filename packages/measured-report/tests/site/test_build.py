@@ -17,7 +17,7 @@ from toys import EXPERIMENT, MODULE, ROWS, TEMPLATE, derived
 
 from measured_report.commands import diff
 from measured_report.editions.release import release_of
-from measured_report.files.config import report
+from measured_report.files.config import Page, report
 from measured_report.files.errors import ReportError
 from measured_report.pages import prose
 from measured_report.parts.prose import Prose
@@ -88,6 +88,23 @@ def test_the_headlines_of_all_editions_are_a_page_with_where_they_changed(
     assert headlines.count("<data") == 8
     assert headlines.count('<span class="moved better">better</span>') == 1
     assert 'data-src="newton-1.7.0/toy.json#/rows/0/slip_mm">0.5' in headlines
+
+
+def test_a_page_of_the_report_replaces_the_page_that_compares_releases(
+    toy, monkeypatch
+):
+    settings = report().settings
+    own_page = Page("compare", label="Side by side", always=True)
+    pages = (*settings.pages, own_page)
+    monkeypatch.setitem(vars(report()), "settings", replace(settings, pages=pages))
+    vars(report()).pop("columns", None)
+    toy.write("templates/pages/compare.md.j2", "# The releases side by side\n")
+    toy.of("1.5.0").measure(ROWS)
+    toy.build()
+    site = toy.project.site
+    assert "The releases side by side</h1>" in (site / "compare.html").read_text()
+    assert not (site / "data/compare").exists()
+    assert check_site(site) == []
 
 
 def test_two_releases_are_compared_as_diff_does(toy, capsys):
