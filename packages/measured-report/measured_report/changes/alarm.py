@@ -232,7 +232,9 @@ def summary(comparison: Comparison) -> str:
     count = comparison.number_count
     if not (changed := sum(move.chance is not None for move in comparison.moves)):
         return f"0 of {count} numbers changed by more than their noise"
-    return f"{changed} of {count} numbers changed; changes above their threshold: {len(comparison.alarms)}"
+    text = f"{changed} of {count} numbers changed; changes above their threshold: {len(comparison.alarms)}"
+    better_count = len(comparison.improvements)
+    return f"{text}, and for the better: {better_count}" if better_count else text
 
 
 def largest(comparison: Comparison) -> list[str]:
@@ -253,8 +255,11 @@ def largest(comparison: Comparison) -> list[str]:
         ):
             is_better = move.direction == "better"
             columns.setdefault((move.column.name, is_better), []).append(move)
+    shown = [*columns][:LINES]
+    # Alarms come first, so one line is kept for changes for the better.
+    shown += [key for key in columns if key[1] and key not in shown][:1]
     lines = []
-    for lead, *lesser_moves in list(columns.values())[:LINES]:
+    for lead, *lesser_moves in map(columns.__getitem__, shown):
         # A percentage of a number close to zero has no meaning.
         is_near_zero = lead.share is None or abs(lead.before) < lead.scale
         share = ""

@@ -38,6 +38,7 @@ from measured_report.values.results import Results, Row
 
 NAMED = 4  # chosen: the largest number of claims in a line; twice as many settings fit
 CHOSEN_SHARE = 0.1  # chosen: the relative noise of a number whose noise is not known
+SUSPICIOUS_FACTOR = 100.0  # chosen: a real improvement is seldom as large
 NEAR_ZERO = 0.01
 """Chosen: a number below this share of the median of its column is close to zero."""
 ODD_SHARE = 0.4
@@ -152,8 +153,24 @@ class Move:
 
     @property
     def is_alarm(self) -> bool:
-        """Return whether the change raises an alarm: it is large, and not better."""
-        return self.exceeds_threshold and self.direction != "better"
+        """Return whether the change raises an alarm.
+
+        It is large, and not better. A number that became better by an implausible
+        factor, or that changed its sign, raises one too.
+        """
+        is_good = self.direction == "better" and not self.is_suspicious
+        return self.exceeds_threshold and not is_good
+
+    @property
+    def is_suspicious(self) -> bool:
+        """Return whether the change may show a fault of the measurement.
+
+        The number changed its sign, or by more than ``SUSPICIOUS_FACTOR``.
+        """
+        if not isinstance(self.after, float):
+            return False  # a flag, a text or a count
+        smaller, larger = sorted(map(abs, (self.before, self.after)))
+        return self.before * self.after < 0 or larger > SUSPICIOUS_FACTOR * smaller
 
     @property
     def relevance(self) -> float:

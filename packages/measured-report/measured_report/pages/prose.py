@@ -191,8 +191,8 @@ def _named(name: str, code: jinja2.Template | None = None) -> Iterator[None]:
         return
     except jinja2.TemplateNotFound as error:
         message = f"templates/{error.name} does not exist: create it"
-    except UnicodeEncodeError:
-        raise  # a path that is not text, which the command names
+    except (OSError, UnicodeEncodeError):
+        raise  # a file or a path, which the command names
     except UnicodeDecodeError as error:
         message = f"templates/{name}: {error}"
     except jinja2.TemplateSyntaxError as error:

@@ -12,7 +12,13 @@ import pytest
 from damage import damage
 from toys import MODULE, ROWS, TEMPLATE, compared
 
-from measured_report.changes.alarm import _lines, check_text, diff_text, largest
+from measured_report.changes.alarm import (
+    _lines,
+    check_text,
+    diff_text,
+    largest,
+    summary,
+)
 from measured_report.changes.compare import Comparison
 from measured_report.commands import check as check_command
 from measured_report.commands import diff
@@ -133,11 +139,13 @@ def test_a_cost_flips_on_one_machine_for_as_many_frames_alone(
     ("slip_mm", "status", "counts"),
     [
         (5.0, 0, "alarms: 0; better: 1"),
+        (0.06, 1, "alarms: 1; better: 0"),
+        (0.0, 1, "alarms: 1; better: 0"),
         (8.0, 1, "alarms: 1; better: 0"),
         (6.4, 0, "alarms: 0; better: 0"),
     ],
 )
-def test_only_a_change_for_the_worse_sets_the_status(
+def test_a_change_for_the_worse_or_a_suspicious_one_sets_the_status(
     toy, capsys, slip_mm, status, counts
 ):
     toy.of("1.8.0").measure([{**SOFT, "slip_mm": slip_mm}, STIFF])
@@ -154,6 +162,36 @@ def test_a_change_for_the_better_does_not_hide_one_for_the_worse(toy, capsys):
         "alarm: slip 0.312 mm → 0.36 mm, +15 % worse",
         "slip 6.4 mm → 4 mm, -37 % better",
     ]
+
+
+@pytest.mark.parametrize(
+    ("before", "after", "is_suspicious"),
+    [
+        (0.5, -0.4, True),
+        (0.5, 0.4, False),
+        (5.0, 0.04, True),
+        (5.0, 0.06, False),
+        (0.04, 5.0, True),
+        (5, 0, False),
+        (True, False, False),
+    ],
+)
+def test_a_change_of_sign_or_of_more_than_a_hundredfold_is_suspicious(
+    toy, before, after, is_suspicious
+):
+    toy.of("1.8.0").measure([{**SOFT, "slip_mm": 4.0}, STIFF])
+    [move] = changed(toy.of("1.8.0").project, before="1.4.0").moves
+    changed_move = replace(move, before=before, after=after)
+    assert changed_move.is_suspicious == is_suspicious
+
+
+def test_one_line_is_kept_for_changes_for_the_better(toy, monkeypatch):
+    monkeypatch.setattr("measured_report.changes.alarm.LINES", 1)
+    toy.of("1.8.0").measure([{**SOFT, "slip_mm": 4.0}, {**STIFF, "slip_mm": 0.36}])
+    comparison = changed(toy.of("1.8.0").project, before="1.4.0")
+    worse, better = largest(comparison)
+    assert worse.startswith("alarm: ") and "better" in better
+    assert "and for the better: 1" in summary(comparison)
 
 
 def test_diff_and_check_say_it_in_every_format_and_no_record_ends_the_block_of_markdown(
