@@ -47,26 +47,22 @@ SETTINGS = ("default", "contacts", "engine", "solver")
 Nothing; Newton's list of contacts; also MuJoCo Warp, by its own option; also MuJoCo
 Warp, by the option of ``SolverMuJoCo``, which compiles its kernels in another mode.
 """
-RUN_COUNT = {"full": 5, "quick": 2}
-WORLD_COUNTS = (1, 4096)
+RUN_COUNT = {"full": 3, "quick": 2}
 NUMBERS = ("identical_count", "slip_range_mm", "different_frame")
 
 
 def measure(conditions: Conditions) -> Plan:
-    """Return a row for each setting, and one for each setting and number of worlds."""
-    counts = WORLD_COUNTS if conditions.is_cuda and not conditions.quick else (1,)
+    """Return a row for each setting, and a row with its time if it compiles."""
     settings = [setting for setting in SETTINGS if is_offered(setting)]
     found = yield [
-        *(
-            Batch(f"runs-{setting}", measure_runs, (conditions, setting))
-            for setting in settings
-        ),
-        *(
-            Batch(f"times-{n}", measure_times, (conditions, n), exclusive=True)
-            for n in counts
-        ),
+        Batch(f"runs-{setting}", measure_runs, (conditions, setting))
+        for setting in settings
     ]
-    return Measurement([row for rows in found for row in rows])
+    rows = [row for rows in found for row in rows]
+    # A setting that does not compile would leave its kernels behind, half built.
+    timed = [row["setting"] for row in rows if row["identical_count"] is not None]
+    [times] = yield [Batch("times", measure_times, (conditions, timed), exclusive=True)]
+    return Measurement([*rows, *times])
 
 
 def is_offered(setting: str) -> bool:
@@ -167,38 +163,28 @@ def reason_of(error: Exception) -> str:
     return f"{kernel[1]}: {cause}" if kernel else cause
 
 
-def measure_times(conditions: Conditions, world_count: int) -> list[dict[str, object]]:
+def measure_times(
+    conditions: Conditions, settings: Sequence[str]
+) -> list[dict[str, object]]:
     """Return a row for each setting, timed in turn with the default."""
     device, rows = wp.get_device(conditions.device), []
-    reference = Blocks("default", world_count, device)
-    for setting in SETTINGS:
-        if not is_offered(setting):
-            continue
-        row: dict[str, object] = {
-            "case": f"{setting}/worlds-{world_count}",
-            "setting": setting,
-            "worlds": world_count,
-        }
-        try:
-            others = (
-                [] if setting == "default" else [Blocks(setting, world_count, device)]
-            )
-            times = time_in_turn([reference, *others])[-1]
-            invalid = batch_invalid_reason([reference, *others][-1].simulation)
-            row |= untimed(TIMES, invalid) if invalid else time_columns(times)
-        except Exception as error:
-            row |= absent(TIMES, reason_of(error))
-        rows.append(row)
+    reference = Blocks("default", device)
+    for setting in settings:
+        others = [Blocks(setting, device)] if setting != "default" else []
+        blocks = [reference, *others]
+        times = time_in_turn(blocks)[-1]
+        invalid = batch_invalid_reason(blocks[-1].simulation)
+        row = {"case": f"{setting}/time", "setting": setting, "worlds": 1}
+        rows.append(row | (untimed(TIMES, invalid) if invalid else time_columns(times)))
     return rows
 
 
 class Blocks:
-    """Run blocks of frames from the shake in equal worlds."""
+    """Run blocks of frames from the shake."""
 
-    def __init__(self, setting: str, world_count: int, device: wp.Device):
+    def __init__(self, setting: str, device: wp.Device):
         case = replace(AS_SHIPPED, name="timed", frame_count=1)
-        cases = [case] * world_count
-        self.simulation = RepeatableSimulation(setting, cases, device)
+        self.simulation = RepeatableSimulation(setting, [case], device)
         self.frame_count = BLOCK_FRAME_COUNT if device.is_cuda else 1
         run_frames(self.simulation, SETUP_FRAME_COUNT + SHAKE_FRAME_COUNT)
 
