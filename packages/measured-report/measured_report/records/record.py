@@ -38,7 +38,8 @@ Case = Annotated[str, Meta(pattern=rf"\A{CASE.pattern}\Z", max_length=200)]
 Key = Annotated[str, Meta(pattern=r"\A[A-Za-z0-9_.+-]{1,200}\Z")]
 NAME = r"\A[a-z][a-z0-9_]{0,79}\Z"  # of a column
 Name = Annotated[str, Meta(pattern=NAME)]
-Line = Annotated[str, Meta(pattern=r"\A[^\n\t]+\Z", max_length=400)]
+LINE_LIMIT = 400  # characters
+Line = Annotated[str, Meta(pattern=r"\A[^\n\t]+\Z", max_length=LINE_LIMIT)]
 if TYPE_CHECKING:
     from typing import Any as Cell
     from typing import Any as Noted
@@ -128,6 +129,8 @@ class Record:
     rows: Annotated[Sequence[Mapping[Name, Cell]], Meta(min_length=1)]
     traces: Mapping[Case, Seal] = field(default_factory=dict)
     carried: tuple[Carried, ...] = ()  # oldest first
+    deprecated: tuple[Line, ...] = ()
+    """The warnings of features that a later release of a package removes."""
 
     @property
     def codes(self) -> frozenset[str]:
@@ -296,8 +299,9 @@ def record_text(record: Record) -> str:
     # The rows are written below, because to_builtins would copy every cell.
     data = {"schema": SCHEMA, **to_builtins(replace(record, rows=[]))}
     del data["rows"]
-    if not record.carried:
-        del data["carried"]
+    for name in ("carried", "deprecated"):
+        if not data[name]:
+            del data[name]
     head = json.dumps(data, indent=1, ensure_ascii=False, allow_nan=False)
     write = partial(
         json.dumps, ensure_ascii=False, allow_nan=False, separators=(",", ":")
