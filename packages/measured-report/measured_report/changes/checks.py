@@ -47,8 +47,12 @@ def refuse_unknown_names(
         if query.section in edition.chapters and not _exists(query, edition):
             names = [*query.names(edition.chapters)]
             _refuse(f"changes.{setting}", [query.text], "value", names)
-    groups = chain(*rules.package_groups)
-    _refuse("changes.package_groups", groups, "package", settings.packages)
+    lists = {
+        "changes.package_groups": rules.package_groups,
+        "implied": settings.implied.items(),
+    }
+    for setting, groups in lists.items():
+        _refuse(setting, chain(*groups), "package", settings.packages)
     if edition.left_out:
         return
     columns = {*report.columns.parameters}
