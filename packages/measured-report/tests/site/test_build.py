@@ -107,6 +107,23 @@ def test_a_page_of_the_report_replaces_the_page_that_compares_releases(
     assert check_site(site) == []
 
 
+def test_a_setting_is_named_in_words_and_further_rows_are_counted(toy, monkeypatch):
+    rules = replace(report().settings.changes, keys=["case", "kind"])
+    settings = replace(report().settings, changes=rules)
+    monkeypatch.setitem(vars(report()), "settings", settings)
+    vars(report()).pop("columns", None)
+    for release, number in (("1.5.0", 1.0), ("1.6.0", 2.0)):
+        cases = ("soft", "stiff", *"abcdef")
+        rows = [{**ROWS[0], "case": case, "slip_mm": number} for case in cases]
+        option = {"case": "option-cone", "kind": "option", "value": number}
+        toy.of(release).measure([*rows, option])
+    toy.build()
+    page = (toy.project.site / "compare.html").read_text()
+    pair = page.partition('id="1.5.0..1.6.0"')[2].partition("</section>")[0]
+    assert '<th scope="row">solver option cone <span class="moved">in toy: ' in pair
+    assert "; 5 other rows changed too</span>" in pair
+
+
 def test_two_releases_are_compared_as_diff_does(toy, capsys):
     """A slip of 6.36 mm that becomes 0.5 mm changes by 92 %, 9.2 times the threshold of 10 %."""
     for release, slip_mm in (("1.5.0", 6.3617), ("1.6.0", 0.5), ("1.7.0", 0.51)):
