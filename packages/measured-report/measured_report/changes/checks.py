@@ -1,7 +1,6 @@
 """Check ``report.toml`` against the results, and list gaps in the results."""
 
 import math
-import re
 from collections import Counter
 from collections.abc import Collection, Iterable, Mapping
 from itertools import chain
@@ -161,29 +160,3 @@ def blind_spots(edition: Edition) -> list[str]:
                     f"{name} has the threshold {format_share(threshold)}, but {hidden}"
                 )
     return lines
-
-
-def idle_settings(edition: Edition) -> list[str]:
-    """Return a line for each setting that names a column or cell which does not exist
-    in any row. The cause may be a typing error in a pattern.
-    """
-    if edition.left_out:
-        return []
-    schema = edition.project.report.columns
-    settings = schema.settings
-    columns = {*_columns_of(edition), *schema.parameters, ""}
-    patterns = [table.pattern for table in settings.columns]
-    patterns += [settings.changes.endings, *settings.changes.keys]
-    idle = [
-        pattern
-        for pattern in patterns
-        if not any(re.fullmatch(pattern, column) for column in columns)
-    ]
-    for name, cells in settings.repeating.items():
-        present = {
-            str(row.get(name, schema.parameters.get(name)))
-            for chapter in edition.chapters.values()
-            for row in chapter.results.record.rows
-        }
-        idle += [f"{name} = {cell}" for cell in cells if str(cell) not in present]
-    return [f"{FILE}: no row has {name}" for name in idle]

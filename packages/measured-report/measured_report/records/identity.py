@@ -227,7 +227,3 @@ def files_digest(paths: Iterable[Path], root: Path) -> str:
                 name = f"{path.relative_to(root).as_posix()}\0{info.st_size}\0"
                 digest.update(os.fsencode(name) + content)
     return digest.hexdigest()
-
-
-def sources() -> str:
-    return current().sources

@@ -25,7 +25,6 @@ from measured_report.files.atomic import (
     write_files,
 )
 from measured_report.files.columns import is_number, text_problem
-from measured_report.files.config import Report
 from measured_report.files.config import report as current
 from measured_report.files.errors import UNPRINTABLE
 from measured_report.records.identity import MISSING, Digest, Identity, identity_of
@@ -326,9 +325,9 @@ def sealed(text: str) -> str:
     return f'{text},\n "seal": "{sha256(text.encode()).hexdigest()}"\n}}\n'
 
 
-def load_record(path: Path, report: Report | None = None) -> Record:
+def load_record(path: Path) -> Record:
     """Read the record at ``path``; raise RecordError if it or a trace is damaged."""
-    record = read_record(read_file(path, BYTE_LIMIT), path, report)
+    record = read_record(read_file(path, BYTE_LIMIT), path)
     for case, seal in record.traces.items():
         trace = trace_path(path, case)
         if sha256(read_file(trace, BYTE_LIMIT)).hexdigest() != seal.digest:
@@ -339,12 +338,12 @@ def load_record(path: Path, report: Report | None = None) -> Record:
     return record
 
 
-def read_record(content: bytes, path: Path, report: Report | None = None) -> Record:
+def read_record(content: bytes, path: Path) -> Record:
     """Return the record in the content of a file.
 
     Raise RecordError if any field is invalid.
     """
-    report = report or current()
+    report = current()
     try:
         text = content.decode("utf-8")
         data = json.loads(text, object_pairs_hook=_plain, parse_constant=_refuse)

@@ -19,9 +19,7 @@ DIGITS_EXACT = 12  # chosen: later digits may be rounding errors of floating poi
 # Chosen: numbers of these powers of ten are written without an exponent.
 PLAIN_EXPONENTS = range(-4, 7)
 SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
-DIGITS = {power: digit for digit, power in SUPERSCRIPTS.items()}
 NAMED = r"(\d[\d.]*(?:e[+-]?\d+)?)"  # a number in the name of a case
-WRITTEN = re.compile(r"(-?\d+(?:\.\d+)?)?(?:×?10([⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+))?")
 
 
 def unit_label(unit: str) -> str:
@@ -116,15 +114,6 @@ def without_rounding_error(value: float | int | None) -> float | int | None:
     A bound would otherwise round 0.020000000000000462 up to 0.021.
     """
     return float(f"{value:.{DIGITS_EXACT}g}") if isinstance(value, float) else value
-
-
-def read_number(text: str) -> Decimal | None:
-    """Return the number that this module wrote as ``text``, or None for another text."""
-    match = WRITTEN.fullmatch(text.replace(THIN_SPACE, "").replace(MINUS, "-"))
-    if not match:
-        return None
-    power = int((match[2] or "⁰").translate(DIGITS))
-    return Decimal(match[1] or 1).scaleb(power)
 
 
 def rounded(

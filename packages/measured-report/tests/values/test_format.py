@@ -3,6 +3,7 @@ numbers as they were chosen.
 """
 
 import math
+import re
 from decimal import Decimal
 
 import pytest
@@ -18,7 +19,17 @@ from measured_report.values.format import (
     format_number,
     label_of,
 )
-from measured_report.values.format import read_number as read
+
+
+def read(text: str) -> Decimal:
+    """Return the number that was written as a text."""
+    digits = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹\u2212", "-0123456789-", "\u202f")
+    mantissa, _, power = re.fullmatch(
+        r"(-?[\d.]+?)?(×?10([⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+))?",
+        text.translate({0x202F: None, 0x2212: "-"}),
+    ).groups()
+    return Decimal(mantissa or 1).scaleb(int((power or "⁰").translate(digits)))
+
 
 SIZES = st.floats(1e-12, 1e12)
 VALUES = st.builds(math.copysign, SIZES, st.sampled_from((1.0, -1.0)))
