@@ -186,7 +186,7 @@ class Figure:
             content = macros().left_out(UNDRAWN, self.fault)
         else:
             assert self.wording, f"the figure {self.anchor} does not have a wording yet"
-            alt = self.wording("alt", self.numbers).striptags().replace("\xa0", " ")
+            alt = self.wording["alt"](self.numbers).striptags().replace("\xa0", " ")
             sizes = [
                 match.groups() for match in map(SIZE.search, self.pictures) if match
             ]
@@ -281,8 +281,8 @@ class Section:
                 if hasattr(part, "wording"):
                     wording = wordings[kind, wording_name]
                     # Render all texts now, because other numbers may need another one.
-                    for text in wording.parts:
-                        wording(text, part.numbers)
+                    for text in wording.values():
+                        text(part.numbers)
                     part = replace(part, wording=wording)
                 yield name, part
 

@@ -6,7 +6,6 @@ from dataclasses import replace
 from pathlib import Path
 
 from measured_report.changes.checks import (
-    blind_spots,
     gaps,
     refuse_unknown_names,
 )
@@ -103,14 +102,14 @@ def _not_fresh(edition: Edition) -> Iterator[State]:
 
 
 def _notes(edition: Edition) -> list[str]:
-    """Return notes on missing numbers and claims, and on blind spots."""
+    """Return notes on missing numbers and claims."""
     missing = [
         f"{name}: its text prints a missing number: {reason}"
         for name, chapter in edition.chapters.items()
         for value in (chapter.prose.printed if chapter.prose else ())
         if (reason := lost_reason(value))
     ]
-    return gaps(edition) + missing + blind_spots(edition)
+    return gaps(edition) + missing
 
 
 def inputs_digest(project: Project, address: str = "") -> str:

@@ -19,7 +19,6 @@ from measured_report.parts.claim import (
     greater,
 )
 from measured_report.parts.section import Section, Table
-from measured_report.parts.words import Wording
 from measured_report.values.quantities import Quantity, absent
 from measured_report.values.results import Results, ResultsError
 
@@ -129,10 +128,10 @@ def make_claim(outcome) -> Claim:
         "asks": "whether it is",
         "because": "Since it is soft.",
     }
-    wording = Wording(
-        words,
-        lambda text, numbers: Markup(text).format(numbers["slip"]),
-    )
+    wording = {
+        part: lambda numbers, text=text: Markup(text).format(numbers["slip"])
+        for part, text in words.items()
+    }
     return Claim("slips", outcome, {"slip": quantity(6.3617)}, wording)
 
 
