@@ -50,8 +50,8 @@ def named_in(claim: Claim) -> Iterator[str]:
     for name in sorted(claim.numbers):
         others = {key: each for key, each in claim.numbers.items() if key != name}
         try:
-            for part in claim.wording.parts:
-                claim.wording(part, others)
+            for text in claim.wording.values():
+                text(others)
         except ReportError:
             yield name
 

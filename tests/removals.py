@@ -272,7 +272,7 @@ def removals_of(world: World, among: tuple[str, ...]) -> Iterator[Removal]:
 def tracked_world() -> World:
     project = Project(own_release())
     editions = editions_of(project, draws=True)
-    return World(editions, Templates(project.templates, project.report))
+    return World(editions, Templates(project.templates))
 
 
 def main() -> int:

@@ -119,7 +119,7 @@ def test_a_damaged_record_takes_nothing_down(perturbation):
             table.__html__() for table in section.tables.values()
         ]
         said += [
-            figure.wording("alt", figure.numbers) for figure in section.figures.values()
+            figure.wording["alt"](figure.numbers) for figure in section.figures.values()
         ]
         for text in said:
             assert not NO_NUMBER.search(text.striptags()), (release, name, text)

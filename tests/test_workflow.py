@@ -254,3 +254,18 @@ def test_every_room_of_the_generator_is_mutated_each_week():
     tests = ROOT / "packages/measured-report/tests"
     assert rooms == sorted(folders - {"skeleton"})
     assert all(any((tests / room).glob("test_*.py")) for room in rooms)
+    modules = re.findall(r"\b[a-z]+/[a-z]+\.py\b", text.partition("steps:")[0])
+    assert len(modules) == 7 and all((generator / name).is_file() for name in modules)
+    # The loop of the job, for one room and for these modules.
+    script = text.partition("- run: |\n")[2].partition("          make mutate")[0]
+    for names, count in (("", 7), (" ".join(modules), 7)):
+        chosen = subprocess.run(
+            ["bash", "-c", f'set -e\n{script}\necho "$module" "${{#modules[@]}}"'],
+            env={**os.environ, "ROOM": "values", "MODULES": names},
+            cwd=ROOT,
+            capture_output=True,
+            text=True,
+            check=True,
+        )
+        module, total = chosen.stdout.split()[-2:]
+        assert (generator / module).is_file() and int(total) == count

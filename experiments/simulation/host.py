@@ -10,6 +10,7 @@ from functools import partial
 from importlib.metadata import version
 
 import warp as wp
+from packaging.version import Version
 from tqdm import tqdm
 
 from experiments.facts.case import AS_SHIPPED
@@ -32,7 +33,7 @@ DEVICE_LOST = re.compile(
     "(?i)cuda error|cudaerror|device-side|driver|unspecified launch failure|graph capture"
 )
 NOT_COMPILED = re.compile("kernel build failed|nvrtc", re.IGNORECASE)
-OLDEST = (1, 4, 0)  # the oldest release that can run the scene
+OLDEST = "1.4.0"  # the oldest release that can run the scene
 __all__ = ["Conditions", "be_quiet", "card", "explained", "note_work", "prepare"]
 
 
@@ -66,10 +67,11 @@ def prepare(kind: str) -> None:
         "Kernels that this machine has not compiled yet come first, for a minute or three."
     )
     if reason := compile_first(kind):
-        newton, oldest = package_versions()["newton"], ".".join(map(str, OLDEST))
-        raise ReportError(
-            f"newton {newton} cannot run the scene: {reason}; {oldest} is the oldest that can"
-        )
+        packages = package_versions()
+        names = ", ".join(f"{name} {version}" for name, version in packages.items())
+        is_old = Version(packages["newton"]) < Version(OLDEST)
+        hint = f"; {OLDEST} is the oldest that can" if is_old else ""
+        raise ReportError(f"{names} cannot run the scene: {reason}{hint}")
 
 
 def compile_first(kind: str) -> str:

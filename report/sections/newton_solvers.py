@@ -11,6 +11,7 @@ from report.shared import (
     Outcome,
     Quantity,
     Results,
+    Row,
     RowsBy,
     Section,
     Table,
@@ -19,7 +20,6 @@ from report.shared import (
     all_of,
     at_least,
     at_most,
-    cell_or_lost,
     decided,
     departure,
     greater,
@@ -146,29 +146,30 @@ def _shake_table(rows: RowsBy) -> Table:
     names = list(dict.fromkeys(variant for variant, _ in rows))
     shaken = [rows[name, "3cm"] for name in names]
 
-    def means(column: str) -> list[Any]:
-        return ["lost" if row.plain.get("dropped") else row[column] for row in shaken]
-
-    def slips(shake: str, column: str = "slip_mm") -> list[Any]:
-        return [
-            "fails" if row.plain.get("failure") else cell_or_lost(row, column)
-            for row in (rows[name, shake] for name in names)
-        ]
+    def cells(shake: str, column: str) -> list[Any]:
+        return [_number_or_end(rows[name, shake], column) for name in names]
 
     columns = {
         "hand amplitude": "hand_amplitude_mm",
-        "slip": slips("3cm"),
-        "largest displacement": slips("3cm", "wander_mm"),
+        "slip": cells("3cm", "slip_mm"),
+        "largest displacement": cells("3cm", "wander_mm"),
         "creep": map(measurable_creep, shaken),
-        "tangential over normal force": means("friction_share"),
-        "normal force": means("normal_force_n"),
-        "penetration": means("penetration_mm"),
-        "slip with weight": slips("weight"),
-        "slip, shaken 100 mm": slips("10cm"),
-        "slip, held still": slips("held"),
+        "tangential over normal force": cells("3cm", "friction_share"),
+        "normal force": cells("3cm", "normal_force_n"),
+        "penetration": cells("3cm", "penetration_mm"),
+        "slip with weight": cells("weight", "slip_mm"),
+        "slip, shaken 100 mm": cells("10cm", "slip_mm"),
+        "slip, held still": cells("held", "slip_mm"),
     }
     commanded = rows["warp", "3cm"].shake_amplitude_m
     return table_of("solver", map(_label, names), columns, shaken, told=commanded)
+
+
+def _number_or_end(row: Row, column: str) -> Any:
+    """Return a cell, or how the run ended if it did not keep the cube."""
+    if row.plain.get("failure"):
+        return "fails"
+    return "lost" if row.plain.get("dropped") else row[column]
 
 
 def _other_solver_claims(results: Results, rows: RowsBy, times: RowsBy) -> list[Claim]:

@@ -19,6 +19,7 @@ MAP_INK = "#101418"
 
 # Each condition has the same colour in every figure.
 STIFF, SHIPPED, TERM, CURE = SERIES[:4]
+NAME_GAP = 1.45  # chosen: the factor between two names on a logarithmic axis of slips
 Point = tuple[float | None, float | None]
 
 
@@ -40,6 +41,29 @@ def write_beside(
     """Write a text beside a place, at an offset in points."""
     style = {"xytext": offset, "textcoords": "offset points", **style}
     return axes.annotate(text, place, **style)
+
+
+def name_ends(
+    axes: Axes,
+    ends: Iterable[tuple[float, float, str, str]],
+    offset: float,
+    near: float,
+    **style,
+) -> None:
+    """Write the name of each line beside its end, below the names of nearby lines.
+
+    Args:
+        ends: the coordinates of each end on logarithmic axes, its name and its colour.
+        offset: the horizontal distance of the names in points.
+        near: the factor between the x of lines whose names could overlap.
+    """
+    written: list[tuple[float, float]] = []
+    for x, y, name, colour in sorted(ends, key=lambda end: -end[1]):
+        places = [low for other, low in written if x / near < other < x * near]
+        low = min([y, *(place / NAME_GAP for place in places)])
+        written.append((x, low))
+        look = {"color": colour, "va": "center", "fontsize": 9, **style}
+        write_beside(axes, name, (x, low), (offset, 0), **look)
 
 
 def name_lines(axes: Axes, names: Iterable[str]) -> None:

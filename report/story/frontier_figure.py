@@ -32,6 +32,7 @@ from report.shared.drawing import (
     Drawing,
     is_narrow,
     mark_points,
+    name_ends,
     new_figure,
     tick_at,
     write,
@@ -41,8 +42,6 @@ from report.story.frontier import ALONE, BOUNDS, MANY, SETUPS
 
 GREY = SERIES[5]
 """The colour of lines that another line beats at the same run time."""
-NEAR = 30.0  # ends of lines within this factor of the time are near each other
-GAP = 1.45  # factor between the slips of two names, so that they do not overlap
 OTHERS = ("Steel", "Kamino")  # the first of these solvers that was timed is drawn
 
 
@@ -209,7 +208,8 @@ def _draw(
             _draw_line(axes, times, points, line)
             # The lower end of the line of MuJoCo C is close to other lines.
             end = 0 if line is IN_C else -1
-            ends.append((times[end], points[end].slip.number, line))
+            slip = points[end].slip.number
+            ends.append((times[end], slip, line.name, line.colour))
     axes.set(
         xscale="log",
         yscale="log",
@@ -223,7 +223,7 @@ def _draw(
     if is_narrow() and ends:
         drawing.legend(loc="outside upper left", ncols=1)
     if not is_narrow():
-        _name_ends(axes, ends)
+        name_ends(axes, ends, offset=6, near=30.0)
     write_beside(
         axes, "↙ better", (0.01, 0.01), (0, 0), xycoords="axes fraction", fontsize=8.5
     )
@@ -257,21 +257,3 @@ def _draw_line(axes: Axes, times: list[float], points: list[Point], line: Line) 
                 va="top",
                 **{**look, "fontsize": 7},
             )
-
-
-def _name_ends(axes: Axes, ends: list[tuple[float, float, Line]]) -> None:
-    """Write the name of each line beside its end, below the names of nearby lines."""
-    written: list[tuple[float, float]] = []
-    for time, slip, line in sorted(ends, key=lambda end: -end[1]):
-        near = [low for x, low in written if time / NEAR < x < time * NEAR]
-        low = min([slip, *(low / GAP for low in near)])
-        written.append((time, low))
-        write_beside(
-            axes,
-            line.name,
-            (time, low),
-            (6, 0),
-            color=line.colour,
-            va="center",
-            fontsize=9,
-        )

@@ -7,6 +7,7 @@ import os
 import pickle
 import signal
 import time
+import warnings
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -38,6 +39,14 @@ def meet(log: str, name: str, names: list[str]) -> dict:
     while not {*names} <= {*begun(Path(log))}:
         time.sleep(0.01)
     note(log, f"end {name}")
+    return {"case": name, "slip_mm": 1.0}
+
+
+def warn(name: str) -> dict:
+    home = os.path.expanduser("~")  # noqa: PTH111
+    for _ in range(2):
+        warnings.warn(f"{home}/x is\ndeprecated", DeprecationWarning, stacklevel=1)
+    warnings.warn("take care", stacklevel=1)
     return {"case": name, "slip_mm": 1.0}
 
 

@@ -180,7 +180,8 @@ An edition belongs to the first of them.
 CARDS = 'from measured_report.measuring.host import *\nKIND, NOUN = "cuda", "GPU"\n'
 SETTINGS = """
 edition = "newton"
-packages = ["warp-lang", "mujoco-warp", "mujoco"]
+packages = ["warp-lang", "mujoco-warp", "mujoco", "mujoco-core"]
+implied = { mujoco-core = "mujoco" }
 requirement = "newton[sim]"
 edition_name = "Newton"
 accelerator = "experiments.cards"
@@ -200,7 +201,7 @@ columns = [
 ]
 [changes]
 upgrade_sections = ["toy"]
-package_groups = [["warp-lang"], ["mujoco-warp", "mujoco"]]
+package_groups = [["warp-lang"], ["mujoco-warp", "mujoco", "mujoco-core"]]
 keys = ["case", "substeps", "worlds"]
 endings = "classes"
 settings = { option = "solver option" }

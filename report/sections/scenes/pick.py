@@ -122,6 +122,8 @@ def derive(results: Results) -> Section:
         gathered(sum, [row.held_count for row in elliptic]),
     )
 
+    through_newton = results.row["cube-2ms-elliptic-newton"]
+
     tried = list(product(OBJECTS, SETTINGS))
     columns: dict[str, list] = {}
     for engine, name in ENGINES.items():
@@ -166,8 +168,15 @@ def derive(results: Results) -> Section:
             ),
             Claim(
                 "elliptic_holds",
-                at_least(elliptic_held, elliptic_count),
-                {"held": elliptic_held, "count": elliptic_count},
+                at_least(elliptic_held, elliptic_count).having_read(
+                    through_newton.held_count, through_newton.seed_count
+                ),
+                {
+                    "held": elliptic_held,
+                    "count": elliptic_count,
+                    "newton": through_newton.held_count,
+                    "tries": through_newton.seed_count,
+                },
             ),
         ],
     )

@@ -101,7 +101,7 @@ def _table(results: Results, ladder: Ladder, laws: dict) -> Table:
         ]
     for worlds in (TIMED_WORLDS[0], TIMED_WORLDS[-1]):
         ratios = step_cost.ratios(others, worlds=worlds)
-        columns[f"time, {worlds_name(worlds)}"] = [
+        columns[f"time over shipped, {worlds_name(worlds)}"] = [
             ratios.get(count, "") for count in counts
         ]
     steps = [row.substep_ms for row in rows]

@@ -8,9 +8,9 @@ from report.shared.drawing import (
     SHIPPED,
     STIFF,
     Drawing,
+    name_ends,
     new_figure,
     tick_at,
-    write_beside,
 )
 
 REMEDIES = {
@@ -36,6 +36,7 @@ def slip_figure(ladder: Ladder) -> Figure:
 
 def _draw(lines: dict[tuple[str, str], list[Row]]) -> Drawing:
     drawing, axes = new_figure(7.2, 4.2)
+    ends = []
     for key, rows in lines.items():
         if not rows:
             continue
@@ -43,16 +44,8 @@ def _draw(lines: dict[tuple[str, str], list[Row]]) -> Drawing:
         steps = [row.substep_ms.number for row in rows]
         slips = [row.slip_mm.number for row in rows]
         axes.plot(steps, slips, color=colour, marker=marker, linestyle="-", markevery=1)
-        write_beside(
-            axes,
-            name,
-            (steps[-1], slips[-1]),
-            (-6, 0),
-            color=colour,
-            ha="right",
-            va="center",
-            fontsize=9,
-        )
+        ends.append((steps[-1], slips[-1], name, colour))
+    name_ends(axes, ends, offset=-6, near=3.0, ha="right")
     axes.set(
         xscale="log",
         yscale="log",

@@ -3,8 +3,9 @@
 import pytest
 from toys import program
 
-from experiments.simulation import nvidia
+from experiments.simulation import host, nvidia
 from experiments.simulation.nvidia import VISIBLE, accelerators, share_count
+from measured_report.files.errors import ReportError
 from measured_report.measuring.host import Accelerator
 from measured_report.measuring.machine import measuring_device
 
@@ -27,6 +28,17 @@ setting.
 
 def test_what_measures_compiles_no_gradients():
     assert program("-c", FIRST).stderr.endswith(" comes with enable_backward=False\n")
+
+
+@pytest.mark.parametrize(("newton", "is_old"), [("1.3.1", True), ("1.7.0", False)])
+def test_only_a_release_that_is_too_old_is_called_so(monkeypatch, newton, is_old):
+    packages = {"newton": newton, "mujoco-warp": "4.0.0"}
+    monkeypatch.setattr(host, "package_versions", lambda: packages)
+    monkeypatch.setattr(host, "compile_first", lambda kind: "no module named x")
+    with pytest.raises(ReportError) as error:
+        host.prepare("cpu")
+    assert f"newton {newton}, mujoco-warp 4.0.0 cannot run" in str(error.value)
+    assert ("1.4.0 is the oldest that can" in str(error.value)) == is_old
 
 
 SHARED = [

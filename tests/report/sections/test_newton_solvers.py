@@ -180,3 +180,11 @@ GIVEN = {
 )
 def test_newton_solvers_follows_from_its_cells(cells, expected):
     assert_found("newton_solvers", GIVEN, cells, expected=expected, release="1.8.0")
+
+
+def test_a_run_that_lost_the_cube_or_failed_has_no_numbers_of_the_cube(editions):
+    tracked = editions["1.8.0"].chapters["newton_solvers"].results
+    tables = derive(Results(tracked.record, tracked.path, tracked.others)).tables
+    frame = tables["shakes"].frame.drop(columns=["hand amplitude", "creep"])
+    assert set(frame.loc["VBD"]) == {"lost"}
+    assert set(frame.loc["Featherstone"]) == {"fails"}

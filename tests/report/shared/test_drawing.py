@@ -1,6 +1,8 @@
 """Test the ticks and the numbers of figures."""
 
-from report.shared.drawing import new_figure, tick_125, tick_at
+from itertools import combinations
+
+from report.shared.drawing import name_ends, new_figure, tick_125, tick_at
 
 
 def test_ticks_stand_at_one_two_and_five_of_each_decade_or_where_they_are_asked_for():
@@ -19,3 +21,20 @@ def test_ticks_stand_at_one_two_and_five_of_each_decade_or_where_they_are_asked_
         ticks.get_major_formatter()(place) for place in ticks.get_majorticklocs()
     ] == ["1.5", "33.3"]
     assert not len(ticks.get_minorticklocs())
+
+
+def test_names_of_lines_that_end_close_together_do_not_overlap():
+    """Lines end at 0.116 and 0.111 mm, as in the figure of the time step in 1.8.0."""
+    drawing, axes = new_figure(7.2, 4.2)
+    axes.set(xscale="log", yscale="log", xlim=(0.02, 20.0), ylim=(0.01, 5.0))
+    ends = [
+        (0.13, 0.111, "the rule", "k"),
+        (0.13, 0.116, "the same stiff pads", "k"),
+        (0.26, 0.055, "MuJoCo C, the rule", "k"),
+        (8.0, 0.1, "far away", "k"),
+    ]
+    name_ends(axes, ends, offset=-6, near=3.0, ha="right")
+    drawing.draw_without_rendering()
+    boxes = {text.get_text(): text.get_window_extent() for text in axes.texts}
+    assert not any(boxes[a].overlaps(boxes[b]) for a, b in combinations(boxes, 2))
+    assert [text.xy[1] for text in axes.texts if text.get_text() == "far away"] == [0.1]

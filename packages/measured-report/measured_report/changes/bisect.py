@@ -5,6 +5,7 @@ The search also finds the package that caused the change. It measures missing re
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from itertools import chain
 from typing import Any
 
 from measured_report.changes.query import Answer, Query
@@ -16,6 +17,7 @@ from measured_report.editions.release import (
     releases_between,
 )
 from measured_report.editions.status import Kind, expected_packages, states_of
+from measured_report.files.config import Report
 from measured_report.files.errors import ReportError, UsageError, suggestion
 from measured_report.files.git import git
 from measured_report.findings.editions import editions_of
@@ -196,33 +198,47 @@ def _which_package(
     """Return a text that names the package which caused the change.
 
     To find it, the newer versions of the other packages are installed beside the older
-    edition, one group after another. An older edition often runs with newer packages.
+    edition, one group after another. If it does not run with them, the older versions are
+    installed beside the newer edition.
     """
     settings = search.project.settings
     old = search.packages(before)
     new = search.packages(after)
-    groups: list[Sequence[str]] = []
-    pins: list[str] = []
-    steps = [before]
-    for names in settings.changes.package_groups:
-        if any(old[name] != new[name] for name in names):
-            # A package that is missing cannot be installed as a step.
-            if any(new[name] == MISSING for name in names):
-                return (
-                    "the package cannot be determined, because a package is missing in "
-                    "one of the editions"
-                )
-            groups.append(names)
-            # Each step keeps the pins of the steps before it, so only one group changes.
-            pins += [f"{name}=={new[name]}" for name in names]
-            pinned = release_of(
-                before.spec, " ".join(pins), report=search.project.report
+    groups = [
+        names
+        for names in settings.changes.package_groups
+        if any(old.get(name, MISSING) != new.get(name, MISSING) for name in names)
+    ]
+    own = [(settings.edition,)]
+    counts = range(len(groups) + 1)
+    report = search.project.report
+    newer = [_with(before, new, groups[:count], report) for count in counts]
+    older = [_with(after, old, groups[count:], report) for count in counts]
+    paths = ([*newer, after], [*groups, *own]), ([before, *older], [*own, *groups])
+    candidates = []
+    for steps, parts in paths:
+        low, high, skipped = first_change(steps, is_first)
+        changed = parts[steps.index(low) : steps.index(high)]
+        names = " or ".join(" and ".join(group) for group in changed)
+        if not skipped:
+            return (
+                f"the cause is {names}: {low} has the old answer, and {high} the new "
+                "one"
             )
-            steps.append(pinned)
-    steps.append(after)
-    low, high, skipped = first_change(steps, is_first)
-    changed = [*groups, (settings.edition,)][steps.index(low) : steps.index(high)]
-    names = " or ".join(" and ".join(group) for group in changed)
-    if skipped:
-        return f"the cause is one of {names}"
-    return f"the cause is {names}: {low} has the old answer, and {high} the new one"
+        candidates.append(f"the cause is one of {names}")
+    return min(candidates, key=len)
+
+
+def _with(
+    release: Release,
+    versions: Mapping[str, str],
+    groups: Sequence[Sequence[str]],
+    report: Report,
+) -> Release:
+    """Return a release with these versions of the packages in some groups."""
+    pins = [
+        f"{name}=={versions[name]}"
+        for name in chain(*groups)
+        if versions.get(name, MISSING) != MISSING
+    ]
+    return release_of(release.spec, " ".join(pins), report=report)

@@ -9,6 +9,7 @@ from measured_report.commands.options import (
     shared,
 )
 from measured_report.commands.status import print_damage_of
+from measured_report.commands.upgrade import in_turn
 from measured_report.editions.project import Project
 from measured_report.findings.editions import derive_edition
 from measured_report.pages.wording import sentences_of
@@ -30,7 +31,8 @@ def run(project: Project, arguments: Arguments) -> int:
     # Each edition is derived by itself, so that the evidence of the other one does not
     # count.
     before, after = (derive_edition(project.of(name)) for name in names)
-    comparison = compare(before, after)
+    timed = in_turn([before.project, after.project])
+    comparison = compare(before, after, list(map(derive_edition, timed)))
     rate = false_alarm_counts(before) + false_alarm_counts(after)
     print(
         diff_text(comparison, rate_text(rate), arguments.format, sentences_of(project))

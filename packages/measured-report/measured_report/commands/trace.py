@@ -145,8 +145,7 @@ def _lines_of_record(
             continue
         index, column = cell
         row = record.rows[index]
-        parameters = columns.changed_parameters(row).items()
-        changed = ", ".join(f"{name} {value}" for name, value in parameters)
+        changed = columns.changes_text(row)
         exception = f", except {changed}" if changed else ""
         changes = (
             f" ({columns.settings.baseline}{exception})" if columns.parameters else ""

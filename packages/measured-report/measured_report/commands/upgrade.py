@@ -41,8 +41,7 @@ from measured_report.records.identity import package_changes, sections
 from measured_report.records.replicas import FOLDER, archive_of
 from measured_report.values.evidence import is_absolute
 
-# The folder below `results` for the timings of two editions; they are never reused.
-TIMED = "timed"
+TIMED = "timed"  # the folder below `results` for timings of two editions in turn
 MOST_PASSES = 6
 """Chosen: a pass takes minutes, and six are enough unless times differ by more than half of
 their threshold from one pass to the next."""
@@ -142,7 +141,7 @@ def timed_in_turn(
         if is_absolute(report.columns[name.rpartition(".")[2]])
     }
     names = [name for name in timed_sections if name in measurable]
-    timed = [replace(side, aside=TIMED) for side in sides]
+    timed = in_turn(sides)
     editions: list[Edition] = []
     for number in range(1, MOST_PASSES + 1) if names else ():
         for index, release in enumerate(releases):
@@ -166,6 +165,12 @@ def timed_in_turn(
             if not hidden_times(*editions):
                 break
     return editions
+
+
+def in_turn(sides: Sequence[Project]) -> list[Project]:
+    """Return the projects with the timings of two editions in turn."""
+    pair = "-".join(sorted(side.results.name for side in sides))
+    return [replace(side, aside=f"{TIMED}/{pair}") for side in sides]
 
 
 def _remove_passes(project: Project) -> None:

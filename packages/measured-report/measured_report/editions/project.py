@@ -85,10 +85,6 @@ def write_manifest(results: Path, manifest: Manifest) -> None:
     write_file(results / MANIFEST, "".join(lines))
 
 
-def current_root() -> Path:
-    return current().root
-
-
 @dataclass(frozen=True)
 class Project:
     """Describe the folders, editions and commands of a report in one checkout."""
@@ -96,7 +92,7 @@ class Project:
     release: str
     profile: str = "full"
     """``full``, or ``quick`` for small grids and short runs, which are kept apart."""
-    root: Path = field(default_factory=current_root)
+    root: Path = field(default_factory=lambda: current().root)
     own_release: str | None = None
     """The default release of the project; None means this release."""
     aside: str = ""

@@ -133,6 +133,9 @@ def release_of(
                 f"that report.toml lists ({names})"
             )
         versions[package] = full_version(version)
+    for package, source in settings.implied.items():
+        if package in versions and versions[package] == versions.get(source):
+            del versions[package]
     return replace(release, pins=tuple(sorted(versions.items())))
 
 

@@ -4,7 +4,7 @@ The end of a column's name determines its unit.
 """
 
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import MISSING, dataclass, fields, is_dataclass
 from functools import cache, cached_property
 from itertools import chain
@@ -51,13 +51,6 @@ SYMBOL = re.compile(
 Units can combine them with ``/`` and ``·``. Numbers are never converted between units.
 """
 PLAIN = "1"  # the unit of a number whose column does not name one
-PREFIX = re.compile(
-    r"""
-    (?<! [^/·] ) [nµmkMGT]  # at the start of a factor
-    (?= (?:m|s|g|N|J|W|V|A|K|B|bit|Pa|Hz|rad|mol) (?![a-zA-Z]) )
-    """,
-    re.VERBOSE,
-)
 LARGEST = {
     "mm": 1e10,
     "m": 1e7,
@@ -229,6 +222,11 @@ class Schema:
             if self.parameters.get(name, MISSING) not in (MISSING, cell)
         }
 
+    def changes_text(self, row: Mapping[str, Any]) -> str:
+        """Return the parameters that differ from their defaults as text."""
+        changed = self.changed_parameters(row).items()
+        return ", ".join(f"{name} {value}" for name, value in changed)
+
     def number_of(self, column: str, row: Mapping[str, Any]) -> Any:
         """Return a cell of a row, or None if the cell has no meaning.
 
@@ -317,16 +315,6 @@ def case_parameters(settings: Config) -> Mapping[str, Any]:
             "dataclass: use module:name"
         )
     return {field.name: field.default for field in fields(case)}
-
-
-def unlike(units: Iterable[str]) -> list[str]:
-    """Return two different units of one quantity, such as ms and s, if there are any."""
-    kinds: dict[str, str] = {}
-    for unit in units:
-        kind = PREFIX.sub("", unit)
-        if kinds.setdefault(kind, unit) != unit:
-            return [kinds[kind], unit]
-    return []
 
 
 def columns_of(rows: Sequence[Mapping[str, Any]]) -> list[str]:

@@ -142,6 +142,11 @@ class Config:
     packages: Sequence[str] = ()
     """Other packages whose versions a record depends on; `edition` is added in front.
     """
+    implied: Mapping[str, str] = field(default_factory=dict)
+    """Packages that another package requires in its own version, with that package.
+
+    A record without such a package was measured with this version, or without it.
+    """
     requirement: str = ""
     """The package as pyproject.toml requires it: with its extras, without a version."""
     edition_name: str = ""  # the name of the package in sentences

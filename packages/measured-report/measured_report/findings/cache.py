@@ -55,9 +55,8 @@ class DerivedCache(Cache):
         """Return a digest of a module, its imports, the files they name, and packages."""
         root = self.report.root
         if module:
-            root = next(
-                folder for folder in module.parents if (folder / "report").is_dir()
-            )
+            parents = (path for path in module.parents if (path / "report").is_dir())
+            root = next(parents, root)
         code = self.code(root, self.report.root)
         own_file = Path(__file__).resolve()
         # Sections do not import the modules that evaluate replicas, but depend on them.

@@ -369,9 +369,9 @@ def _derive(editions: Mapping[str, Edition], releases: Releases | None = None) -
         edition.derive(releases)
 
 
-def derive_edition(project: Project, cache: DerivedCache | None = None) -> Edition:
+def derive_edition(project: Project) -> Edition:
     """Derive one edition. Sections that compare releases have only this one."""
-    edition = read_edition(project, cache or DerivedCache(project.root, project.report))
+    edition = read_edition(project, DerivedCache(project.root, project.report))
     edition.set_keys()
     edition.derive()
     return edition

@@ -19,8 +19,9 @@ import re
 import sys
 import tempfile
 import time
-from collections.abc import Callable, Generator, Mapping, Sequence
-from contextlib import AbstractContextManager
+import warnings
+from collections.abc import Callable, Generator, Iterator, Mapping, Sequence
+from contextlib import AbstractContextManager, contextmanager
 from dataclasses import dataclass
 from datetime import datetime, timedelta, timezone
 from pathlib import Path
@@ -29,8 +30,14 @@ from typing import Any, TypeAlias
 from measured_report.files.atomic import locked
 from measured_report.files.config import Report
 from measured_report.files.config import report as current
-from measured_report.files.errors import ReportError, bug_of
+from measured_report.files.errors import (
+    UNPRINTABLE,
+    ReportError,
+    bug_of,
+    without_secrets,
+)
 from measured_report.measuring.machine import machine
+from measured_report.records.record import LINE_LIMIT
 
 OUT_OF_MEMORY = re.compile(
     "out of memory|failed to allocate|cannot allocate|bad_alloc", re.IGNORECASE
@@ -78,6 +85,7 @@ class Result:
     ended: str
     seconds: float
     opened: frozenset[str] = frozenset()  # paths of all files that it read
+    deprecated: frozenset[str] = frozenset()  # see ``deprecations``
 
 
 def device_lock(*, exclusive: bool) -> AbstractContextManager[None]:
@@ -98,7 +106,8 @@ def measure_batch(packed: bytes, device: str) -> Result:
         with device_lock(exclusive=batch.exclusive):
             started = utc_time()
             start = time.perf_counter()
-            value = batch.function(*batch.arguments)
+            with deprecations() as deprecated:
+                value = batch.function(*batch.arguments)
             seconds = time.perf_counter() - start
         # The end is computed, because the clock may have been set during the
         # measurement.
@@ -110,10 +119,34 @@ def measure_batch(packed: bytes, device: str) -> Result:
             ended=ended.isoformat(timespec="seconds"),
             seconds=round(seconds, 1),
             opened=frozenset(OPENED),
+            deprecated=frozenset(deprecated),
         )
     # Catch SystemExit too: a section that fails must not end the process.
     except BaseException as error:
         raise ReportError(reason_of(error, current())) from None
+
+
+@contextmanager
+def deprecations() -> Iterator[set[str]]:
+    """Collect the warnings of features that a later release removes, as lines.
+
+    They are not printed. All other warnings are.
+    """
+    lines = set()
+
+    def show(*warning: Any) -> None:
+        message, category, *_ = warning
+        if issubclass(category, DeprecationWarning):
+            line = UNPRINTABLE.sub("?", " ".join(str(message).split()))
+            lines.add(without_secrets(line)[:LINE_LIMIT])
+        else:
+            shown(*warning)
+
+    with warnings.catch_warnings():
+        warnings.simplefilter("default", DeprecationWarning)
+        shown = warnings.showwarning
+        warnings.showwarning = show  # type: ignore[assignment]
+        yield lines
 
 
 def reason_of(error: BaseException, report: Report) -> str:

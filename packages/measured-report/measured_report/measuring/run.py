@@ -215,6 +215,9 @@ class Section:
             measured=measured,
             units=units,
             rows=rows,
+            deprecated=tuple(
+                sorted(set().union(*(result.deprecated for result in results)))
+            ),
         )
         self.basis.write(record, traces)
         self.is_over = True

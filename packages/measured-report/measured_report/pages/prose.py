@@ -17,8 +17,7 @@ from jinja2.runtime import Context
 from markupsafe import Markup, escape
 
 from measured_report.files.cache import Cache
-from measured_report.files.config import Report
-from measured_report.files.config import report as current_report
+from measured_report.files.config import report as current
 from measured_report.files.errors import ReportError, bug_of
 from measured_report.pages.passages import parse_passage
 from measured_report.parts.citations import references, stated
@@ -31,7 +30,7 @@ from measured_report.parts.words import (
     refuse_numbers,
     wordings_of,
 )
-from measured_report.records.identity import files_digest, sources
+from measured_report.records.identity import files_digest
 from measured_report.values.results import ResultsError
 
 GENERATOR = Path(__file__).resolve().parents[1]
@@ -92,7 +91,8 @@ class Compiled(jinja2.BytecodeCache):
 class Templates:
     """Load and render a project's templates; raise ReportError for invalid ones."""
 
-    def __init__(self, folder: Path, report: Report | None = None):
+    def __init__(self, folder: Path):
+        report = current()
         own, base = map(jinja2.FileSystemLoader, (folder, LAYOUT))
         layouts = jinja2.PrefixLoader({"layout": base})
         self._layout = environment(
@@ -105,8 +105,8 @@ class Templates:
         self.references = references(folder)
         self._layout.globals |= {
             "references": self.references,
-            "config": (report or current_report()).settings,
-            "sources": sources(),
+            "config": report.settings,
+            "sources": report.sources,
             "stated": partial(stated, self.references),
         }
         self.words = cache(self._words)

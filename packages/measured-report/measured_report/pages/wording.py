@@ -71,7 +71,7 @@ def sentences_of(project: Project) -> Callable[[str, Claim], str]:
 
     The templates are parsed when it is called first.
     """
-    templates = cache(lambda: Templates(project.templates, project.report))
+    templates = cache(lambda: Templates(project.templates))
 
     def sentence(section: str, claim: Claim) -> str:
         template = template_of(section)

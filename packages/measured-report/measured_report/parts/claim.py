@@ -153,7 +153,7 @@ class Claim:
     def render(self, part: str) -> Markup:
         """Return one part of the claim's wording with its numbers."""
         assert self.wording, f"the claim {self.name} does not have a wording yet"
-        return self.wording(part, self.numbers)
+        return self.wording[part](self.numbers) if part in self.wording else Markup("")
 
 
 def decided(is_so: bool, *quantities: Quantity) -> Outcome:

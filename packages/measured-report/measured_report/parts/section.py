@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from markupsafe import Markup
 
-from measured_report.files.columns import PLAIN, SYMBOL, unlike
+from measured_report.files.columns import PLAIN, SYMBOL
 from measured_report.files.errors import ReportError, bug_of
 from measured_report.parts.claim import Claim
 from measured_report.parts.macros import macros
@@ -66,11 +66,6 @@ def _column(name: str, values: "pd.Series") -> dict[str, Any]:
     """Return the name and unit of a column, and the text and padding of its cells."""
     numbers = [cell for cell in values if isinstance(cell, Quantity)]
     units = {cell.unit for cell in numbers}
-    if clash := unlike(sorted(units)):
-        clashing = " and ".join(clash)
-        raise ResultsError(
-            f"the column {name} of a table has {clashing}: give it one unit"
-        )
     unit = units.pop() if len(units) == 1 else ""
     places = max(map(_place_count, numbers), default=0)
 
@@ -191,7 +186,7 @@ class Figure:
             content = macros().left_out(UNDRAWN, self.fault)
         else:
             assert self.wording, f"the figure {self.anchor} does not have a wording yet"
-            alt = self.wording("alt", self.numbers).striptags().replace("\xa0", " ")
+            alt = self.wording["alt"](self.numbers).striptags().replace("\xa0", " ")
             sizes = [
                 match.groups() for match in map(SIZE.search, self.pictures) if match
             ]
@@ -286,8 +281,8 @@ class Section:
                 if hasattr(part, "wording"):
                     wording = wordings[kind, wording_name]
                     # Render all texts now, because other numbers may need another one.
-                    for text in wording.parts:
-                        wording(text, part.numbers)
+                    for text in wording.values():
+                        text(part.numbers)
                     part = replace(part, wording=wording)
                 yield name, part
 

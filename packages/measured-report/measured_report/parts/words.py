@@ -26,7 +26,7 @@ section. ``measured`` contains the names of the sections with a record.
 
 import re
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass
+from functools import partial
 from typing import Any
 
 from jinja2 import Environment, TemplateSyntaxError, nodes
@@ -69,29 +69,19 @@ BOUNDS = {
 """Words that make the next number a bound, and the attributes that round it safely."""
 
 
-@dataclass(frozen=True)
-class Wording:
-    """The texts of one claim, figure or table in a template."""
-
-    parts: Mapping[str, str]  # names of the template's blocks
-    render: Callable[[str, Mapping[str, Any]], Markup]  # renders a block
-
-    def __call__(self, part: str, numbers: Mapping[str, Any]) -> Markup:
-        """Return a part with its numbers; empty if the template has no such part."""
-        if part not in self.parts:
-            return Markup("")
-        return self.render(self.parts[part], numbers)
+Wording = Mapping[str, Callable[[Mapping[str, Any]], Markup]]
+"""The texts of one claim, figure or table, each as a function of its numbers."""
 
 
 def wordings_of(
     blocks: Iterable[str], render: Callable[[str, Mapping[str, Any]], Markup]
 ) -> dict[tuple[str, str], Wording]:
     """Return the wordings in the blocks of a template, by kind and name."""
-    wordings: dict[tuple[str, str], dict[str, str]] = {}
+    wordings: dict[tuple[str, str], dict[str, Any]] = {}
     for block in blocks:
         kind, name, part = block.split("__")
-        wordings.setdefault((kind, name), {})[part] = block
-    return {key: Wording(parts, render) for key, parts in wordings.items()}
+        wordings.setdefault((kind, name), {})[part] = partial(render, block)
+    return {**wordings}
 
 
 def parse_words(parser: Parser, environment: Environment) -> list[nodes.Node]:

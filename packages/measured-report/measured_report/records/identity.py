@@ -150,14 +150,14 @@ BYTE_LIMIT = (
 
 
 def package_versions(settings: Config | None = None) -> dict[str, str]:
-    """Return the installed version of each package.
+    """Return the versions of the installed packages, the edition's package first.
 
     The version of the edition's package includes its commit if it was not installed
     from an index.
     """
     settings = settings or current().settings
-    versions = dict.fromkeys(settings.packages, MISSING)
-    for package in versions:
+    versions = {settings.edition: MISSING}
+    for package in settings.packages:
         with suppress(metadata.PackageNotFoundError):
             versions[package] = full_version(metadata.version(package))
     if versions[settings.edition] != MISSING and (source := _source(settings.edition)):
@@ -175,12 +175,27 @@ def full_version(version: str) -> str:
 
 
 def package_changes(before: Mapping[str, str], after: Mapping[str, str]) -> list[str]:
+    """Return the packages whose versions differ; one that is not listed is missing."""
+    before, after = _with_implied(before, after), _with_implied(after, before)
     versions = {
-        name: (before.get(name), after.get(name)) for name in {**before, **after}
+        name: (before.get(name, MISSING), after.get(name, MISSING))
+        for name in {**before, **after}
     }
     return [
         f"{name} {old} → {new}" for name, (old, new) in versions.items() if old != new
     ]
+
+
+def _with_implied(
+    versions: Mapping[str, str], others: Mapping[str, str]
+) -> Mapping[str, str]:
+    """Return versions with those packages of ``others`` that they imply."""
+    implied = {
+        name: versions[source]
+        for name, source in current().settings.implied.items()
+        if source in versions and versions[source] == others.get(name)
+    }
+    return {**implied, **versions}
 
 
 def _source(package: str) -> str:
@@ -212,7 +227,3 @@ def files_digest(paths: Iterable[Path], root: Path) -> str:
                 name = f"{path.relative_to(root).as_posix()}\0{info.st_size}\0"
                 digest.update(os.fsencode(name) + content)
     return digest.hexdigest()
-
-
-def sources() -> str:
-    return current().sources

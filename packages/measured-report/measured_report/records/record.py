@@ -25,7 +25,6 @@ from measured_report.files.atomic import (
     write_files,
 )
 from measured_report.files.columns import is_number, text_problem
-from measured_report.files.config import Report
 from measured_report.files.config import report as current
 from measured_report.files.errors import UNPRINTABLE
 from measured_report.records.identity import MISSING, Digest, Identity, identity_of
@@ -38,7 +37,8 @@ Case = Annotated[str, Meta(pattern=rf"\A{CASE.pattern}\Z", max_length=200)]
 Key = Annotated[str, Meta(pattern=r"\A[A-Za-z0-9_.+-]{1,200}\Z")]
 NAME = r"\A[a-z][a-z0-9_]{0,79}\Z"  # of a column
 Name = Annotated[str, Meta(pattern=NAME)]
-Line = Annotated[str, Meta(pattern=r"\A[^\n\t]+\Z", max_length=400)]
+LINE_LIMIT = 400  # characters
+Line = Annotated[str, Meta(pattern=r"\A[^\n\t]+\Z", max_length=LINE_LIMIT)]
 if TYPE_CHECKING:
     from typing import Any as Cell
     from typing import Any as Noted
@@ -128,6 +128,8 @@ class Record:
     rows: Annotated[Sequence[Mapping[Name, Cell]], Meta(min_length=1)]
     traces: Mapping[Case, Seal] = field(default_factory=dict)
     carried: tuple[Carried, ...] = ()  # oldest first
+    deprecated: tuple[Line, ...] = ()
+    """The warnings of features that a later release of a package removes."""
 
     @property
     def codes(self) -> frozenset[str]:
@@ -296,8 +298,9 @@ def record_text(record: Record) -> str:
     # The rows are written below, because to_builtins would copy every cell.
     data = {"schema": SCHEMA, **to_builtins(replace(record, rows=[]))}
     del data["rows"]
-    if not record.carried:
-        del data["carried"]
+    for name in ("carried", "deprecated"):
+        if not data[name]:
+            del data[name]
     head = json.dumps(data, indent=1, ensure_ascii=False, allow_nan=False)
     write = partial(
         json.dumps, ensure_ascii=False, allow_nan=False, separators=(",", ":")
@@ -322,9 +325,9 @@ def sealed(text: str) -> str:
     return f'{text},\n "seal": "{sha256(text.encode()).hexdigest()}"\n}}\n'
 
 
-def load_record(path: Path, report: Report | None = None) -> Record:
+def load_record(path: Path) -> Record:
     """Read the record at ``path``; raise RecordError if it or a trace is damaged."""
-    record = read_record(read_file(path, BYTE_LIMIT), path, report)
+    record = read_record(read_file(path, BYTE_LIMIT), path)
     for case, seal in record.traces.items():
         trace = trace_path(path, case)
         if sha256(read_file(trace, BYTE_LIMIT)).hexdigest() != seal.digest:
@@ -335,12 +338,12 @@ def load_record(path: Path, report: Report | None = None) -> Record:
     return record
 
 
-def read_record(content: bytes, path: Path, report: Report | None = None) -> Record:
+def read_record(content: bytes, path: Path) -> Record:
     """Return the record in the content of a file.
 
     Raise RecordError if any field is invalid.
     """
-    report = report or current()
+    report = current()
     try:
         text = content.decode("utf-8")
         data = json.loads(text, object_pairs_hook=_plain, parse_constant=_refuse)

@@ -13,6 +13,7 @@ from hashlib import sha256
 from pathlib import Path
 
 from measured_report.files.atomic import RecordError, read_file, short_path, sums
+from measured_report.records.identity import package_changes
 from measured_report.records.record import BYTE_LIMIT, Record, read_record, record_text
 
 FOLDER = "replicas"  # beside the records of the edition that was measured again
@@ -85,7 +86,7 @@ def read_replica(path: Path) -> Records:
 def mismatch(tracked: Record, replica: Record) -> str:
     """Return why a record is not a replica of the tracked one, or an empty string."""
     old, new = tracked.identity, replica.identity
-    if old.packages != new.packages:
+    if package_changes(old.packages, new.packages):
         return "other packages"
     is_alike = (old.config, old.profile) == (new.config, new.profile)
     if not is_alike or tracked.codes.isdisjoint(replica.codes):

@@ -71,7 +71,7 @@ def _written(cell: Any, column: str, schema: Schema) -> Any:
     return f"{cell:{DIGITS}}" if isinstance(cell, float) else cell
 
 
-def load_trace(path: Path, schema: Schema | None = None) -> "pd.DataFrame":
+def load_trace(path: Path) -> "pd.DataFrame":
     """Read the trace at ``path``; raise RecordError if it is damaged in any way."""
     import pandas as pd
 
@@ -84,7 +84,7 @@ def load_trace(path: Path, schema: Schema | None = None) -> "pd.DataFrame":
                 f"it is truncated, is larger than {UNPACKED_LIMIT >> 20} MiB, or "
                 "has extra data at the end"
             )
-        _check(text.decode("utf-8"), schema or current().columns)
+        _check(text.decode("utf-8"), current().columns)
         # Versions of pandas before 3, which Python 3.10 uses, round the last digits
         # unless this option is set.
         is_new = int(pd.__version__.partition(".")[0]) > 2

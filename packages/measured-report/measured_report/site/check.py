@@ -10,7 +10,7 @@ from pathlib import Path
 from urllib.parse import SplitResult, unquote, urlsplit
 
 from measured_report.files.config import Report, module_named
-from measured_report.files.config import report as current_report
+from measured_report.files.config import report as current
 from measured_report.pages.prose import LAYOUT
 from measured_report.site.check_numbers import Data, Number, check_number
 
@@ -103,10 +103,10 @@ class PageReader(HTMLParser):
 Pages = Mapping[Path, PageReader]
 
 
-def check_site(site: Path, report: Report | None = None) -> list[str]:
+def check_site(site: Path) -> list[str]:
     """Return the problems of the site in folder ``site``, one line for each."""
     try:
-        return list(_problems_of(site.resolve(), report or current_report()))
+        return list(_problems_of(site.resolve(), current()))
     except UNREADABLE as error:
         text = " ".join(str(error).split())
         return [f"the site cannot be read: {type(error).__name__}: {text:.200}"]

@@ -5,7 +5,10 @@ import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
+from pathlib import Path
 from typing import Any
+
+from markupsafe import Markup
 
 from measured_report.changes.alarm import (
     diff_text,
@@ -17,7 +20,7 @@ from measured_report.changes.compare import Comparison, compare
 from measured_report.changes.moves import Move
 from measured_report.changes.query import Query, points
 from measured_report.files.columns import Schema
-from measured_report.files.config import Page
+from measured_report.files.config import Config, Page
 from measured_report.files.groups import grouped
 from measured_report.findings.chapters import Releases
 from measured_report.findings.editions import Edition
@@ -82,6 +85,16 @@ class Pair:
     def page_of(self, move: Move) -> Page:
         return self.before.chapters[move.section].page
 
+    def content(self, settings: Config) -> tuple[Markup, bytes]:
+        """Return its HTML and its file, from the cache if nothing changed."""
+        inputs = [*_inputs(self.before), *_inputs(self.after), str(self.is_next)]
+        return self.after.cache.value(
+            f"{self.after.project.profile}.{self.name}",
+            Path(__file__),
+            inputs,
+            lambda: (macros().pair(self, settings), self.json),
+        )
+
     @property
     def json(self) -> bytes:
         """Return the list that ``make diff FORMAT=json`` prints, compressed."""
@@ -91,6 +104,14 @@ class Pair:
             self.comparison, rate_text(rate), "json", lambda _, claim: claim.text
         )
         return gzip.compress(f"{text}\n".encode(), mtime=0)
+
+
+def _inputs(edition: Edition) -> Iterator[str]:
+    """Yield everything on which a comparison with an edition depends."""
+    yield f"{edition.folder} {edition.project.manifest} {edition.left_out}"
+    for chapter in edition.chapters.values():
+        yield chapter.key
+        yield from (claim.text for claim in chapter.section.claims)
 
 
 def compare_page(
@@ -113,14 +134,15 @@ def compare_page(
     # The script shows the first pair: the two newest releases, without trials.
     pairs.reverse()
     pairs.sort(key=lambda pair: pair.after.project.release in settings.trials)
+    contents = {pair.file: pair.content(settings) for pair in pairs}
     names = {
         "headlines": _headlines(
             {name: edition.chapters for name, edition in editions.items()}, columns
         ),
-        "pairs": [macros().pair(pair, settings) for pair in pairs],
+        "pairs": [html for html, _ in contents.values()],
     }
     page = templates.prose("compare.md.j2", PAGE.name, names, level=1)
-    return page, {pair.file: pair.json for pair in pairs}
+    return page, {file: content for file, (_, content) in contents.items()}
 
 
 def _headlines(releases: Releases, columns: Schema) -> Any:

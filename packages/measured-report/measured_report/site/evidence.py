@@ -78,9 +78,7 @@ def _description(chapter: Chapter, index: int) -> list[str]:
     """Return the case of a row, and the parameters in which it differs."""
     columns = chapter.results.columns
     row = chapter.results.record.rows[index]
-    parameters = columns.changed_parameters(row).items()
-    changed = ", ".join(f"{name} {value}" for name, value in parameters)
-    return [row["case"], changed or columns.settings.baseline]
+    return [row["case"], columns.changes_text(row) or columns.settings.baseline]
 
 
 def _measurement(edition: Edition, chapter: Chapter) -> dict[str, str]:

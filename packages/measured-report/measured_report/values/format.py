@@ -19,9 +19,7 @@ DIGITS_EXACT = 12  # chosen: later digits may be rounding errors of floating poi
 # Chosen: numbers of these powers of ten are written without an exponent.
 PLAIN_EXPONENTS = range(-4, 7)
 SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
-DIGITS = {power: digit for digit, power in SUPERSCRIPTS.items()}
 NAMED = r"(\d[\d.]*(?:e[+-]?\d+)?)"  # a number in the name of a case
-WRITTEN = re.compile(r"(-?\d+(?:\.\d+)?)?(?:×?10([⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+))?")
 
 
 def unit_label(unit: str) -> str:
@@ -38,7 +36,7 @@ def format_number(
     """Write ``value`` with the digits that its ``noise`` allows.
 
     The noise is 0 for an exact number and None if it is not known. Integers are written in
-    full. A number below its noise is written as "< noise".
+    full. A number below its noise is written as "<" with the bound of its size.
     """
     if value is None:
         return ABSENT
@@ -54,22 +52,37 @@ def format_number(
             return _format_rounded(exact, DIGITS_KNOWN, rounding)
         return _format_decimal(exact)
     if noise and abs(value) <= noise:
-        return f"{BELOW}{THIN_SPACE}{_format_noise(noise, value)}"
+        return f"{BELOW}{THIN_SPACE}{format_most(value, noise=noise)}"
     return _format_decimal(rounded(value, noise, rounding))
 
 
 def format_most(value: float | int | None, *, noise: float | None = None) -> str:
-    """Write ``value`` as an upper bound: rounded up, and at least the noise."""
-    bound = noise if noise and value == 0.0 else without_rounding_error(value)
-    text = format_number(bound, noise=noise, rounding=ROUND_CEILING)
-    return text.removeprefix(f"{BELOW}{THIN_SPACE}")
+    """Write the upper end of the interval of ``value``, rounded up.
+
+    For a number below its noise, this is the bound of its size.
+    """
+    return _format_bound(value, noise, ROUND_CEILING)
 
 
 def format_least(value: float | int | None, *, noise: float | None = None) -> str:
-    """Write ``value`` as a lower bound: rounded down, and 0 if it is below the noise."""
-    bound = without_rounding_error(value)
-    text = format_number(bound, noise=noise, rounding=ROUND_FLOOR)
-    return "0" if text.startswith(BELOW) else text
+    """Write the lower end of the interval of ``value``, rounded down, or 0 if the value
+    is below its noise.
+    """
+    return _format_bound(value, noise, ROUND_FLOOR)
+
+
+def _format_bound(value: float | int | None, noise: float | None, rounding: str) -> str:
+    if value is None or not noise:
+        bound = without_rounding_error(value)
+        return format_number(bound, noise=noise, rounding=rounding)
+    middle, width = (Decimal(repr(float(number))) for number in (value, noise))
+    is_upper = rounding == ROUND_CEILING
+    if abs(middle) <= width:
+        if not is_upper:
+            return "0"
+        middle = abs(middle)
+    end = middle + width if is_upper else middle - width
+    return _format_decimal(rounded(float(end), noise, rounding))
 
 
 def format_interval(value: float | int | None, *, noise: float | None = None) -> str:
@@ -101,15 +114,6 @@ def without_rounding_error(value: float | int | None) -> float | int | None:
     A bound would otherwise round 0.020000000000000462 up to 0.021.
     """
     return float(f"{value:.{DIGITS_EXACT}g}") if isinstance(value, float) else value
-
-
-def read_number(text: str) -> Decimal | None:
-    """Return the number that this module wrote as ``text``, or None for another text."""
-    match = WRITTEN.fullmatch(text.replace(THIN_SPACE, "").replace(MINUS, "-"))
-    if not match:
-        return None
-    power = int((match[2] or "⁰").translate(DIGITS))
-    return Decimal(match[1] or 1).scaleb(power)
 
 
 def rounded(
@@ -202,21 +206,6 @@ def number_of(text: str) -> str:
         return f"{float(text):g}"
     scale = format_power(int(power))
     return scale if float(mantissa) == 1 else f"{mantissa}×{scale}"
-
-
-def _format_noise(noise: float, value: float) -> str:
-    """Write the noise, rounded up, with as few digits as possible.
-
-    Rounding may add at most the size of the value.
-    """
-    texts = [
-        _format_rounded(Decimal(repr(noise)), digits, ROUND_CEILING)
-        for digits in range(1, DIGITS_KNOWN + 1)
-    ]
-    most = Decimal(repr(noise + abs(value)))
-    return next(
-        (text for text in texts if (read_number(text) or most) <= most), texts[-1]
-    )
 
 
 def _format_rounded(exact: Decimal, digits: int, rounding: str) -> str:

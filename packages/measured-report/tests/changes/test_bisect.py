@@ -80,6 +80,30 @@ def test_the_release_and_then_newton_itself(toy, search, capsys):
     assert found[0].startswith("toy.soft.slip_mm changes between 1.5.9")
 
 
+def test_an_older_edition_that_cannot_run_with_newer_packages_gives_way_to_a_newer_one(
+    toy, search, monkeypatch
+):
+    """The newer engine consists of one more package, which the older one lacks."""
+    split = {**NEW, "mujoco-core": "3.11.0"}
+    keep(toy, "1.6.9", WORSE, split)
+    keep(toy, "1.5.9+warp-1.16.0", ROWS, {**OLD, "warp-lang": "1.16.0"})
+    older = "1.6.9+mujoco-3.10.0+mujoco-warp-3.10.0"
+    keep(toy, f"{older}+warp-1.15.0", ROWS, OLD)
+    keep(toy, older, ROWS, {**OLD, "warp-lang": "1.16.0"})
+    asked = []
+
+    def fail(project, release, *others):
+        asked.append(str(release))
+        raise ReportError("newton 1.5.9 cannot run the scene")
+
+    monkeypatch.setattr(module, "measure", fail)
+    assert searched(search)[1] == (
+        f"the cause is mujoco-warp and mujoco and mujoco-core: {older} has the old "
+        "answer, and 1.6.9 the new one"
+    )
+    assert asked == ["1.5.9+mujoco-3.11.0+mujoco-warp-3.11.0+warp-1.16.0"]
+
+
 def test_what_cannot_be_measured_is_passed_over_and_an_end_ends_the_search_as_ends_that_agree_do(
     search, monkeypatch
 ):
@@ -96,7 +120,7 @@ def test_what_cannot_be_measured_is_passed_over_and_an_end_ends_the_search_as_en
     ]
     assert (
         searched(search)[2]
-        == "the cause is one of warp-lang or mujoco-warp and mujoco or newton"
+        == "the cause is one of warp-lang or mujoco-warp and mujoco and mujoco-core or newton"
     )
     with pytest.raises(ReportError, match="measuring ended") as error:
         searched(search, "1.9.0")

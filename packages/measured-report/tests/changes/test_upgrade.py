@@ -2,6 +2,7 @@
 printed.
 """
 
+import json
 import os
 import subprocess
 import sys
@@ -153,7 +154,7 @@ def test_an_upgrade_says_first_what_it_measures_of_both(toy, monkeypatch, capsys
     ],
 )
 def test_releases_are_timed_until_a_change_of_the_threshold_would_show(
-    toy, monkeypatch, deviation, slower, passes, is_listed
+    toy, monkeypatch, capsys, deviation, slower, passes, is_listed
 ):
     """Times of one machine differ by 0.1 to 5 % from pass to pass; the threshold is 5 %."""
     chance = np.random.default_rng(1)
@@ -177,7 +178,7 @@ def test_releases_are_timed_until_a_change_of_the_threshold_would_show(
     vars(report()).pop("columns", None)
     sides = [toy.project.of(name) for name in ("1.8.0", "1.9.0")]
     releases = [release_of(side.release) for side in sides]
-    stale = sides[0].results.parent / "timed" / sides[0].results.name / FOLDER
+    stale = upgrade.in_turn(sides)[0].results / FOLDER
     stale.mkdir(parents=True)
     (stale / "pass-5.tgz").write_bytes(b"of an earlier upgrade")
     timed = upgrade.timed_in_turn(sides, releases, ["toy"], "cpu")
@@ -187,6 +188,14 @@ def test_releases_are_timed_until_a_change_of_the_threshold_would_show(
     assert named.exceeds_threshold == is_listed
     if passes == 2:
         assert named.noise < 0.05 * named.before
+    for side in sides:
+        replace(toy, project=side).measure()
+    given = Namespace(a=releases[0], b=releases[1], format="json")
+    assert diff.run(sides[1], given) == is_listed
+    alarms = json.loads(
+        capsys.readouterr().out.rpartition("pass")[2].partition("\n")[2]
+    )
+    assert alarms["alarms"] == ["toy.c0.frame_ms"] * is_listed
     assert not upgrade.timed_in_turn(sides, releases, ["another"], "cpu")
 
 

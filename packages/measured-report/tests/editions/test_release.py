@@ -130,6 +130,14 @@ def test_with_names_packages(tmp_path):
     release = release_of("1.8", "warp-lang==1.19.0 mujoco-warp==4.0.0")
     assert str(release) == "1.8.0+mujoco-warp-4.0.0+warp-1.19.0"
     assert release_of(str(release)) == replace(release, spec=str(release))
+    core = (
+        {"mujoco": "4.0.0", "mujoco-core": version} for version in ("4.0.0", "4.0.1")
+    )
+    pins = [" ".join(map("==".join, packages.items())) for packages in core]
+    assert [str(release_of("1.8", pin)) for pin in pins] == [
+        "1.8.0+mujoco-4.0.0",  # MuJoCo 4.0.0 itself requires this version
+        "1.8.0+mujoco-4.0.0+mujoco-core-4.0.1",
+    ]
     for bad in ("warp", "numpy==1.0", "warp-lang>=1", "warp-lang==1.0;x"):
         with pytest.raises(UsageError, match="WITH="):
             release_of("1.8.0", bad)

@@ -10,7 +10,7 @@ import signal
 import subprocess
 import sys
 import time
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from datetime import datetime
 from pathlib import Path
 
@@ -28,7 +28,7 @@ from measured_report.measuring.measure import MODULE
 from measured_report.measuring.pool import host_pools
 from measured_report.measuring.run import Loop, section_module
 from measured_report.records.identity import identity_of
-from measured_report.records.record import load_record
+from measured_report.records.record import load_record, write_record
 
 
 def fails(*sections, count: int = 1) -> bool:
@@ -48,6 +48,26 @@ def test_a_record_is_put_together_from_its_batches(toy, log):
         ("sum", 6.0),
     ]
     assert record.machine["host"]
+
+
+def test_a_record_keeps_what_will_be_removed_and_other_warnings_are_printed(toy):
+    with (
+        pytest.warns(UserWarning, match="take care"),
+        batch.deprecations() as deprecated,
+    ):
+        batches.warn("a")
+    assert deprecated == {"~/x is deprecated"}
+    calls = [Batch(name, batches.warn, (name,)) for name in "ab"]
+    assert not fails(section_of(toy, batches.all_of(calls)))
+    record = load_record(toy.record_path)
+    assert record.deprecated == ("~/x is deprecated",)
+    toy.measure()
+    write_record(
+        toy.record_path,
+        replace(load_record(toy.record_path), deprecated=record.deprecated),
+    )
+    toy.build()
+    assert "<dd>~/x is deprecated</dd>" in toy.page
 
 
 def test_batches_are_measured_side_by_side_but_for_those_about_time(toy, log):

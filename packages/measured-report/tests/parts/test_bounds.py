@@ -15,7 +15,6 @@ from measured_report.parts.claim import (
     decided,
     greater,
 )
-from measured_report.parts.words import Wording
 from measured_report.records.record import Origin
 from measured_report.values.quantities import Quantity
 
@@ -190,7 +189,7 @@ def test_each_outcome_has_its_words_and_without_them_it_is_said_by_what_was_aske
     }
 
     def claim(**others) -> Claim:
-        wording = Wording(words, lambda text, _: text)
+        wording = {part: lambda _, text=text: text for part, text in words.items()}
         return Claim("c", outcome, {}, wording, **others)
 
     assert claim().sentence == text and ("E" in claim().html("s")) == (outcome == HOLDS)

@@ -9,7 +9,7 @@ from toys import BY_HAND
 from measured_report.files.config import report_in
 from measured_report.records import code
 from measured_report.records import identity as of_records
-from measured_report.records.identity import identity_of, sections
+from measured_report.records.identity import identity_of, package_changes, sections
 from measured_report.records.record import write_record
 
 SOURCES = {
@@ -149,12 +149,21 @@ def test_the_profile_and_package_versions_count_and_the_machine_does_not(
         toy.record_path, toy.record(machine={**BY_HAND["machine"], "cpu": "Another"})
     )
     assert toy.state().kind == "fresh"
-    installed = {**toy.packages, "warp-lang": "9.9"}
+    installed = {**toy.packages, "warp-lang": "9.9", "mujoco-core": "3.10.0"}
     monkeypatch.setattr(of_records.metadata, "version", installed.__getitem__)
     assert any(
         note.startswith("packages: warp-lang") and note.endswith("→ 9.9.0")
         for note in toy.state().notes
     )
+
+
+def test_a_package_that_another_requires_in_its_own_version_ages_no_record():
+    older = {"newton": "1.4.0", "mujoco": "4.0.0"}
+    same, other = ({**older, "mujoco-core": f"4.0.{patch}"} for patch in (0, 1))
+    assert not package_changes(older, same) + package_changes(same, older)
+    assert package_changes(older, other) == ["mujoco-core missing → 4.0.1"]
+    assert package_changes(same, other) == ["mujoco-core 4.0.0 → 4.0.1"]
+    assert package_changes(older, {**same, "mujoco": "4.0.1"}) != []
 
 
 def test_what_an_editor_locks_beside_a_section_is_no_section(toy):

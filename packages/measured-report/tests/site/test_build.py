@@ -4,7 +4,6 @@ import gzip
 import json
 import os
 import re
-import shutil
 from dataclasses import replace
 from itertools import combinations, pairwise
 from types import SimpleNamespace
@@ -19,12 +18,11 @@ from measured_report.commands import diff
 from measured_report.editions.release import release_of
 from measured_report.files.config import Page, report
 from measured_report.files.errors import ReportError
-from measured_report.pages import prose
 from measured_report.parts.prose import Prose
 from measured_report.parts.section import Table
 from measured_report.records.identity import identity_of
 from measured_report.records.record import write_record
-from measured_report.records.traces import packed
+from measured_report.site import compare as compare_module
 from measured_report.site.build import build
 from measured_report.site.check import check_site
 from measured_report.site.pages import rows_csv
@@ -107,6 +105,52 @@ def test_a_page_of_the_report_replaces_the_page_that_compares_releases(
     assert check_site(site) == []
 
 
+def test_a_setting_is_named_in_words_and_further_rows_are_counted(toy, monkeypatch):
+    rules = replace(report().settings.changes, keys=["case", "kind"])
+    settings = replace(report().settings, changes=rules)
+    monkeypatch.setitem(vars(report()), "settings", settings)
+    vars(report()).pop("columns", None)
+    for release, number in (("1.5.0", 1.0), ("1.6.0", 2.0)):
+        cases = ("soft", "stiff", *"abcdef")
+        rows = [{**ROWS[0], "case": case, "slip_mm": number} for case in cases]
+        option = {"case": "option-cone", "kind": "option", "value": number}
+        toy.of(release).measure([*rows, option])
+    toy.build()
+    page = (toy.project.site / "compare.html").read_text()
+    pair = page.partition('id="1.5.0..1.6.0"')[2].partition("</section>")[0]
+    assert '<th scope="row">solver option cone <span class="moved">in toy: ' in pair
+    assert "; 5 other rows changed too</span>" in pair
+
+
+def test_a_comparison_is_kept_until_its_numbers_or_sentences_change(toy, monkeypatch):
+    for release, slip_mm in (("1.5.0", 6.3617), ("1.6.0", 0.3)):
+        toy.of(release).measure([{**ROWS[0], "slip_mm": slip_mm}, ROWS[1]])
+    toy.build()
+    page = toy.project.site / "compare.html"
+    kept = page.read_text()
+    assert "It does not." in kept
+    compared = []
+    compare = compare_module.compare
+
+    def count(before, after):
+        compared.append((before.project.release, after.project.release))
+        return compare(before, after)
+
+    monkeypatch.setattr(compare_module, "compare", count)
+    toy.write("templates/front.md.j2", "# Another title\n")
+    toy.build()
+    assert not compared and page.read_text().count("</section>") == kept.count(
+        "</section>"
+    )
+    toy.write("templates/sections/toy.md.j2", TEMPLATE.replace("does not.", "cannot."))
+    toy.build()
+    assert len(compared) == 2 and "It cannot." in page.read_text()
+    toy.of("1.6.0").measure([{**ROWS[0], "slip_mm": 0.31}, ROWS[1]])
+    compared.clear()
+    toy.build()
+    assert len(compared) == 3
+
+
 def test_two_releases_are_compared_as_diff_does(toy, capsys):
     """A slip of 6.36 mm that becomes 0.5 mm changes by 92 %, 9.2 times the threshold of 10 %."""
     for release, slip_mm in (("1.5.0", 6.3617), ("1.6.0", 0.5), ("1.7.0", 0.51)):
@@ -152,7 +196,7 @@ def test_text_from_results_is_no_markup(toy):
 
 
 def test_where_the_sources_are_known_code_is_linked_and_cloned(toy, monkeypatch):
-    monkeypatch.setattr(prose, "sources", lambda: "https://git.example/shake")
+    monkeypatch.setitem(vars(report()), "sources", "https://git.example/shake")
     toy.build()
     line = 1 + [line.startswith("def derive(") for line in MODULE.splitlines()].index(
         True
@@ -193,19 +237,6 @@ def test_links_to_no_page_are_named(toy):
     ]
 
 
-def test_a_trace_of_no_case_is_named(toy):
-    table = {"time_s": [0.0, 1.0], "x_mm": [0.0, 0.3]}
-    cases = ("stiff", "stif", "so")
-    traces = {case: packed(toy.record_path, case, table) for case in cases}
-    write_record(
-        toy.record_path, toy.record([*ROWS, {**ROWS[0], "case": "so-1"}]), traces
-    )
-    assert [note for note in build(toy.project)[1] if "is a trace" in note] == [
-        "newton-1.4.0/toy.stif.csv.gz is a trace of stif, which is not a case of toy: "
-        "correct its name in measure"
-    ]
-
-
 def test_sections_without_an_order_follow_by_name_and_equal_orders_are_refused(toy):
     for name in ("b", "a"):
         module = MODULE.replace(
@@ -224,22 +255,6 @@ def test_sections_without_an_order_follow_by_name_and_equal_orders_are_refused(t
     toy.write("report/sections/b.py", MODULE)
     with pytest.raises(ReportError, match=r"b.py and .*toy.py both have the order 1"):
         toy.build()
-
-
-def test_results_that_nothing_reads_are_named(toy):
-    """Test a renamed section and a misspelt folder."""
-    toy.build()
-    results = toy.project.results
-    shutil.copy(toy.record_path, results / "toyy.json")
-    shutil.copytree(results, results.with_name("newtn-1.4.0"))
-    shutil.copy(results / "toy.stiff.csv.gz", results / "toy.soft.csv.gz")
-    _, notes = build(toy.project)
-    strays = [note for note in notes if note.endswith("remove it")]
-    assert strays == [
-        "results/newtn-1.4.0 is not an edition: rename or remove it",
-        "newton-1.4.0/toyy.json does not belong to a section: rename or remove it",
-        "newton-1.4.0/toy.soft.csv.gz is not a trace of toy: remove it",
-    ]
 
 
 @pytest.mark.parametrize("text", ["5.3 mm", "about 7 m/s", "to 12\xa0%"])

@@ -25,8 +25,8 @@ def number(
 MOST, LEAST, ODD = (f' data-as="{each}"' for each in ("most", "least", "odd"))
 RIGHT = [
     number("6.36"),
-    number("6.362", more=MOST),
-    number("6.36", more=LEAST),
+    number("6.367", more=MOST),
+    number("6.356", more=LEAST),
     number("n/a", "none", ""),
 ]
 RIGHT += [

@@ -2,8 +2,6 @@
 into a figure.
 """
 
-from decimal import Decimal
-
 import pytest
 
 from measured_report.values import format as module
@@ -12,7 +10,6 @@ from measured_report.values.format import (
     format_least,
     format_most,
     format_number,
-    read_number,
 )
 from measured_report.values.quantities import Quantity, Value
 
@@ -37,10 +34,11 @@ NOISY |= {
     (0.5625, 0.5): "0.6",
 }
 NOISY |= {
-    (-0.5, 0.5): "< 0.5",
-    (1e-3, 0.1041): "< 0.105",
+    (-0.5, 0.5): "< 1",
+    (1e-3, 0.1041): "< 0.11",
     (-0.5, 1.5): "< 2",
-    (0.25, 1.5): "< 1.5",
+    (0.25, 1.5): "< 2",
+    (0.036, 0.09): "< 0.13",  # not 0.09
 }
 NOISY |= {
     (1e-4, 0.1091): "< 0.11",
@@ -86,18 +84,21 @@ def test_a_number_is_rounded_at_half_its_noise_to_three_digits_or_without_one_to
 
 
 BOUNDS = [
-    (6.361, 0.01, "6.361", "6.36"),
-    (6.369, 0.01, "6.37", "6.369"),
-]  # 6.37 would differ by more than 0.005
+    (6.361, 0.01, "6.371", "6.35"),
+    (6.369, 0.01, "6.38", "6.359"),
+]  # 6.38 would differ from 6.371 by more than 0.005
 BOUNDS += [
-    (-6.365, 0.01, "-6.36", "-6.37"),
-    (0.31, 0.5, "0.5", "0"),
+    (-6.365, 0.01, "-6.35", "-6.38"),
+    (0.31, 0.5, "0.9", "0"),
+    (1.5, 1.0, "3", "0.5"),
+    (5, 1.2, "6.2", "3.8"),
     (0.0, 0.5, "0.5", "0"),
     (0.0, 0.0, "0", "0"),
 ]
 BOUNDS += [
     (0.0, None, "0", "0"),
-    (0.1 + 0.2, 0.02, "0.30", "0.30"),
+    (0.1 + 0.2, 0.02, "0.33", "0.28"),
+    (0.1 + 0.2, None, "0.30", "0.30"),
     (3, None, "3", "3"),
     (0.321, None, "0.33", "0.32"),
 ]
@@ -145,18 +146,8 @@ def test_a_short_number_has_two_digits_and_halves_go_up():
     assert {value: module.format_short(value) for value in short} == short
 
 
-def test_what_is_written_is_read_back_and_is_whole():
-    texts = {
-        "-1.5 × 10⁻³": "-0.0015",
-        "10⁷": "1e7",
-        "1 234": "1234",
-        "-2": "-2",
-        "2 × 10¹²": "2e12",
-    }
-    assert {text: read_number(thin(text)) for text in texts} == {
-        text: Decimal(texts[text]) for text in texts
-    }
-    assert read_number("about 5") is None and module.format_power(-120) == "10⁻¹²⁰"
+def test_powers_shares_and_numbers_of_cases_are_whole():
+    assert module.format_power(-120) == "10⁻¹²⁰"
     shares = [module.format_share(share) for share in (4.0, 2.81, 0.0512, -0.5)]
     assert (
         shares == ["400 %", "280 %", "5.1 %", "-50 %"]
