@@ -101,7 +101,7 @@ def grasps() -> list[Grasp]:
     ]
     found += [replace(changed(f"resolution-{n}"), resolution=n) for n in RESOLUTIONS]
     for shape, changes in THIN.items():
-        case = replace(SMALL_GAP, **changes)
+        case = replace(SMALL_GAP, **changes)  # type: ignore[arg-type]  # of the fingers
         found += [
             Grasp(
                 replace(case, name=f"{kind}/{shape}"),

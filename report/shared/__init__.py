@@ -32,6 +32,7 @@ from measured_report.values.results import Results, Row, Series
 from report.shared.arithmetic import (
     AS_PUBLISHED,
     CASES,
+    CAUSE_BOUND,
     DEVICES,
     FRAME_RATE,
     MM_PER_M,

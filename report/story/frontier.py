@@ -92,8 +92,8 @@ class Setup:
         return {count: times[count] for count in (ALONE, MANY) if count in times}
 
 
-def _solver(name: str, variant: str = "") -> Setup:
-    run = f"newton_solvers/{variant or name.lower()}"
+def _solver(name: str, variant: str = "", section: str = "newton_solvers") -> Setup:
+    run = f"{section}/{variant or name.lower()}"
     return Setup(name, SOLVER, f"{run}-weight", run)
 
 
@@ -135,6 +135,8 @@ SETUPS = (
     _solver("Steel"),
     _solver("Steel, no anchors", "steel-points"),
     _solver("Kamino"),
+    _solver("Kamino, DVI", "dvi", "kamino"),
+    _solver("Kamino, LOX", "lox", "kamino"),
     _solver("XPBD"),
     _solver("VBD"),
     Setup(
@@ -261,8 +263,8 @@ def _advised(
         return Claim(name, outcome, numbers)
 
     setup = _fastest(least, times)
-    variant = setup.timed.rpartition("/")[2]
-    off = sections.cell("newton_solvers", f"{variant}-3cm", "wander_mm")
+    section, _, variant = setup.timed.partition("/")
+    off = sections.cell(section, f"{variant}-3cm", "wander_mm")
     exceeding = []  # slips above the bound in other releases
     for release, findings in by_release.items() if setup.is_other else ():
         slip = setup.slip(findings)

@@ -42,7 +42,11 @@ from report.story.frontier import ALONE, BOUNDS, MANY, SETUPS
 
 GREY = SERIES[5]
 """The colour of lines that another line beats at the same run time."""
-OTHERS = ("Steel", "Kamino")  # the first of these solvers that was timed is drawn
+OTHERS = (
+    "Kamino, DVI",
+    "Steel",
+    "Kamino",
+)  # the first of these solvers that was timed is drawn
 
 
 @dataclass(frozen=True)
@@ -136,11 +140,12 @@ def figure(sections: Sections) -> Figure:
 
 def _other_solver(sections: Sections) -> tuple[str, Quantity, Quantity] | None:
     """Return the name, the slip and the relative run time of another solver of Newton."""
-    for setup in SETUPS:
-        ratio = setup.ratios(sections).get(ALONE)
-        slip = setup.slip(sections)
-        if setup.name in OTHERS and ratio and slip.value is not None:
-            return setup.name, slip, ratio
+    setups = {setup.name: setup for setup in SETUPS}
+    for name in OTHERS:
+        ratio = setups[name].ratios(sections).get(ALONE)
+        slip = setups[name].slip(sections)
+        if ratio and slip.value is not None:
+            return name, slip, ratio
     return None
 
 

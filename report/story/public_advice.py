@@ -147,6 +147,13 @@ def _solver(name: str) -> Trial:
     return Trial("newton_solvers", "warp-3cm", run, name, names=names)
 
 
+def _hydroelastic(shape: str = "") -> Trial:
+    names = ("contact points", "hydroelastic")
+    runs = (f"points{shape}", f"area{shape}")
+    where = f"{shape.strip('/')} instead of the cube" if shape else "shake"
+    return Trial("hydroelastic", *runs, where, names=names)
+
+
 def _sunk(pads: str, of: int, to: int, where: str) -> Trial:
     runs = (f"steps-{pads}-{of}", f"steps-{pads}-{to}")
     return _held(*runs, where, "step_ms", "penetration_mm")
@@ -430,6 +437,7 @@ ADVICE = (
         DROPS,
         "Use hydroelastic contacts if the quality of the patch matters",
         "guide",
+        tuple(map(_hydroelastic, ("", "/plate", "/edge"))),
     ),
     Advice(
         "hydroelastic_pinch",
