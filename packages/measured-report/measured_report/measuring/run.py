@@ -13,7 +13,7 @@ import pickle
 import re
 import signal
 import sys
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from concurrent.futures import FIRST_COMPLETED, CancelledError, Future, wait
 from concurrent.futures.process import BrokenProcessPool
 from contextlib import contextmanager
@@ -421,22 +421,13 @@ def pools(
     else:
         exclusive = {**shared[0], **report.accelerator.ALONE}
     with host_pools(shared, exclusive) as opened:
+        prepare = report.host.prepare
         try:
-            calls = [
-                opened[0].submit(prepared, report.host.prepare, device)
-                for device in devices
-            ]
+            calls = [opened[0].submit(prepare, device) for device in devices]
             gather(calls, "kernels")
         except BrokenProcessPool:
             raise ReportError(KILLED) from None
         yield opened
-
-
-def prepared(prepare: Callable[[str], None], device: str) -> None:
-    """Prepare the host. The files that this reads do not belong to any section."""
-    before = set(OPENED)
-    prepare(device)
-    OPENED.intersection_update(before)
 
 
 def section_module(section: str) -> ModuleType:
