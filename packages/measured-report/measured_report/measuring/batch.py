@@ -46,7 +46,7 @@ LOCK = Path(tempfile.gettempdir()) / f"measured-report-{os.getuid()}"
 """A lock that keeps two runs of ``make`` from disturbing each other's timings."""
 
 
-OPENED: set[str] = set()  # files that this process read, and its parent before
+OPENED: set[str] = set()  # files that this process read since its last batch began
 
 
 def note_opened() -> None:
@@ -100,6 +100,7 @@ def measure_batch(packed: bytes, device: str) -> Result:
     Raise ReportError if the batch fails.
     """
     try:
+        OPENED.clear()  # other sections and preparations of this process read them
         batch = pickle.loads(packed)
         description = machine(device)
         gc.collect()  # simulations that are no longer used would make frames slower

@@ -132,6 +132,11 @@ def test_a_clock_that_is_put_back_turns_no_times_around_and_one_that_does_not_go
         measure_batch(pickle.dumps(Batch("a", int)), "cpu")
 
 
+def test_a_file_that_a_process_read_before_a_batch_does_not_belong_to_it(monkeypatch):
+    monkeypatch.setattr(batch, "OPENED", {"/read/by/another/section"})
+    assert not measure_batch(pickle.dumps(Batch("a", int)), "cpu").opened
+
+
 def test_a_killed_process_costs_nothing_but_what_it_measured(toy, log, capsys):
     mortal = section_of(
         toy, batches.single(Batch("die", batches.die, (str(log), 1))), "mortal"
