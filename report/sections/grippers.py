@@ -129,7 +129,11 @@ def derive(results: Results) -> Section:
             {"cured": by_firm, "moving": moving},
         ),
         Claim("firm_calms", greater(before, after), {"before": before, "after": after}),
-        Claim("firm_spoils_none", at_most(spoiled, 0.0), {"spoiled": spoiled}),
+        Claim(
+            "firm_spoils_none",
+            at_most(spoiled, 0.0, "all of them"),
+            {"spoiled": spoiled},
+        ),
         Claim(
             "engines_agree",
             at_least(share("agreed_share", agreed, every), 80.0, "nearly all"),
