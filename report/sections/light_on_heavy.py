@@ -14,7 +14,7 @@ from report.shared import (
     table_of,
 )
 
-order = 189
+order = 190
 page = "scenes"
 label = "light on heavy"
 OLD = "3.10.0"
