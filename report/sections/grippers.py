@@ -131,7 +131,7 @@ def derive(results: Results) -> Section:
         Claim("firm_calms", greater(before, after), {"before": before, "after": after}),
         Claim(
             "firm_spoils_none",
-            at_most(spoiled, 0.0, "none at all"),
+            at_most(spoiled, 0.0, "all of them"),
             {"spoiled": spoiled},
         ),
         Claim(
