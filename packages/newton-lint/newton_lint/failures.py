@@ -353,9 +353,10 @@ def bouncing(scene: Scene, run: Run) -> Iterator[Symptom]:
     ratios = contacts.dampratio
     # Without damping (a second number of 0) the ratio is 0 in both forms.
     is_bouncy = ((first > 0.0) == (second > 0.0)) | (second == 0.0)
-    for contact in np.flatnonzero(is_bouncy & (ratios < BOUNCY)).tolist():
-        geoms = (int(contacts.first[contact]), int(contacts.second[contact]))
-        pair = tuple(sorted(geoms))
+    for pair in run.pairs:
+        contact = scene.pair_index(pair)
+        if contact is None or not (is_bouncy[contact] and ratios[contact] < BOUNCY):
+            continue
         ratio = abs(float(ratios[contact]))
         # A linear spring and damper returns exp(-π ζ / √(1 - ζ²)) of the speed.
         rebound = math.exp(-math.pi * ratio / math.sqrt(1.0 - ratio**2))

@@ -2,11 +2,12 @@
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from string import Template
 
 import numpy as np
 
-from newton_lint.changes import Changes
+from newton_lint.changes import Changes, distinct
 from newton_lint.source import Element
 
 SEVERITIES = ("note", "warning", "error")
@@ -14,6 +15,7 @@ LEAST = 1e-3
 """Smaller values are printed as being below this one."""
 HUGE = 1e12
 """Only larger values are printed with an exponent."""
+MANY = 1000
 SHOWN = 3
 """Names that a list has before it counts the rest."""
 
@@ -31,6 +33,10 @@ class Cure:
     """The effect in words, for changes whose effect is no reading."""
 
     def __str__(self) -> str:
+        return self._text
+
+    @cached_property
+    def _text(self) -> str:
         effect = self.effect
         if "{}" in effect and self.after is not None:
             effect = effect.format(rounded(self.after, self.unit))
@@ -171,27 +177,47 @@ class Hits:
     """The other geom of each pair, or None if the items are geoms."""
 
 
-def findings_of(hits: Hits, names: Sequence[str]) -> Iterator[tuple[Finding, Remedy]]:
-    """Yield a finding for each shape and each of its values, with its remedies."""
+def findings_of(
+    hits: Hits, names: Sequence[str]
+) -> Iterator[tuple[list[Finding], Remedy]]:
+    """Yield the findings with equal values, one for each shape, and their remedies."""
     items = hits.items
     all_used = np.broadcast_to(hits.used, hits.value.shape)[items]
     shapes = items if hits.shape is None else hits.shape[items]
     # NaN does not equal itself, so each hit without a used value would stay alone.
     used_keys = np.nan_to_num(all_used, nan=np.inf)
-    numbers = row_numbers(shapes, hits.value[items], used_keys)
-    for members in sorted(groups_of(numbers), key=lambda members: members[0]):
-        first = members[0]
-        entry = int(items[first])
-        used = float(all_used[first])
-        partners = () if hits.partner is None else hits.partner[items[members]].tolist()
-        finding = Finding(
-            **vars(hits.wording),
-            shape=names[shapes[first]],
-            value=float(hits.value[entry]),
-            against=tuple(names[geom] for geom in partners),
-            used=None if np.isnan(used) else used,
-        )
-        yield finding, hits.advise(entry)
+    numbers = row_numbers(hits.value[items], used_keys)
+    for alike in sorted(groups_of(numbers), key=lambda members: members[0]):
+        used = float(all_used[alike[0]])
+        findings = []
+        for members in groups_of(row_numbers(shapes[alike])):
+            rows = alike[members]
+            partners = () if hits.partner is None else hits.partner[items[rows]].tolist()
+            finding = Finding(
+                **vars(hits.wording),
+                shape=names[shapes[rows[0]]],
+                value=float(hits.value[items[rows[0]]]),
+                against=tuple(names[geom] for geom in partners),
+                used=None if np.isnan(used) else used,
+            )
+            findings.append(finding)
+        yield findings, _shared(hits, items[alike])
+
+
+def _shared(hits: Hits, items: np.ndarray) -> Remedy:
+    """Return remedies that change all of some items with equal values."""
+    if len(items) > MANY and hits.shape is not None and hits.partner is not None:
+        # A few of the pairs have all the geoms.
+        firsts = [
+            np.unique(geoms[items], return_index=True)[1]
+            for geoms in (hits.shape, hits.partner)
+        ]
+        items = items[np.unique(np.concatenate(firsts))]
+    remedies = [hits.advise(item) for item in items.tolist()]
+    return [
+        (distinct(change for changes, _ in ways for change in changes), ways[0][1])
+        for ways in zip(*remedies, strict=True)
+    ]
 
 
 def row_numbers(*columns: np.ndarray) -> np.ndarray:

@@ -360,9 +360,8 @@ def _pairs(scene: Scene, geom: int, body: int) -> list[int]:
     """Return the indices of the pairs of a geom and a body."""
     model = scene.model
     geoms = np.flatnonzero(model.body_weldid[model.geom_bodyid] == body).tolist()
-    pairs = (tuple(sorted((geom, partner))) for partner in geoms)
-    indices = scene.pair_indices
-    return [indices[pair] for pair in pairs if pair in indices]
+    indices = [scene.pair_index((geom, partner)) for partner in geoms]
+    return [index for index in indices if index is not None]
 
 
 def _stronger(scene: Scene, pads: list[int], times: float) -> Changes:

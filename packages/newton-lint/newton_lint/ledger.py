@@ -159,6 +159,12 @@ class Run:
         return self.samples[int(LATE * len(self.samples)) :]
 
     @cached_property
+    def pairs(self) -> list[tuple[int, int]]:
+        """Return the pairs of geoms that touch in any sample, in order of the time."""
+        touching = [pair for sample in self.samples for pair in sample.touches.pairs.tolist()]
+        return list(dict.fromkeys(map(tuple, touching)))
+
+    @cached_property
     def speed(self) -> float:
         """Return the fastest speed, averaged over the late samples [m/s or rad/s]."""
         return float(np.mean([sample.speed for sample in self.late]))

@@ -48,14 +48,11 @@ def predictions(scene: Scene, load: Load) -> list[Prediction]:
     contacts = scene.contacts
     rows = np.flatnonzero(contacts.condim > 1)
     loose = scene.free[scene.model.geom_bodyid]
-    names = scene.names
+    names = np.array(scene.names, dtype=object)
     creeps = []
     for members in groups_of(row_numbers(_kinds(scene)[rows])):
         pairs = rows[members]
-        geoms = zip(
-            contacts.first[pairs].tolist(), contacts.second[pairs].tolist(), strict=True
-        )
-        between = tuple((names[geom1], names[geom2]) for geom1, geom2 in geoms)
+        between = tuple(map(tuple, names[contacts.geoms[pairs]].tolist()))
         pair = int(pairs[0])
         is_free = bool(loose[contacts.first[pair]] or loose[contacts.second[pair]])
         if prediction := predicted(

@@ -12,6 +12,7 @@ from newton_lint.findings import SEVERITIES, Finding, sentence
 from newton_lint.grips import SLIP_MM_S, Hold, held
 from newton_lint.ledger import MOST_DOFS, Run, runs_of
 from newton_lint.motion import motions
+from newton_lint.pairs import masks_of, read
 from newton_lint.prediction import Load, Prediction, predictions
 from newton_lint.rules import lint
 from newton_lint.scene import Engine, Scene
@@ -151,6 +152,14 @@ def report_on(
         findings.append(
             Finding("unstepped", "", "nv", nv, message=message, severity="note")
         )
+    if (count := len(read(model))) < np.count_nonzero(masks_of(model)):
+        message = (
+            "Only $value of the shapes are read, because there are too many pairs;"
+            " every other shape has the same contact parameters as one of these"
+        )
+        findings.append(
+            Finding("unread", "", "pairs", count, message, severity="note")
+        )
     return Report(
         target=target.name,
         dt_s=scene.option.timestep_s,
@@ -173,13 +182,7 @@ def _noted(
     scene: Scene, runs: Sequence[Run], findings: Sequence[Finding]
 ) -> list[Finding]:
     """Return the findings, with those on shapes that touch nothing as notes."""
-    touched = {
-        scene.names[geom]
-        for run in runs
-        for sample in run.samples
-        for pair in sample.touches.geoms.tolist()
-        for geom in pair
-    }
+    touched = {scene.names[geom] for run in runs for pair in run.pairs for geom in pair}
     may_touch = not runs or any(run.bad for run in runs)
 
     def is_idle(finding: Finding) -> bool:

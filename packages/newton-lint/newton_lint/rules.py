@@ -13,6 +13,7 @@ import numpy as np
 from newton_lint.changes import Changes, distinct, of_contact, of_geom, of_option
 from newton_lint.findings import Finding, Hits, Remedy, Wording, findings_of, number
 from newton_lint.law import DEFAULT_SOLREF, clamped
+from newton_lint.pairs import keys_of
 from newton_lint.scene import Scene
 from newton_lint.scene_rules import closed, damped, engine, lost, pyramid, visual
 from newton_lint.trials import Trials
@@ -42,17 +43,16 @@ def lint(scene: Scene, trials: Trials) -> list[Finding]:
     )
     # Some rules divide by parts of a solref that may be 0.
     with np.errstate(divide="ignore", invalid="ignore"):
-        findings = [
-            trials.advised(finding, remedy)
+        found = [
+            group
             for rule in rules
             for hits in rule(scene)
-            for finding, remedy in findings_of(hits, scene.names)
+            for group in findings_of(hits, scene.names)
         ]
-    scene_rules = (lost, damped, visual, closed, pyramid, engine)
-    return findings + [
-        trials.advised(finding, remedy)
-        for rule in scene_rules
-        for finding, remedy in rule(scene)
+    for rule in (lost, damped, visual, closed, pyramid, engine):
+        found += [([finding], remedy) for finding, remedy in rule(scene)]
+    return [
+        finding for group, remedy in found for finding in trials.advised(group, remedy)
     ]
 
 
@@ -206,14 +206,9 @@ def dampratio(scene: Scene) -> Iterator[Hits]:
 
 def _touched(scene: Scene, trials: Trials) -> np.ndarray:
     """Return for each pair whether it touches in a run, or may if nothing is known."""
-    touched = {
-        tuple(pair)
-        for run in trials.runs
-        for sample in run.samples
-        for pair in sample.touches.pairs.tolist()
-    }
-    pairs = scene.pair_indices
-    return np.array([not touched or pair in touched for pair in pairs], dtype=bool)
+    touched = [pair for run in trials.runs for pair in run.pairs]
+    keys = keys_of(np.array(touched, dtype=int).reshape(-1, 2))
+    return np.isin(keys_of(scene.contacts.geoms), keys) | (not touched)
 
 
 def one_sided(scene: Scene, touched: np.ndarray) -> Iterator[Hits]:

@@ -1,6 +1,7 @@
 """A scene for the rules: its compiled model, its pairs and its source."""
 
 import copy
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 
@@ -10,6 +11,7 @@ from mujoco import MjModel
 
 from newton_lint.combined import CONES, Contacts, contacts_of, option_of
 from newton_lint.law import Option
+from newton_lint.pairs import keys_of, masks_of
 from newton_lint.source import Element, Source, Texts
 from newton_lint.warp_engine import has_noslip
 
@@ -81,8 +83,7 @@ class Scene:
         model = self.model
         # A <pair> makes contacts whatever the masks of its geoms are.
         named = np.isin(np.arange(model.ngeom), [model.pair_geom1, model.pair_geom2])
-        masks = model.geom_contype | model.geom_conaffinity
-        return int(np.count_nonzero(masks | named))
+        return int(np.count_nonzero(masks_of(model) | named))
 
     def name(self, kind: str, index: int) -> str:
         """Return the name of an element, or its kind with its number."""
@@ -115,10 +116,14 @@ class Scene:
         return None
 
     @cached_property
-    def pair_indices(self) -> dict[tuple[int, int], int]:
-        """Return the index of each pair by its geoms, the lower one first."""
-        pairs = np.sort(self.contacts.geoms, axis=1)
-        return {pair: index for index, pair in enumerate(map(tuple, pairs.tolist()))}
+    def _indices(self) -> dict[int, int]:
+        # Numbers are hashed faster than pairs, of which there may be millions.
+        keys = keys_of(self.contacts.geoms).tolist()
+        return dict(zip(keys, range(len(keys)), strict=True))
+
+    def pair_index(self, geoms: Sequence[int]) -> int | None:
+        """Return the index of the pair of two geoms, or None if they cannot touch."""
+        return self._indices.get(int(keys_of(np.array([geoms]))[0]))
 
     def pair_element(self, contact: int) -> Element | None:
         """Return the ``<pair>`` that names the geoms of a contact."""

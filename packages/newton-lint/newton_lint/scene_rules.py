@@ -8,7 +8,7 @@ import numpy as np
 
 from newton_lint.changes import of_element, of_geom, of_option
 from newton_lint.findings import Finding, Remedy, number
-from newton_lint.pairs import MESH, OFF, read
+from newton_lint.pairs import MESH, OFF, masks_of
 from newton_lint.scene import FREE, WEIGHTLESS, Scene
 from newton_lint.warp_engine import refusal
 
@@ -31,33 +31,37 @@ Found = tuple[Finding, Remedy]
 def lost(scene: Scene) -> Iterator[Found]:
     """Yield free bodies that collide with no other body, so that they fall forever."""
     model = scene.model
-    contacts = scene.contacts
     tree = model.body_rootid[model.geom_bodyid]
+    contype = model.geom_contype
+    conaffinity = model.geom_conaffinity
     # If all masks are off, every geom counts.
-    collides = np.isin(np.arange(model.ngeom), read(model)) | (scene.colliding == 0)
-    is_whole = len(read(model)) == np.count_nonzero(
-        model.geom_contype | model.geom_conaffinity
-    )
-    is_free = scene.free[tree]
-    attached = np.flatnonzero(~is_free)
+    collides = (masks_of(model) > 0) | (scene.colliding == 0)
+    attached = np.flatnonzero(~scene.free[tree])
     is_off = model.opt.disableflags & (WEIGHTLESS | OFF)
-    if is_off or not (model.opt.gravity.any() and is_whole and len(attached)):
+    if is_off or not (model.opt.gravity.any() and len(attached)):
         return
-    touchable = tree[contacts.geoms]
-    for body in np.setdiff1d(tree[is_free & collides], touchable).tolist():
-        bits = int(np.bitwise_or.reduce(model.geom_contype[tree != body]))
-        geom = int(np.flatnonzero(tree == body)[0] if bits else attached[0])
+    named = tree[np.append(model.pair_geom1, model.pair_geom2)]
+    for body in np.setdiff1d(tree[scene.free[tree] & collides], named).tolist():
+        own = tree == body
+        bits, masks = (
+            int(np.bitwise_or.reduce(values[~own])) for values in (contype, conaffinity)
+        )
+        if (contype[own] & masks | conaffinity[own] & bits).any():
+            continue
+        geom = int(np.flatnonzero(own)[0] if bits else attached[0])
         finding = Finding(
             "lost",
             scene.bodies[body],
             "contype",
-            float(model.geom_contype[geom]),
+            float(contype[geom]),
             message="$shape falls through every other body because the contype and"
             " conaffinity bits of its geoms match those of no other geom",
             element=scene.source.authored(geom, "contype") or scene.source.geom(geom),
         )
-        masks = {"contype": f"{bits or 1}", "conaffinity": f"{bits or 1}"}
-        yield finding, [(of_geom(scene, geom, masks), "lets it collide")]
+        changes = of_geom(
+            scene, geom, {"contype": f"{bits or 1}", "conaffinity": f"{bits or 1}"}
+        )
+        yield finding, [(changes, "lets it collide")]
 
 
 def damped(scene: Scene) -> Iterator[Found]:
@@ -88,7 +92,8 @@ def visual(scene: Scene) -> Iterator[Found]:
     """Yield bodies whose mass includes visual geoms, which collide with nothing."""
     model = scene.model
     root = scene.source.root
-    if root is None or root.tag != "mujoco" or model.npair:
+    is_bare = masks_of(model).all()
+    if root is None or root.tag != "mujoco" or model.npair or is_bare:
         return
     # Old releases have no MjSpec, or one that cannot do this.
     with contextlib.suppress(ValueError, AttributeError):
@@ -134,8 +139,7 @@ def visual(scene: Scene) -> Iterator[Found]:
 def closed(scene: Scene) -> Iterator[Found]:
     """Yield hollow meshes, which collide as their convex hull."""
     model = scene.model
-    touch = (model.geom_contype | model.geom_conaffinity) != 0
-    for geom in np.flatnonzero(touch & (model.geom_type == MESH)).tolist():
+    for geom in np.flatnonzero((masks_of(model) > 0) & (model.geom_type == MESH)).tolist():
         mesh = int(model.geom_dataid[geom])
         if (start := int(model.mesh_graphadr[mesh])) < 0:  # The mesh has no hull.
             continue

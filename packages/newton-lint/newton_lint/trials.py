@@ -12,6 +12,7 @@ from newton_lint.fix import Unwritable, edited
 from newton_lint.law import M
 from newton_lint.ledger import SPAN_S, Run, run_of
 from newton_lint.scene import Scene
+from newton_lint.source import Element
 from newton_lint.target import compiled
 
 THROWN_M_S = 0.5
@@ -150,8 +151,10 @@ class Trials:
         element = finding.element or self.scene.place(finding.shape)
         return replace(finding, cures=tuple(cures), element=element)
 
-    def advised(self, finding: Finding, remedy: Remedy) -> Finding:
-        """Return a finding with the changes that do no harm from any start."""
+    def advised(self, group: Sequence[Finding], remedy: Remedy) -> list[Finding]:
+        """Return alike findings with the changes that do no harm from any start."""
+        finding = group[0]
+        scene = self.scene
         cures: list[Cure] = []
         hints = [effect for changes, effect in remedy if not changes]
         for changes, effect in remedy if finding.severity != "note" else ():
@@ -160,12 +163,27 @@ class Trials:
             runs = self.runs_with(changes) if self.runs else []
             if runs is not None and not harm(self.runs, runs, [finding.rule]):
                 cures.append(Cure(changes, effect=effect))
-        elements = [changes[0].element for changes, _ in remedy if changes]
-        element = finding.element or next(iter(elements), None)
-        element = element or self.scene.place(finding.shape)
-        return replace(
-            finding, cures=tuple(cures), hint=" ".join(hints), element=element
-        )
+        all_changes = [change for changes, _ in remedy for change in changes]
+
+        def place(finding: Finding) -> Element | None:
+            places = [
+                change.element
+                for change in all_changes
+                if len(group) == 1
+                or any(scene.names[geom] == finding.shape for geom in change.ids)
+            ]
+            own = [finding.element, *places, scene.place(finding.shape)]
+            return next(filter(None, own), None)
+
+        return [
+            replace(
+                finding,
+                cures=tuple(cures),
+                hint=" ".join(hints),
+                element=place(finding),
+            )
+            for finding in group
+        ]
 
 
 def harm(before: Sequence[Run], after: Sequence[Run], rules: Collection[str]) -> str:

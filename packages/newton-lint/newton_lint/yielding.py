@@ -82,15 +82,15 @@ def depths(scene: Scene, run: Run) -> Iterator[Symptom]:
         for sample in run.late
         for pair in sample.touches.pairs.tolist()
     }
-    indices = scene.pair_indices
     sunk = [
-        indices[pair]
+        contact
         for pair in late
-        if pair in indices and M * depth_m(run, pair) > 0.3 * LEAST
+        if M * depth_m(run, pair) > 0.3 * LEAST
+        and (contact := scene.pair_index(pair)) is not None
     ]
     for pair in late:
         # The pair may be of a geom that is not read.
-        if (contact := scene.pair_indices.get(pair)) is None:
+        if (contact := scene.pair_index(pair)) is None:
             continue
 
         def read(run: Run, pair=pair) -> float:
@@ -476,7 +476,7 @@ def passing(scene: Scene, run: Run) -> Iterator[Symptom]:
         axis = int(model.geom_aabb[wall, 3:].argmin())
         thick = 2.0 * M * model.geom_aabb[wall, 3 + axis]
         column = axis // 2 if model.geom_type[wall] == CYLINDER else axis
-        contact = scene.pair_indices.get(tuple(sorted((geom, wall))))
+        contact = scene.pair_index((geom, wall))
         mu = 0.0 if contact is None else float(contacts.friction[contact, 0])
         is_steep = scene.option.cone == "pyramidal" and mu > STEEP
         ways = [elliptic(scene)] if is_steep else []

@@ -73,7 +73,8 @@ def findings_in(scene: Shapes) -> list[Finding]:
         replace(finding, hint=" ".join(hint for _, hint in remedy))
         for rule in rules
         for hits in rule(scene)
-        for finding, remedy in findings_of(hits, scene.names)
+        for findings, remedy in findings_of(hits, scene.names)
+        for finding in findings
     ]
 
 
