@@ -286,7 +286,8 @@ def predicted_hold(
     points = []
     for touch in touches:
         contact = replace(
-            scene.contacts.contact(scene.pair_index(touch.geoms)), weight_1_kg=touch.weight_1_kg
+            scene.contacts.contact(scene.pair_index(touch.geoms)),
+            weight_1_kg=touch.weight_1_kg,
         )
         plain = response_of(
             contact, option, settled_impedance(contact, option, touch.normal_n)

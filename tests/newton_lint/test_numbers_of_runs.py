@@ -12,7 +12,7 @@ import pytest
 from newton_lint.findings import Finding, rounded
 from newton_lint.ledger import Run, Start, run_of, starts
 from newton_lint.mend import _measures
-from newton_lint.motion import motions
+from newton_lint.motion import motions, symptoms
 from newton_lint.report import scene_of
 from newton_lint.target import Target
 from newton_lint.trials import Trials, harm
@@ -71,7 +71,8 @@ def ran(
 def found_in(target: Target) -> dict[str, Finding]:
     """Return the findings on all starts of a scene by their rules."""
     runs = [run_of(target.model, start) for start in starts(target.model, None)]
-    findings = motions(Trials(scene_of(target), runs))
+    scene = scene_of(target)
+    findings = motions(Trials(scene, runs, lambda *given: ([], symptoms(*given))))
     return {each.rule: each for each in findings}
 
 

@@ -158,8 +158,9 @@ def of_geom(scene: Scene, geom: int, attributes: Mapping[str, str]) -> Changes:
     source = scene.source
     element = source.geom(geom)
     authored = source.authored(geom, items[0][0])
-    # Several attributes may come from several defaults, so the geom gets them all.
-    if authored in (None, element) or len(items) > 1:
+    # Several attributes may come from several defaults, so the geom gets them all, and
+    # a priority of all geoms of a default would outrank none of them.
+    if authored in (None, element) or len(items) > 1 or "priority" in attributes:
         return (Change("geom", (geom,), items, scene.names[geom], element),)
     ids = tuple(
         other

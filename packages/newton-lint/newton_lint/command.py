@@ -22,6 +22,17 @@ BROKEN = 3
 STOPPED = 130
 PROGRAM = "newton-lint"
 SEVERITIES = ("note", "warning", "error")
+GONE = {
+    "default-gap",
+    "fixed",
+    "gap",
+    "grip",
+    "hull",
+    "override",
+    "unsettled",
+    "unused",
+}
+"""Rules of earlier releases, which a table of a project may still ignore."""
 RULE = re.compile(r"^\| `([\w-]+)` \| (\w+) \| (.+) \| .+ \|$", re.MULTILINE)
 """Matches a row of rules.md."""
 
@@ -173,7 +184,12 @@ def request_of(options: argparse.Namespace, table: dict[str, Any]):
         *table.get("ignore", []),
         *map(str.strip, options.ignore.split(",") if options.ignore else []),
     ]
-    if unknown := [rule for rule in ignore if rule not in rules()]:
+    for rule in GONE.intersection(ignore):
+        print(
+            f"{PROGRAM}: the ignored rule {rule} does not exist any more",
+            file=sys.stderr,
+        )
+    if unknown := [rule for rule in ignore if rule not in (*rules(), *GONE)]:
         rule_names = ", ".join(rules())
         raise TargetError(
             f"cannot ignore unknown rule {', '.join(unknown)}: choose from {rule_names}"
@@ -212,8 +228,8 @@ def lint_parser() -> Parser:
     """Return the parser of the main command."""
     parser = Parser(
         prog=PROGRAM,
-        description="Find contact parameters that MuJoCo does not use as they are"
-        " written, predict creep, and recommend changes.",
+        description="Step scenes in MuJoCo for 2 s, list what goes wrong and parameters"
+        " that MuJoCo does not use as they are written, and recommend changes.",
     )
     add = parser.add_argument
     add(

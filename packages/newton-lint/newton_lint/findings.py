@@ -31,6 +31,8 @@ class Cure:
     unit: str = "1"
     effect: str = ""
     """The effect in words, for changes whose effect is no reading."""
+    drawback: str = ""
+    """Why ``--fix`` does not write the changes, or an empty string."""
 
     def __str__(self) -> str:
         return self._text
@@ -49,7 +51,10 @@ class Cure:
         changes = joined([f"{text} on {named(on)}" for text, on in subjects.items()])
         if self.changes[0].kind == "exclude":
             return f"Adding {self.changes[0].text} to <contact> {effect}{measured}"
-        return f"Setting {changes} {effect or 'prevents it'}{measured}"
+        text = f"Setting {changes} {effect or 'prevents it'}{measured}"
+        if self.drawback:
+            text += f". --fix does not write this because {self.drawback}"
+        return text
 
 
 @dataclass(frozen=True)
@@ -192,7 +197,9 @@ def findings_of(
         findings = []
         for members in groups_of(row_numbers(shapes[alike])):
             rows = alike[members]
-            partners = () if hits.partner is None else hits.partner[items[rows]].tolist()
+            partners = (
+                () if hits.partner is None else hits.partner[items[rows]].tolist()
+            )
             finding = Finding(
                 **vars(hits.wording),
                 shape=names[shapes[rows[0]]],

@@ -161,7 +161,9 @@ class Run:
     @cached_property
     def pairs(self) -> list[tuple[int, int]]:
         """Return the pairs of geoms that touch in any sample, in order of the time."""
-        touching = [pair for sample in self.samples for pair in sample.touches.pairs.tolist()]
+        touching = [
+            pair for sample in self.samples for pair in sample.touches.pairs.tolist()
+        ]
         return list(dict.fromkeys(map(tuple, touching)))
 
     @cached_property
@@ -348,7 +350,8 @@ def overlaps(data: MjData) -> dict[tuple[int, int], float]:
     """Return the largest overlap of each pair of geoms, including their margins [m]."""
     deepest: dict[tuple[int, int], float] = {}
     depths = data.contact.includemargin - data.contact.dist
-    for pair, depth in zip(data.contact.geom.tolist(), depths.tolist(), strict=True):
-        if depth > 0.0 <= min(pair):  # A flex has the geom -1.
-            deepest[tuple(pair)] = max(depth, deepest.get(tuple(pair), 0.0))
+    pairs = np.sort(data.contact.geom, axis=1).tolist()
+    for (low, high), depth in zip(pairs, depths.tolist(), strict=True):
+        if depth > 0.0 <= low:  # A flex has the geom -1.
+            deepest[low, high] = max(depth, deepest.get((low, high), 0.0))
     return deepest

@@ -11,10 +11,10 @@ from newton_lint.changes import Changes
 from newton_lint.findings import SEVERITIES, Finding, sentence
 from newton_lint.grips import SLIP_MM_S, Hold, held
 from newton_lint.ledger import MOST_DOFS, Run, runs_of
-from newton_lint.motion import motions
+from newton_lint.motion import motions, symptoms
 from newton_lint.pairs import masks_of, read
 from newton_lint.prediction import Load, Prediction, predictions
-from newton_lint.rules import lint
+from newton_lint.rules import faults, lint
 from newton_lint.scene import Engine, Scene
 from newton_lint.settings import is_ignored
 from newton_lint.source import Element, Source
@@ -113,8 +113,13 @@ def report_on(
     """
     model = scene.model
     runs = runs_of(model, target.data) if request.step else []
-    trials = Trials(scene, runs)
-    findings = [*more, *lint(scene, trials)]
+
+    def judge(scene: Scene, runs: Sequence[Run]):
+        found = [finding for group, _ in faults(scene, runs) for finding in group]
+        return found, symptoms(scene, runs, request.load.acceleration_m_s2)
+
+    trials = Trials(scene, runs, judge)
+    findings = [*more, *lint(trials)]
     # Creep is undefined if the engine refuses the scene or throws bodies off.
     refused = any(finding.rule in ("engine", "stiff") for finding in findings)
     hold: Hold | None = None
@@ -137,7 +142,7 @@ def report_on(
         else:
             hold, creep = measured
             findings += [creep] if creep else []
-    motion = motions(trials, request.load.acceleration_m_s2)
+    motion = motions(trials)
     # The finding of --hold on the same body replaces its finding on slip.
     known = [hold.body] if hold else []
     findings += [
@@ -157,9 +162,7 @@ def report_on(
             "Only $value of the shapes are read, because there are too many pairs;"
             " every other shape has the same contact parameters as one of these"
         )
-        findings.append(
-            Finding("unread", "", "pairs", count, message, severity="note")
-        )
+        findings.append(Finding("unread", "", "pairs", count, message, severity="note"))
     return Report(
         target=target.name,
         dt_s=scene.option.timestep_s,

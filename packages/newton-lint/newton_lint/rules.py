@@ -13,6 +13,7 @@ import numpy as np
 from newton_lint.changes import Changes, distinct, of_contact, of_geom, of_option
 from newton_lint.findings import Finding, Hits, Remedy, Wording, findings_of, number
 from newton_lint.law import DEFAULT_SOLREF, clamped
+from newton_lint.ledger import Run
 from newton_lint.pairs import keys_of
 from newton_lint.scene import Scene
 from newton_lint.scene_rules import closed, damped, engine, lost, pyramid, visual
@@ -27,33 +28,39 @@ FAR = 4.0
 Advise = Callable[[int], Remedy]
 
 
-def lint(scene: Scene, trials: Trials) -> list[Finding]:
+def lint(trials: Trials) -> list[Finding]:
     """Return the findings of all rules, in the order of the rules.
 
     A change is recommended if it does no harm within 2 s from all starts.
     """
+    scene = trials.scene
+    found = list(faults(scene, trials.runs))
+    for rule in (visual, closed, engine):
+        found += [([finding], remedy) for finding, remedy in rule(scene)]
+    return [
+        finding for group, remedy in found for finding in trials.advised(group, remedy)
+    ]
+
+
+def faults(scene: Scene, runs: Sequence[Run]) -> Iterator[tuple[list[Finding], Remedy]]:
+    """Yield alike findings on the parameters of a scene, with their remedies."""
     rules = (
         solref_format,
         solimp,
         timeconst,
         too_stiff,
         dampratio,
-        partial(one_sided, touched=_touched(scene, trials)),
+        partial(one_sided, touched=_touched(scene, runs)),
         friction,
     )
     # Some rules divide by parts of a solref that may be 0.
     with np.errstate(divide="ignore", invalid="ignore"):
-        found = [
-            group
-            for rule in rules
-            for hits in rule(scene)
-            for group in findings_of(hits, scene.names)
-        ]
-    for rule in (lost, damped, visual, closed, pyramid, engine):
-        found += [([finding], remedy) for finding, remedy in rule(scene)]
-    return [
-        finding for group, remedy in found for finding in trials.advised(group, remedy)
-    ]
+        for rule in rules:
+            for hits in rule(scene):
+                yield from findings_of(hits, scene.names)
+    for rule in (lost, damped, pyramid):
+        for finding, remedy in rule(scene):
+            yield [finding], remedy
 
 
 def solref_format(scene: Scene) -> Iterator[Hits]:
@@ -204,9 +211,9 @@ def dampratio(scene: Scene) -> Iterator[Hits]:
     )
 
 
-def _touched(scene: Scene, trials: Trials) -> np.ndarray:
+def _touched(scene: Scene, runs: Sequence[Run]) -> np.ndarray:
     """Return for each pair whether it touches in a run, or may if nothing is known."""
-    touched = [pair for run in trials.runs for pair in run.pairs]
+    touched = [pair for run in runs for pair in run.pairs]
     keys = keys_of(np.array(touched, dtype=int).reshape(-1, 2))
     return np.isin(keys_of(scene.contacts.geoms), keys) | (not touched)
 

@@ -139,7 +139,9 @@ def visual(scene: Scene) -> Iterator[Found]:
 def closed(scene: Scene) -> Iterator[Found]:
     """Yield hollow meshes, which collide as their convex hull."""
     model = scene.model
-    for geom in np.flatnonzero((masks_of(model) > 0) & (model.geom_type == MESH)).tolist():
+    for geom in np.flatnonzero(
+        (masks_of(model) > 0) & (model.geom_type == MESH)
+    ).tolist():
         mesh = int(model.geom_dataid[geom])
         if (start := int(model.mesh_graphadr[mesh])) < 0:  # The mesh has no hull.
             continue

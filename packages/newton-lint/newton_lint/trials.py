@@ -1,7 +1,8 @@
 """Tries changes: steps the changed scene from all starts for 2 s, and judges it."""
 
-from collections.abc import Callable, Collection, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 
 import mujoco
 from mujoco import MjModel
@@ -56,8 +57,6 @@ SINKING = ("tunnel", "slides", "through", "damping")
 """Rules on bodies that may touch something only after the change."""
 WRITTEN = ("lost", "pyramid", "solref-format", "dampratio", "stiff", "one-sided")
 """Rules whose changes let contacts be as soft as they are written."""
-DOUBTFUL = ("depth", "equality", "limit")
-"""Rules whose findings are notes if nothing mends them."""
 LEADING = ("equality", "keyframe", "limit", "servo", "apart", "degrees")
 """Rules whose changes lead to other motions, with other impacts on the way."""
 Read = Callable[[Run], float]
@@ -77,18 +76,67 @@ class Symptom:
     """The effect of the changes in words, with {} for the reading after them."""
     unit: str = ""
     """The unit of the reading, if it differs from that of the finding."""
+    why: str = ""
+    """The likely cause, which is only told if a change of it helps."""
     goal: float = 0.0
     """A reading that is good enough; by default a share of that without changes."""
 
 
+Judge = Callable[
+    [Scene, Sequence[Run]], tuple[list[Finding], list[tuple[int, Symptom]]]
+]
+"""Returns what is wrong with the parameters of a scene and, by run, with its motion."""
+Key = tuple[str, str, str]
+
+
+def key_of(finding: Finding) -> Key:
+    return finding.rule, finding.shape, finding.parameter
+
+
 @dataclass
 class Trials:
-    """The runs of a scene, and those of its variants."""
+    """The runs of a scene or of a variant of it, and the variants that were tried."""
 
     scene: Scene
     runs: Sequence[Run]
+    judge: Judge = lambda *_: ([], [])
+    base: Mapping[Key, float] = field(default_factory=dict)
+    """What is known of the scene that this is a variant of."""
     spent_s: float = 0.0
-    variants: dict[Changes, list[Run] | None] = field(default_factory=dict)
+    variants: dict[Changes, "Trials | None"] = field(default_factory=dict)
+
+    @cached_property
+    def judged(self) -> tuple[list[Finding], list[tuple[int, Symptom]]]:
+        return self.judge(self.scene, self.runs)
+
+    @cached_property
+    def known(self) -> dict[Key, float]:
+        """Return the largest value of each kind of finding or symptom."""
+        findings, symptoms = self.judged
+        values = [*findings, *(symptom.finding for _, symptom in symptoms)]
+        values.sort(key=lambda finding: abs(finding.value))
+        return {key_of(finding): abs(finding.value) for finding in values}
+
+    @cached_property
+    def worst(self) -> dict[str, float]:
+        """Return the largest value of each rule."""
+        values = sorted(self.known.items(), key=lambda item: item[1])
+        return {rule: value for (rule, *_), value in values}
+
+    @cached_property
+    def faults(self) -> list[Finding]:
+        """Return the warnings and errors of a variant."""
+        findings, symptoms = self.judged
+        inner = Trials(self.scene, self.runs)
+        certain = [
+            symptom.finding
+            for index, symptom in symptoms
+            # What only counts if something mends it is tried on top of the changes.
+            if not symptom.needs_cure
+            or key_of(symptom.finding) in self.base
+            or inner.finding_of(symptom, index)
+        ]
+        return [item for item in (*findings, *certain) if item.severity != "note"]
 
     def model(self, changes: Changes) -> MjModel | None:
         """Return the changed model, or None if it cannot be made."""
@@ -106,18 +154,40 @@ class Trials:
         except (Unwritable, ValueError, mujoco.FatalError):
             return None
 
-    def runs_with(self, changes: Changes) -> list[Run] | None:
-        """Return the runs of a changed scene, or None if there are none."""
+    def variant(self, changes: Changes) -> "Trials | None":
+        """Return the trials of a changed scene, or None if it cannot be stepped."""
         if changes not in self.variants:
             # A variant of a run that stopped early cannot be compared with it.
             long = all(run.time_s > 0.99 * SPAN_S or run.bad for run in self.runs)
             model = None
             if changes and long and self.spent_s < BUDGET_S:
                 model = self.model(changes)
-            runs = [run_of(model, run.start) for run in self.runs] if model else None
-            self.spent_s += sum(run.cost_s * run.time_s for run in runs or ())
-            self.variants[changes] = runs
+            self.variants[changes] = self._stepped(model) if model else None
         return self.variants[changes]
+
+    def _stepped(self, model: MjModel) -> "Trials":
+        runs = [run_of(model, run.start) for run in self.runs]
+        self.spent_s += sum(run.cost_s * run.time_s for run in runs)
+        return Trials(replace(self.scene, model=model), runs, self.judge, self.known)
+
+    def refuses(self, variant: "Trials", finding: Finding) -> bool:
+        """Return whether a variant does harm or has a worse fault of another kind."""
+        if any(run.bad or run.time_s < 0.99 * SPAN_S for run in variant.runs):
+            return True
+        if harm(self.runs, variant.runs, [finding.rule]):
+            return True
+        return any(
+            key_of(fault) not in self.known
+            # A finding may move to another shape.
+            and abs(fault.value) > self.worst.get(fault.rule, 0.0)
+            and (fault.severity == "error" or finding.severity != "error")
+            for fault in variant.faults
+        )
+
+    def drawback(self, variant: "Trials", finding: Finding) -> str:
+        """Return the harm that changes do because their rule is meant to do it."""
+        is_meant = finding.rule in MOVING
+        return harm(self.runs, variant.runs, []) if is_meant else ""
 
     def finding_of(self, symptom: Symptom, index: int) -> Finding | None:
         """Return the finding of a symptom in a run with the changes that mend it."""
@@ -126,26 +196,30 @@ class Trials:
         ways = symptom.ways if finding.severity != "note" else ()
         before = symptom.read(self.runs[index])
         cures: list[Cure] = []
+        was_tried = False
         for changes in ways:
-            if (runs := self.runs_with(changes)) is None:
+            if (variant := self.variant(changes)) is None:
                 continue
-            if any(run.bad or run.time_s < 0.99 * SPAN_S for run in runs):
+            was_tried = True
+            if self.refuses(variant, finding):
                 continue
-            after = symptom.read(runs[index])
+            after = symptom.read(variant.runs[index])
             # The negation also refuses NaN.
             if not after < MENDS * before:
                 continue
-            if harm(self.runs, runs, [finding.rule]):
-                continue
             unit = symptom.unit or finding.unit
-            cures.append(Cure(changes, before, after, unit, symptom.effect))
+            drawback = self.drawback(variant, finding)
+            cures.append(Cure(changes, before, after, unit, symptom.effect, drawback))
             good = symptom.goal or GOOD * before
             if after <= good or len(cures) == MOST_CURES:
                 break
         if symptom.needs_cure and not cures:
             return None
-        if finding.rule in DOUBTFUL and not cures:
-            finding = replace(finding, severity="note")
+        if symptom.why and (cures or finding.severity == "note"):
+            message = f"{finding.message} because {symptom.why}"
+            finding = replace(finding, message=message)
+        if was_tried and not cures and not finding.hint:
+            finding = replace(finding, hint="No tried change helps.")
         # Changes that mend it well come first; the sort keeps the order of the rule.
         cures.sort(key=lambda cure: (cure.after or 0.0) > GOOD * before)
         element = finding.element or self.scene.place(finding.shape)
@@ -160,9 +234,15 @@ class Trials:
         for changes, effect in remedy if finding.severity != "note" else ():
             if not changes or len(cures) == MOST_CURES:
                 continue
-            runs = self.runs_with(changes) if self.runs else []
-            if runs is not None and not harm(self.runs, runs, [finding.rule]):
-                cures.append(Cure(changes, effect=effect))
+            drawback = ""
+            if self.runs:
+                variant = self.variant(changes)
+                if variant is None or self.refuses(variant, finding):
+                    continue
+                if variant.known.get(key_of(finding), 0.0) > MENDS * abs(finding.value):
+                    continue
+                drawback = self.drawback(variant, finding)
+            cures.append(Cure(changes, effect=effect, drawback=drawback))
         all_changes = [change for changes, _ in remedy for change in changes]
 
         def place(finding: Finding) -> Element | None:

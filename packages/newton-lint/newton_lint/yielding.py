@@ -19,7 +19,7 @@ from newton_lint.changes import (
 from newton_lint.failures import is_servo, origin, shorter_steps
 from newton_lint.findings import Finding, number, rounded
 from newton_lint.law import DEFAULT_SOLREF, M
-from newton_lint.ledger import Run, Sample
+from newton_lint.ledger import Run
 from newton_lint.pairs import HFIELD, PLANE
 from newton_lint.scene import HINGE, ON_JOINT, SLIDE, Scene
 from newton_lint.scene_rules import STEEP
@@ -109,6 +109,7 @@ def depths(scene: Scene, run: Run) -> Iterator[Symptom]:
         if depth <= least or (depth < 2.0 * first and not lies):
             continue
         rests = run.still[bodies].all()
+        lasts = min(late_depths(run, pair)) > 0.5 * depth / M
         timeconst = float(contacts.solref[contact, 0])
         mu = float(contacts.friction[contact, 0])
         # A direct solref was chosen by someone, so it counts as soft too.
@@ -128,29 +129,34 @@ def depths(scene: Scene, run: Run) -> Iterator[Symptom]:
                 scene.names[shape],
                 "depth",
                 depth,
-                message=f"$shape sinks $value into $against {when(run, *bodies)}"
-                f" because {why}",
+                message=f"$shape sinks $value into $against {when(run, *bodies)}",
                 against=(scene.names[partner],),
                 unit="mm",
                 severity="warning"
-                if ((severe and rests) or depth > sizes[thin]) and depth > 2.0 * first
+                if (
+                    (severe and rests)
+                    or (lasts and depth > DEEP_MM)
+                    or depth > sizes[thin]
+                )
+                and depth > 2.0 * first
                 else "note",
             ),
             read,
             list(_stiffening(scene, contact, depth, sunk)),
+            why=why,
         )
 
 
 def depth_m(run: Run, pair: Sequence[int]) -> float:
     """Return the mean of the deepest contact of two geoms in the late samples [m]."""
-    return float(
-        np.mean(
-            [
-                sample.touches.depth_m[sample.touches.between(pair)].max(initial=0.0)
-                for sample in run.late
-            ]
-        )
-    )
+    return float(np.mean(late_depths(run, pair)))
+
+
+def late_depths(run: Run, pair: Sequence[int]) -> list[float]:
+    return [
+        sample.touches.depth_m[sample.touches.between(pair)].max(initial=0.0)
+        for sample in run.late
+    ]
 
 
 def _stiffening(
@@ -247,36 +253,32 @@ def limits(scene: Scene, run: Run) -> Iterator[Symptom]:
         unit = "°" if is_angle else "mm"
         ways.append(of_element(scene, kind, index, solreflimit=solref))
         read = past(values, at, low, high, unit)
-        first = scale(unit) * _beyond(run.samples[0], values, at, low, high)
+        start = float(run.samples[0].arrays[values][at])
+        first = scale(unit) * max(low - start, start - high)
         if first > LEAST:
             why = f"it starts {rounded(first, unit)} beyond it"
         if (value := read(run)) > LEAST:
-            severe = value > MUCH * LEAST and run.still[body]
             finding = Finding(
                 "limit",
                 scene.name(kind, index),
                 "position" if kind == "joint" else "length",
                 value,
-                f"$shape is $value beyond its range {when(run, body)} because {why}",
+                f"$shape is $value beyond its range {when(run, body)}",
                 unit=unit,
-                severity="warning" if severe else "note",
+                severity="warning" if value > MUCH * LEAST else "note",
             )
-            yield Symptom(finding, read, ways)
+            yield Symptom(finding, read, ways, why=why)
 
 
 def past(name: str, at: int, low: float, high: float, unit: str) -> Read:
-    """Return a reading of how far a value is beyond its range in the late samples."""
+    """Return a reading of how far a value is, or swings about, beyond its range."""
 
     def read(run: Run) -> float:
-        excess = [_beyond(sample, name, at, low, high) for sample in run.late]
-        return scale(unit) * float(np.mean(excess))
+        values = np.array([sample.arrays[name][at] for sample in run.samples])
+        centre = _centre(values, len(run.late))
+        return scale(unit) * max(low - centre, centre - high, 0.0)
 
     return read
-
-
-def _beyond(sample: Sample, name: str, at: int, low: float, high: float) -> float:
-    value = float(sample.arrays[name][at])
-    return max(low - value, value - high, 0.0)
 
 
 def _turns(model: MjModel, tendon: int) -> bool:
@@ -323,12 +325,12 @@ def equalities(scene: Scene, run: Run) -> Iterator[Symptom]:
             name,
             "gap",
             value,
-            message=f"$shape is $value open {when(run, *moving)} because its solref"
-            f" ({solref}) is too soft for the load on this {kind} equality",
+            message=f"$shape is $value open {when(run, *moving)}",
             unit=unit,
             severity="warning" if value > FAR * LEAST else "note",
         )
-        yield Symptom(finding, gap, ways)
+        why = f"its solref ({solref}) is too soft for the load on this {kind} equality"
+        yield Symptom(finding, gap, ways, why=why)
 
 
 def _centre(values: np.ndarray, late: int) -> float:
@@ -336,8 +338,9 @@ def _centre(values: np.ndarray, late: int) -> float:
     ways = np.sign(np.diff(values))
     # Turning points of the swing: the sign of the slope changes there.
     turns = values[1:-1][(ways[1:] * ways[:-1]) < 0.0]
-    if len(turns) < 3 or np.ptp(values[-late:]) < LEAST_SWING * values[-late:].mean():
-        return float(values[-late:].mean())
+    mean = float(values[-late:].mean())
+    if len(turns) < 3 or np.ptp(values[-late:]) < LEAST_SWING * abs(mean):
+        return mean
     # This mean is exact for a decaying oscillation in which each half swing is
     # smaller by the same amount.
     before, last, after = turns[-3:].tolist()

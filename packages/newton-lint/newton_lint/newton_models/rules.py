@@ -162,6 +162,20 @@ def friction_gain(scene: Shapes) -> Iterator[Hits]:
         " the friction",
     )
     yield Hits(wording, frictionless, mu, shape=first, partner=second)
+    option = scene.option
+    dmax = contacts.solimp[:, 1]
+    portion = (1.0 - dmax) / option.impratio + dmax
+    most = 1.0 / (option.timestep_s * contacts.weight * portion)
+    is_authored = authored[first] | authored[second] & ~contacts.outranked
+    clamped = (contacts.named < 0) & is_authored & (mixed > most * (1.0 + SAME))
+    wording = Wording(
+        "kf",
+        "kf",
+        "kf $value of $shapes against $against needs a friction timeconst below two"
+        " time steps, so MuJoCo uses that of a kf of $used",
+    )
+    hit = np.flatnonzero(clamped & option.refsafe)
+    yield Hits(wording, hit, mixed, used=most, shape=first, partner=second)
 
 
 def kf_unread(scene: Scene) -> str:
