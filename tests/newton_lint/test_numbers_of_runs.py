@@ -11,7 +11,6 @@ import pytest
 
 from newton_lint.findings import Finding, rounded
 from newton_lint.ledger import Run, Start, run_of, starts
-from newton_lint.mend import _measures
 from newton_lint.motion import motions, symptoms
 from newton_lint.report import scene_of
 from newton_lint.target import Target
@@ -314,14 +313,3 @@ def test_a_change_does_harm_from_its_thresholds_on(old, new, said):
     (rule, before), (_, after) = runs
     found = harm([before], [after], [rule])
     assert said in found and bool(found) == bool(said)
-
-
-def test_what_was_measured_is_told_in_millimetres_and_as_a_mean():
-    seen = ran(of())
-    runs = [
-        replace(seen, deepest_m=0.01, cost_s=2.0),
-        replace(seen, deepest_m=0.002, cost_s=1.0),
-    ]
-    assert _measures(runs) == (
-        "the deepest contact is 10 mm and a simulated second takes 1.5 s"
-    )

@@ -160,7 +160,7 @@ SIDES = {
     "friction": (
         "",
         'friction="0.05"',
-        "friction 0.05 of part counts nowhere",
+        "friction 0.05 of part is never used",
         'priority="1"',
     ),
     "pyramid": ("", 'friction="5"', "friction 5 makes", 'cone="elliptic"'),
@@ -179,7 +179,7 @@ def test_what_only_one_side_says_is_answered(rule, tmp_path, capsys):
     main([str(path), "--notes"])
     out = capsys.readouterr().out
     assert f" {rule}: " in out and said in out and advice in out
-    assert ("counts nowhere" in out) == (rule == "friction")
+    assert ("is never used" in out) == (rule == "friction")
 
 
 PART = '<body name="part" pos="0 0 {z}"><freejoint/><geom name="part" type="box" size="0.1 0.1 0.1" {geom}/></body>'

@@ -9,6 +9,7 @@ import numpy as np
 from mujoco import MjData, MjModel
 
 from newton_lint.combined import CONES
+from newton_lint.pairs import where
 from newton_lint.scene import FREE, Scene
 from newton_lint.source import Element
 
@@ -116,7 +117,7 @@ def _set(model: MjModel, change: Change, name: str, values: np.ndarray) -> None:
             model.qpos0[address : address + 3] = values
     array = ARRAYS.get((change.kind, name), f"{PREFIXES[change.kind]}_{name}")
     if array.startswith("dof_"):
-        ids = np.flatnonzero(np.isin(model.dof_jntid, ids)).tolist()
+        ids = where(np.isin(model.dof_jntid, ids))
     target = getattr(model, array)
     if target.ndim == 1:
         target[ids] = values[0]
@@ -127,6 +128,8 @@ def _set(model: MjModel, change: Change, name: str, values: np.ndarray) -> None:
     if name in ("contype", "conaffinity"):
         # MuJoCo first compares the masks of bodies.
         whole = getattr(model, f"body_{name}")
+        # The tree of the midphase has no geoms that could not collide.
+        model.opt.disableflags |= int(mujoco.mjtDisableBit.mjDSBL_MIDPHASE)
         np.bitwise_or.at(whole, model.geom_bodyid[ids], target[ids])
 
 

@@ -23,6 +23,7 @@ STOPPED = 130
 PROGRAM = "newton-lint"
 SEVERITIES = ("note", "warning", "error")
 GONE = {
+    "closed",
     "default-gap",
     "fixed",
     "gap",
@@ -31,6 +32,7 @@ GONE = {
     "override",
     "unsettled",
     "unused",
+    "visual",
 }
 """Rules of earlier releases, which a table of a project may still ignore."""
 RULE = re.compile(r"^\| `([\w-]+)` \| (\w+) \| (.+) \| .+ \|$", re.MULTILINE)
@@ -50,9 +52,6 @@ def main(arguments: Sequence[str] | None = None) -> int:
         if hasattr(stream, "reconfigure"):
             stream.reconfigure(errors="backslashreplace")
     try:
-        # The user's function may render or compute with NumPy's threads.
-        if not any(".py:" in argument for argument in arguments):
-            _import_mujoco()
         from newton_lint.target import TargetError, mujoco
 
         # By default MuJoCo writes warnings to MUJOCO_LOG.TXT in the current folder.
@@ -73,16 +72,6 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return BROKEN
 
 
-def _import_mujoco() -> None:
-    """Import MuJoCo without rendering and NumPy without threads, to start faster."""
-    unused = {"MUJOCO_GL": "disable", "OPENBLAS_NUM_THREADS": "1"}
-    if "mujoco" not in sys.modules and not unused.keys() & os.environ.keys():
-        os.environ.update(unused)
-        importlib.import_module("mujoco")
-        for name in unused:
-            del os.environ[name]
-
-
 def rules() -> dict[str, str]:
     """Return the description and severity of each rule."""
     text = Path(__file__).with_name("rules.md").read_text(encoding="utf-8")
@@ -92,31 +81,6 @@ def rules() -> dict[str, str]:
     }
 
 
-class Tell(argparse.Action):
-    def __call__(self, parser, namespace, rule, option_string=None) -> None:
-        """Print the version or the description of a rule, and exit.
-
-        Without a rule, or with a target in its place, explain each finding.
-        """
-        if option_string == "--version":
-            print(PROGRAM, version())
-        elif rule in rules():
-            print(rules()[rule])
-        elif rule is None or Path(rule).suffix or ":" in rule or Path(rule).is_dir():
-            namespace.explain = True
-            namespace.target = [*namespace.target, *filter(None, [rule])]
-            return
-        else:
-            parser.error(f"unknown rule {rule}: choose from {', '.join(rules())}")
-        parser.exit(CLEAN)
-
-
-class Gather(argparse.Action):
-    def __call__(self, parser, namespace, values, option_string=None) -> None:
-        """Append targets to those that followed ``--explain``."""
-        namespace.target = [*namespace.target, *values]
-
-
 def _linted(options: argparse.Namespace) -> int:
     from newton_lint.mend import fixed, fixed_again
     from newton_lint.output import Detail, printable, written
@@ -124,6 +88,12 @@ def _linted(options: argparse.Namespace) -> int:
     from newton_lint.settings import table_of
     from newton_lint.target import TargetError, read_target, targets_of
 
+    if options.version:
+        print(PROGRAM, version())
+        return CLEAN
+    if options.explain and {*options.target[:1]} & {*rules()}:
+        print(rules()[options.target[0]])
+        return CLEAN
     if not options.target:
         raise TargetError(f"expected a TARGET; see {PROGRAM} --help")
     table = table_of(Path.cwd())
@@ -198,7 +168,6 @@ def request_of(options: argparse.Namespace, table: dict[str, Any]):
         engine=engine_of(options, table),
         load=Load(options.acceleration, options.load),
         hold=options.hold or "",
-        lift_m_s2=options.lift,
         below_mm_s=options.below or table.get("below"),
         ignore=frozenset(ignore),
         step=not options.no_step,
@@ -236,8 +205,6 @@ def lint_parser() -> Parser:
         "target",
         metavar="TARGET",
         nargs="*",
-        action=Gather,
-        default=[],
         help="FILE.xml, FILE.urdf, FILE.usd, a folder, FILE.py:function or"
         " module:function",
     )
@@ -248,14 +215,11 @@ def lint_parser() -> Parser:
         choices=(*SEVERITIES, "never"),
         help="lowest severity that gives exit status 1; default: warning",
     )
-    add("--version", action=Tell, nargs=0, help="print the version")
+    add("--version", action="store_true", help="print the version")
     add(
         "--explain",
-        action=Tell,
-        nargs="?",
-        default=False,
-        metavar="RULE",
-        help="describe a rule, or print the details of each finding",
+        action="store_true",
+        help="print the details of each finding, or describe the rule named as TARGET",
     )
     add("--notes", action="store_true", help="print notes too")
     add("--ignore", metavar="RULES", help="rules to ignore, separated by commas")
@@ -290,13 +254,6 @@ def lint_parser() -> Parser:
         "--hold",
         metavar="BODY",
         help="body whose creep is reported; the first keyframe or the start grips it",
-    )
-    add(
-        "--lift",
-        type=positive,
-        default=0.0,
-        metavar="M/S²",
-        help="upward acceleration of the support of the held body",
     )
     add(
         "--below",

@@ -7,7 +7,7 @@ from string import Template
 
 import numpy as np
 
-from newton_lint.changes import Changes, distinct
+from newton_lint.changes import Changes
 from newton_lint.source import Element
 
 SEVERITIES = ("note", "warning", "error")
@@ -149,17 +149,6 @@ def joined(names: Sequence[str]) -> str:
     )
 
 
-@dataclass(frozen=True)
-class Wording:
-    """The message of a rule on one parameter."""
-
-    rule: str
-    parameter: str
-    message: str
-    unit: str = "1"
-    severity: str = "warning"
-
-
 Remedy = Sequence[tuple[Changes, str]]
 """Changes with their effects in words; one without changes is only a hint."""
 
@@ -168,7 +157,8 @@ Remedy = Sequence[tuple[Changes, str]]
 class Hits:
     """Geoms or pairs that a rule hits; the arrays are of all geoms or pairs."""
 
-    wording: Wording
+    finding: Finding
+    """The finding, without its shapes and values."""
     items: np.ndarray
     """Indices of the geoms or pairs that are hit."""
     value: np.ndarray
@@ -200,8 +190,8 @@ def findings_of(
             partners = (
                 () if hits.partner is None else hits.partner[items[rows]].tolist()
             )
-            finding = Finding(
-                **vars(hits.wording),
+            finding = replace(
+                hits.finding,
                 shape=names[shapes[rows[0]]],
                 value=float(hits.value[items[rows[0]]]),
                 against=tuple(names[geom] for geom in partners),
@@ -221,10 +211,13 @@ def _shared(hits: Hits, items: np.ndarray) -> Remedy:
         ]
         items = items[np.unique(np.concatenate(firsts))]
     remedies = [hits.advise(item) for item in items.tolist()]
-    return [
-        (distinct(change for changes, _ in ways for change in changes), ways[0][1])
-        for ways in zip(*remedies, strict=True)
-    ]
+    shared = []
+    for ways in zip(*remedies, strict=True):
+        changes = (change for changes, _ in ways for change in changes)
+        # Pairs of one shape may ask for different values, but it can have only one.
+        single = {(change.kind, change.subject): change for change in changes}
+        shared.append((tuple(single.values()), ways[0][1]))
+    return shared
 
 
 def row_numbers(*columns: np.ndarray) -> np.ndarray:

@@ -4,7 +4,6 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
-import mujoco
 import numpy as np
 from mujoco import MjModel
 
@@ -19,8 +18,9 @@ from newton_lint.changes import (
 from newton_lint.failures import origin
 from newton_lint.findings import Finding, number
 from newton_lint.law import M
-from newton_lint.ledger import Run, Sample, Start, run_of
-from newton_lint.scene import ON_JOINT, Scene, changed
+from newton_lint.ledger import Run, Sample
+from newton_lint.pairs import where
+from newton_lint.scene import ON_JOINT, Scene
 from newton_lint.trials import Symptom, Trials
 from newton_lint.yielding import elliptic, noslip, stiffest
 
@@ -86,7 +86,7 @@ def hold_of(model: MjModel, sample: Sample, body: int) -> Grip | None:
     """Return how a body is held in a sample, or None if nothing presses on it."""
     touches = sample.touches
     welds = model.body_weldid[model.geom_bodyid[touches.geoms]]
-    weld = int(model.body_weldid[body])
+    weld = model.body_weldid[body]
     rows = np.flatnonzero((welds == weld).any(axis=1) & (touches.normal_n > 0.0))
     if not len(rows):
         return None
@@ -101,7 +101,7 @@ def hold_of(model: MjModel, sample: Sample, body: int) -> Grip | None:
     velocity -= (velocity * normals).sum(axis=1)[:, None] * normals
     weights = normal_n / normal_n.sum()
     geom = int(others[normal_n.argmax()])
-    support = int(model.geom_bodyid[geom])
+    support = model.geom_bodyid[geom]
     # In the frame of the support, a constant creep stays constant while it turns.
     frame = sample.arrays["xmat"][support].reshape(3, 3)
     return Grip(
@@ -186,9 +186,9 @@ def _creeping(
             scene.bodies[body],
             "creep",
             speed,
-            message=f"$shape creeps at $value {where} $against{origin(run)} because"
+            f"$shape creeps at $value {where} $against{origin(run)} because"
             f" friction yields to its load of {number(load)} N like a damper, although"
-            f" only {hold.used:.0%} of the friction is used",
+            f" at most {math.ceil(100.0 * hold.used)}% of the friction is used",
             against=tuple(scene.names[geom] for geom in supports),
             unit="mm/s",
         ),
@@ -209,22 +209,15 @@ def _firmer(scene: Scene, body: int, supports: list[int]) -> list[Changes]:
 
 
 def held(
-    trials: Trials, name: str, lift_m_s2: float, below_mm_s: float
+    trials: Trials, name: str, below_mm_s: float
 ) -> tuple[Hold, Finding | None] | None:
     """Measure how a body is held, from the first keyframe or the start.
-
-    Args:
-        lift_m_s2: Upward acceleration of its support, which adds to gravity.
 
     Returns:
         The hold and a finding if the body slides or creeps too fast, or None if nothing
         touches the body.
     """
     index = min(1, len(trials.runs) - 1)
-    if lift_m_s2:
-        # The changes are tried under the lift too, so they need runs of their own.
-        trials = _lifted(trials.scene, trials.runs[index].start, lift_m_s2)
-        index = 0
     scene = trials.scene
     model = scene.model
     run = trials.runs[index]
@@ -264,14 +257,6 @@ def held(
         return hold, None
     ways = _firmer(scene, body, supports)
     return hold, trials.finding_of(Symptom(finding, slip, ways, goal=below_mm_s), index)
-
-
-def _lifted(scene: Scene, start: Start, lift_m_s2: float) -> Trials:
-    """Return the run of a scene with more gravity, which acts like a lift."""
-    old = scene.model.opt.gravity
-    norm = max(float(np.linalg.norm(old)), mujoco.mjMINVAL)
-    model = changed(scene.model, gravity=(1.0 + lift_m_s2 / norm) * old)
-    return Trials(replace(scene, model=model), [run_of(model, start)])
 
 
 def _bearable_n(scene: Scene, body: int, grip: Grip) -> float:
@@ -343,7 +328,7 @@ def _sliding(
             scene.bodies[body],
             "load",
             load,
-            message=f"{message} out of $against{origin(run)} because {why}",
+            f"{message} out of the grip of $against{origin(run)} because {why}",
             against=tuple(scene.names[pad] for pad in pads),
             used=bears,
             unit="N",
@@ -359,7 +344,7 @@ def _sliding(
 def _pairs(scene: Scene, geom: int, body: int) -> list[int]:
     """Return the indices of the pairs of a geom and a body."""
     model = scene.model
-    geoms = np.flatnonzero(model.body_weldid[model.geom_bodyid] == body).tolist()
+    geoms = where(model.body_weldid[model.geom_bodyid] == body)
     indices = [scene.pair_index((geom, partner)) for partner in geoms]
     return [index for index in indices if index is not None]
 
@@ -367,10 +352,10 @@ def _pairs(scene: Scene, geom: int, body: int) -> list[int]:
 def _stronger(scene: Scene, pads: list[int], times: float) -> Changes:
     """Return changes that multiply the forces of the actuators of a grip."""
     model = scene.model
-    bodies = {int(model.geom_bodyid[geom]) for geom in pads}
+    bodies = {model.geom_bodyid[geom] for geom in pads}
     joints = np.flatnonzero(np.isin(model.jnt_bodyid, [*bodies]))
     changes: Changes = ()
-    for index in np.flatnonzero(model.actuator_trntype == ON_JOINT).tolist():
+    for index in where(model.actuator_trntype == ON_JOINT):
         if model.actuator_trnid[index, 0] not in joints:
             continue
         if model.actuator_forcelimited[index]:
@@ -434,7 +419,7 @@ def _turning(scene: Scene, run: Run, body: int, hold: Grip) -> Iterator[Symptom]
             scene.bodies[body],
             "condim",
             angle,
-            message=f"$shape turns by $value between $against{origin(run)} because"
+            f"$shape turns by $value between $against{origin(run)} because"
             f" they hold it at opposite points and {why}",
             against=tuple(scene.names[pad] for pad in pads),
             used=4.0,

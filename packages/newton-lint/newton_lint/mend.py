@@ -7,12 +7,10 @@ from pathlib import Path
 from xml.parsers import expat
 
 import mujoco
-import numpy as np
 
-from newton_lint.findings import Cure, Finding, number
-from newton_lint.fix import Unwritable, edited, undo, write
-from newton_lint.law import M
-from newton_lint.ledger import Run, runs_of
+from newton_lint.findings import Cure, Finding
+from newton_lint.fix import Unwritable, edited, write
+from newton_lint.ledger import runs_of
 from newton_lint.report import Report, Request, report_of
 from newton_lint.source import Texts, parse
 from newton_lint.target import Target, TargetError, compiled, read_target, tried
@@ -22,15 +20,6 @@ from newton_lint.trials import harm
 MOST_TRIES = 40
 # Scenes that share files are mended in at most this many passes.
 PASSES = 4
-
-
-def _measures(runs: Sequence[Run]) -> str:
-    depth = max((run.deepest_m for run in runs), default=0.0)
-    seconds = sum(run.cost_s for run in runs) / max(len(runs), 1)
-    return (
-        f"the deepest contact is {number(M * depth)} mm and a simulated second takes"
-        f" {number(seconds, 2)} s"
-    )
 
 
 class Mending:
@@ -151,13 +140,6 @@ def fixed(
         *mending.lines(not dry and not why),
         *backups,
     ]
-    if mending.texts:
-        before = _measures(mending.first.runs)
-        after = _measures(mending.report.runs)
-        lines.append(
-            f"{target.name}: before the changes, {before}; after them, {after}"
-            " (measured)"
-        )
     return mending.first, lines, why
 
 
@@ -179,31 +161,11 @@ def fixed_again(
 
 
 def _written(target: Target, texts: Texts) -> list[str]:
-    assert target.path is not None  # Only scenes that come from a file are changed.
-    expected = compiled(target.path, texts)
     try:
         replaced = write(texts)
     except OSError as error:
         raise TargetError(f"{target.name}: not written: {error}") from error
-    try:
-        is_expected = are_same(expected, compiled(target.path))
-    except ValueError:
-        is_expected = False
-    if not is_expected:
-        undo(replaced)
-        raise TargetError(
-            f"{target.name}: not written, because MuJoCo compiles the new file to"
-            " another model than the one that was measured"
-        )
     return [
         f"{file}: the old file is kept as {backup.name}"
         for file, (_, backup) in zip(texts, replaced, strict=True)
     ]
-
-
-def are_same(*models: mujoco.MjModel) -> bool:
-    """Return whether models are equal to the last bit."""
-    buffers = [np.empty(mujoco.mj_sizeModel(model), np.uint8) for model in models]
-    for model, buffer in zip(models, buffers, strict=True):
-        mujoco.mj_saveModel(model, None, buffer)
-    return np.array_equal(*buffers)

@@ -105,7 +105,11 @@ def _without_effects(items: Sequence[Finding]) -> list[Finding]:
     overlaps = [item for item in items if item.rule == "overlap"]
     jammed = any(item.severity == "warning" for item in overlaps)
     notes = ("overlap",) * unsolved + EFFECTS * jammed
-    apart = {item.shape for item in items if item.rule == "apart"}
+    apart = {
+        item.shape
+        for item in items
+        if item.rule == "apart" and item.severity == "warning"
+    }
     return [
         replace(item, severity="note")
         if item.rule in notes

@@ -28,6 +28,11 @@ MOST_PAIRS = 2_000_000
 """Of more pairs than this, only a sample is read."""
 
 
+def where(mask: np.ndarray) -> list[int]:
+    """Return the indices at which a mask is true."""
+    return np.flatnonzero(mask).tolist()
+
+
 def pairs_of(model: MjModel) -> tuple[np.ndarray, np.ndarray]:
     """Return all pairs that may touch.
 
@@ -60,6 +65,14 @@ def masks_of(model: MjModel) -> np.ndarray:
     return model.geom_contype | model.geom_conaffinity
 
 
+def kinds_of(model: MjModel, *of_bodies: np.ndarray) -> np.ndarray:
+    """Number geoms so that alike ones, also by arrays of bodies, have equal numbers."""
+    columns = [getattr(model, f"geom_{name}") for name in PARAMETERS]
+    columns += [values[model.geom_bodyid] for values in of_bodies]
+    rows = np.column_stack(columns)
+    return np.unique(rows, axis=0, return_inverse=True)[1].ravel()
+
+
 def read(model: MjModel) -> np.ndarray:
     """Return the geoms that can collide, or a sample with each kind if they are many."""
     geoms = np.flatnonzero(masks_of(model))
@@ -67,9 +80,8 @@ def read(model: MjModel) -> np.ndarray:
     counts = np.bincount(welds).astype(float)
     if 0.5 * (counts.sum() ** 2 - (counts**2).sum()) < MOST_PAIRS:
         return geoms
-    columns = [getattr(model, f"geom_{name}")[geoms] for name in PARAMETERS]
-    kinds = np.column_stack([*columns, welds > 0])
-    _, firsts = np.unique(kinds, axis=0, return_index=True)
+    kinds = kinds_of(model, model.body_weldid > 0)[geoms]
+    _, firsts = np.unique(kinds, return_index=True)
     stride = math.ceil(len(geoms) / (2.0 * MOST_PAIRS) ** 0.5)
     return np.union1d(geoms[firsts], geoms[::stride])
 

@@ -42,8 +42,6 @@ class Request:
     load: Load = field(default_factory=Load)
     hold: str = ""
     """A body whose creep is reported, or an empty string."""
-    lift_m_s2: float = 0.0
-    """Upward acceleration of the support of this body."""
     below_mm_s: float | None = None
     """The creep of a held body is a finding above this speed."""
     ignore: Collection[str] = ()
@@ -130,7 +128,7 @@ def report_on(
         )
     if request.hold and runs and not refused:
         bound = request.below_mm_s or SLIP_MM_S
-        measured = held(trials, request.hold, request.lift_m_s2, bound)
+        measured = held(trials, request.hold, bound)
         if measured is None:
             message = (
                 "Nothing touches $shape: grip it in a keyframe, or in the data that"
@@ -224,7 +222,7 @@ def _newton_findings(
             "",
             "gravity",
             gravity,
-            message="The scene has a gravity of $value m/s², but Newton's importer"
+            "The scene has a gravity of $value m/s², but Newton's importer"
             " reads $used m/s²",
             used=taken,
         )

@@ -11,12 +11,12 @@ import mujoco
 import numpy as np
 
 from newton_lint.changes import Changes, distinct, of_contact, of_geom, of_option
-from newton_lint.findings import Finding, Hits, Remedy, Wording, findings_of, number
+from newton_lint.findings import Finding, Hits, Remedy, findings_of, number
 from newton_lint.law import DEFAULT_SOLREF, clamped
 from newton_lint.ledger import Run
 from newton_lint.pairs import keys_of
 from newton_lint.scene import Scene
-from newton_lint.scene_rules import closed, damped, engine, lost, pyramid, visual
+from newton_lint.scene_rules import damped, engine, lost, pyramid
 from newton_lint.trials import Trials
 
 # Parameters that differ by less than this are equal.
@@ -35,8 +35,7 @@ def lint(trials: Trials) -> list[Finding]:
     """
     scene = trials.scene
     found = list(faults(scene, trials.runs))
-    for rule in (visual, closed, engine):
-        found += [([finding], remedy) for finding, remedy in rule(scene)]
+    found += [([finding], remedy) for finding, remedy in engine(scene)]
     return [
         finding for group, remedy in found for finding in trials.advised(group, remedy)
     ]
@@ -58,8 +57,8 @@ def faults(scene: Scene, runs: Sequence[Run]) -> Iterator[tuple[list[Finding], R
         for rule in rules:
             for hits in rule(scene):
                 yield from findings_of(hits, scene.names)
-    for rule in (lost, damped, pyramid):
-        for finding, remedy in rule(scene):
+    for scene_rule in (lost, damped, pyramid):
+        for finding, remedy in scene_rule(scene):
             yield [finding], remedy
 
 
@@ -71,9 +70,11 @@ def solref_format(scene: Scene) -> Iterator[Hits]:
         scene.counts & ((solref[:, 0] > 0.0) != (solref[:, 1] > 0.0))
     )
     # getsolparam replaces such a solref and writes a warning to the log.
-    wording = Wording(
+    wording = Finding(
         "solref-format",
+        "",
         "solref[1]",
+        0.0,
         "solref of $shapes has only one positive number (the second number is $value),"
         " so MuJoCo uses its default",
         severity="error",
@@ -95,9 +96,11 @@ def solimp(scene: Scene) -> Iterator[Hits]:
     ).T
     geoms = np.flatnonzero(scene.counts & (dmin > dmax))
     yield Hits(
-        Wording(
+        Finding(
             "solimp",
+            "",
             "solimp",
+            0.0,
             "solimp of $shapes has a dmin of $value above its dmax of $used, so"
             " contacts get softer with depth, and creep grows with the load",
         ),
@@ -122,19 +125,21 @@ def timeconst(scene: Scene) -> Iterator[Hits]:
     )
     below = (authored > 0.0) & (ratio > 0.0) & (authored < limit * (1.0 - SAME))
     least = "one time step over the dampratio" if option.discrete else "two time steps"
-    wording = Wording(
+    wording = Finding(
         "timeconst",
+        "",
         "timeconst",
+        0.0,
         f"timeconst $value of $shapes against $against is below {least}, so MuJoCo"
         " uses $used",
-        "s",
+        unit="s",
     )
     # Nobody wrote a timeconst that equals the default.
     pairs = np.flatnonzero(below & (authored != DEFAULT_SOLREF[0]))
 
     def advise(pair: int) -> Remedy:
         longer = longer_solref(
-            scene, pair, limit[pair], "writes down the value that is used"
+            scene, pair, limit[pair], "writes the value that MuJoCo uses anyway"
         )
         factor = limit[pair] / authored[pair]
         if factor > FAR:
@@ -162,9 +167,11 @@ def too_stiff(scene: Scene) -> Iterator[Hits]:
     # The integrator discrete is stable with any of them, as both terms are implicit.
     stiff = np.flatnonzero(taken & (gain >= STIFF) & (not scene.option.discrete))
     why = "does not clamp it" if scene.option.refsafe else "is off"
-    wording = Wording(
+    wording = Finding(
         "stiff",
+        "",
         "solref",
+        0.0,
         "solref $value of $shapes against $against is too stiff for the time step:"
         f" contacts throw bodies off if b·h + k·h²/2 is above {STIFF}, and refsafe {why}",
         severity="error",
@@ -198,11 +205,13 @@ def dampratio(scene: Scene) -> Iterator[Hits]:
     sound = (first > 0.0) == (second > 0.0)
     yield _pair_hits(
         scene,
-        Wording(
+        Finding(
             "dampratio",
+            "",
             "dampratio",
-            "dampratio $value of $shapes against $against is far above the critical"
-            " one, so the contact is softer by the square of it",
+            0.0,
+            "dampratio $value of $shapes against $against is far above 1, and the"
+            " contact gets softer with its square",
         ),
         np.flatnonzero(sound & (ratio > FAR) & np.isfinite(ratio)),
         ratio,
@@ -235,14 +244,16 @@ def one_sided(scene: Scene, touched: np.ndarray) -> Iterator[Hits]:
     )
     softer = stiffest > np.maximum(2.0 * authored, 4.0 * scene.option.timestep_s)
     shape = np.flatnonzero(is_stiff & softer)
-    wording = Wording(
+    wording = Finding(
         "one-sided",
+        "",
         "solref",
+        0.0,
         "solref $value of $shapes is stiff only on this side, because each contact mixes"
         " it with the soft solref of the other geom, which gives at least $used",
-        "s",
+        unit="s",
     )
-    ranking = "makes its solref, solimp, friction and condim count alone"
+    ranking = "makes contacts use its solref, solimp, friction and condim"
     stiff = [
         (of_higher_priority(scene, geoms), ranking) for geoms in (shape, shape[:1])
     ]
@@ -257,15 +268,17 @@ def friction(scene: Scene) -> Iterator[Hits]:
     least = -_largest(scene, plain, -contacts.friction[:, 0])
 
     def advise(geom: int) -> Remedy:
-        effect = "makes its friction count alone, with its solref, solimp and condim"
+        effect = "makes contacts use its friction, solref, solimp and condim"
         return [(of_geom(scene, geom, rank(scene)), effect)]
 
     # The compiled model does not distinguish a default from the same written number.
     yield Hits(
-        Wording(
+        Finding(
             "friction",
+            "",
             "friction",
-            "friction $value of $shapes counts nowhere because a contact uses the"
+            0.0,
+            "friction $value of $shapes is never used because a contact uses the"
             " larger friction of its two geoms, or that of the geom with the higher"
             " priority; here it is at least $used",
         ),
@@ -344,7 +357,7 @@ def _largest(scene: Scene, pairs: np.ndarray, values: np.ndarray) -> np.ndarray:
 
 def _pair_hits(
     scene: Scene,
-    wording: Wording,
+    wording: Finding,
     pairs: np.ndarray,
     authored: np.ndarray,
     used: np.ndarray | float,

@@ -22,14 +22,6 @@ ON_JOINT = int(mujoco.mjtTrn.mjTRN_JOINT)
 WEIGHTLESS = int(mujoco.mjtDisableBit.mjDSBL_GRAVITY)
 
 
-def changed(model: MjModel, **options: float) -> MjModel:
-    """Return a copy of a model with other options."""
-    model = copy.copy(model)
-    for name, value in options.items():
-        setattr(model.opt, name, value)
-    return model
-
-
 def qualified(owner: str, name: str) -> str:
     """Return a name with that of its body, unless the body has none or the same."""
     return name if owner in ("", name) else f"{owner}/{name}"
@@ -49,8 +41,11 @@ class Engine:
         """Return a model with these options in place of the scene's."""
         cone = CONES.index(self.cone) if self.cone else None
         options = {"timestep": self.timestep_s, "cone": cone, "impratio": self.impratio}
-        authored = {name: value for name, value in options.items() if value is not None}
-        return changed(model, **authored)
+        model = copy.copy(model)
+        for name, value in options.items():
+            if value is not None:
+                setattr(model.opt, name, value)
+        return model
 
 
 @dataclass(frozen=True)

@@ -1,6 +1,6 @@
 """Tries changes: steps the changed scene from all starts for 2 s, and judges it."""
 
-from collections.abc import Callable, Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 
@@ -86,11 +86,6 @@ Judge = Callable[
     [Scene, Sequence[Run]], tuple[list[Finding], list[tuple[int, Symptom]]]
 ]
 """Returns what is wrong with the parameters of a scene and, by run, with its motion."""
-Key = tuple[str, str, str]
-
-
-def key_of(finding: Finding) -> Key:
-    return finding.rule, finding.shape, finding.parameter
 
 
 @dataclass
@@ -100,8 +95,8 @@ class Trials:
     scene: Scene
     runs: Sequence[Run]
     judge: Judge = lambda *_: ([], [])
-    base: Mapping[Key, float] = field(default_factory=dict)
-    """What is known of the scene that this is a variant of."""
+    known: Collection[str] = ()
+    """Rules with findings on the scene that this is a variant of."""
     spent_s: float = 0.0
     variants: dict[Changes, "Trials | None"] = field(default_factory=dict)
 
@@ -110,18 +105,14 @@ class Trials:
         return self.judge(self.scene, self.runs)
 
     @cached_property
-    def known(self) -> dict[Key, float]:
-        """Return the largest value of each kind of finding or symptom."""
-        findings, symptoms = self.judged
-        values = [*findings, *(symptom.finding for _, symptom in symptoms)]
-        values.sort(key=lambda finding: abs(finding.value))
-        return {key_of(finding): abs(finding.value) for finding in values}
-
-    @cached_property
     def worst(self) -> dict[str, float]:
         """Return the largest value of each rule."""
-        values = sorted(self.known.items(), key=lambda item: item[1])
-        return {rule: value for (rule, *_), value in values}
+        findings, symptoms = self.judged
+        values = [
+            (abs(finding.value), finding.rule)
+            for finding in (*findings, *(symptom.finding for _, symptom in symptoms))
+        ]
+        return {rule: value for value, rule in sorted(values)}
 
     @cached_property
     def faults(self) -> list[Finding]:
@@ -133,7 +124,7 @@ class Trials:
             for index, symptom in symptoms
             # What only counts if something mends it is tried on top of the changes.
             if not symptom.needs_cure
-            or key_of(symptom.finding) in self.base
+            or symptom.finding.rule in self.known
             or inner.finding_of(symptom, index)
         ]
         return [item for item in (*findings, *certain) if item.severity != "note"]
@@ -168,7 +159,7 @@ class Trials:
     def _stepped(self, model: MjModel) -> "Trials":
         runs = [run_of(model, run.start) for run in self.runs]
         self.spent_s += sum(run.cost_s * run.time_s for run in runs)
-        return Trials(replace(self.scene, model=model), runs, self.judge, self.known)
+        return Trials(replace(self.scene, model=model), runs, self.judge, self.worst)
 
     def refuses(self, variant: "Trials", finding: Finding) -> bool:
         """Return whether a variant does harm or has a worse fault of another kind."""
@@ -177,9 +168,8 @@ class Trials:
         if harm(self.runs, variant.runs, [finding.rule]):
             return True
         return any(
-            key_of(fault) not in self.known
-            # A finding may move to another shape.
-            and abs(fault.value) > self.worst.get(fault.rule, 0.0)
+            fault.rule != finding.rule
+            and abs(fault.value) > DEEPER * self.worst.get(fault.rule, 0.0)
             and (fault.severity == "error" or finding.severity != "error")
             for fault in variant.faults
         )
@@ -187,7 +177,8 @@ class Trials:
     def drawback(self, variant: "Trials", finding: Finding) -> str:
         """Return the harm that changes do because their rule is meant to do it."""
         is_meant = finding.rule in MOVING
-        return harm(self.runs, variant.runs, []) if is_meant else ""
+        reasons = map(faster, self.runs, variant.runs) if is_meant else ()
+        return next(filter(None, reasons), "")
 
     def finding_of(self, symptom: Symptom, index: int) -> Finding | None:
         """Return the finding of a symptom in a run with the changes that mend it."""
@@ -239,7 +230,11 @@ class Trials:
                 variant = self.variant(changes)
                 if variant is None or self.refuses(variant, finding):
                     continue
-                if variant.known.get(key_of(finding), 0.0) > MENDS * abs(finding.value):
+                if any(
+                    (item.rule, item.shape) == (finding.rule, finding.shape)
+                    and abs(item.value) > MENDS * abs(finding.value)
+                    for item in variant.judged[0]
+                ):
                     continue
                 drawback = self.drawback(variant, finding)
             cures.append(Cure(changes, effect=effect, drawback=drawback))
@@ -308,11 +303,14 @@ def _motion_harm(old: Run, new: Run, rules: Collection[str]) -> str:
                 f"the {name} goes from {number(M * old_depth)} to {number(M * new_depth)} mm"
                 f" from {new.start.name}"
             )
-    old_speed = old.speed
-    new_speed = new.speed
-    if new_speed > FASTER * old_speed + FASTER_M_S and not {*MOVING} & {*rules}:
-        return (
-            f"the fastest speed at the end goes from {number(old_speed)} to"
-            f" {number(new_speed)} m/s or rad/s"
-        )
-    return ""
+    return "" if {*MOVING} & {*rules} else faster(old, new)
+
+
+def faster(old: Run, new: Run) -> str:
+    """Return how the motion at the end gets faster, or an empty string."""
+    if new.speed <= FASTER * old.speed + FASTER_M_S:
+        return ""
+    return (
+        f"the fastest speed at the end goes from {number(old.speed)} to"
+        f" {number(new.speed)} m/s or rad/s"
+    )

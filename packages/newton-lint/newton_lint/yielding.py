@@ -20,7 +20,7 @@ from newton_lint.failures import is_servo, origin, shorter_steps
 from newton_lint.findings import Finding, number, rounded
 from newton_lint.law import DEFAULT_SOLREF, M
 from newton_lint.ledger import Run
-from newton_lint.pairs import HFIELD, PLANE
+from newton_lint.pairs import HFIELD, PLANE, where
 from newton_lint.scene import HINGE, ON_JOINT, SLIDE, Scene
 from newton_lint.scene_rules import STEEP
 from newton_lint.trials import Read, Symptom
@@ -129,7 +129,7 @@ def depths(scene: Scene, run: Run) -> Iterator[Symptom]:
                 scene.names[shape],
                 "depth",
                 depth,
-                message=f"$shape sinks $value into $against {when(run, *bodies)}",
+                f"$shape sinks $value into $against {when(run, *bodies)}",
                 against=(scene.names[partner],),
                 unit="mm",
                 severity="warning"
@@ -222,8 +222,8 @@ def limits(scene: Scene, run: Run) -> Iterator[Symptom]:
     servos = np.flatnonzero(is_servo(model))
     ctrl = run.start.data(model).ctrl
     is_single = np.isin(model.jnt_type, (HINGE, SLIDE))
-    joints = np.flatnonzero(model.jnt_limited & is_single).tolist()
-    tendons = np.flatnonzero(model.tendon_limited).tolist()
+    joints = where(model.jnt_limited & is_single)
+    tendons = where(model.tendon_limited)
     for kind, index in [
         *(("joint", joint) for joint in joints),
         *(("tendon", tendon) for tendon in tendons),
@@ -233,10 +233,10 @@ def limits(scene: Scene, run: Run) -> Iterator[Symptom]:
         body = 0
         if kind == "joint":
             low, high = model.jnt_range[index].tolist()
-            body = int(model.jnt_bodyid[index])
+            body = model.jnt_bodyid[index]
             is_angle = model.jnt_type[index] == HINGE
             values = "qpos"
-            at = int(model.jnt_qposadr[index])
+            at = model.jnt_qposadr[index]
             for servo in servos[model.actuator_trnid[servos, 0] == index].tolist():
                 gear = float(model.actuator_gear[servo, 0])
                 target = float(ctrl[servo]) * gear
@@ -290,7 +290,7 @@ def _turns(model: MjModel, tendon: int) -> bool:
 
 def equality_unit(model: MjModel, equality: int) -> str:
     """Return the unit in which the gap of an equality is measured."""
-    joint = int(model.eq_obj1id[equality])
+    joint = model.eq_obj1id[equality]
     kind = COUPLINGS.get(int(model.eq_type[equality]))
     if kind == "tendon":
         return "°" if _turns(model, joint) else "mm"
@@ -325,7 +325,7 @@ def equalities(scene: Scene, run: Run) -> Iterator[Symptom]:
             name,
             "gap",
             value,
-            message=f"$shape is $value open {when(run, *moving)}",
+            f"$shape is $value open {when(run, *moving)}",
             unit=unit,
             severity="warning" if value > FAR * LEAST else "note",
         )
@@ -353,12 +353,10 @@ def servos(scene: Scene, run: Run) -> Iterator[Symptom]:
     ctrl = run.start.data(model).ctrl.copy()
     limited = model.actuator_ctrllimited > 0
     ctrl[limited] = np.clip(ctrl[limited], *model.actuator_ctrlrange[limited].T)
-    for servo in np.flatnonzero(
-        is_servo(model) & (model.actuator_dyntype == 0)
-    ).tolist():
-        joint = int(model.actuator_trnid[servo, 0])
-        dof = int(model.jnt_dofadr[joint])
-        body = int(model.jnt_bodyid[joint])
+    for servo in where(is_servo(model) & (model.actuator_dyntype == 0)):
+        joint = model.actuator_trnid[servo, 0]
+        dof = model.jnt_dofadr[joint]
+        body = model.jnt_bodyid[joint]
         # A servo that presses against a contact or a limit does not have to arrive.
         is_blocked = abs(run.mean("qfrc_constraint")[dof]) > 1e-9
         if model.jnt_type[joint] not in (HINGE, SLIDE) or is_blocked:
@@ -385,7 +383,7 @@ def servos(scene: Scene, run: Run) -> Iterator[Symptom]:
             scene.name("actuator", servo),
             "error",
             value,
-            message=f"$shape is $value from its target {when(run, body)} because"
+            f"$shape is $value from its target {when(run, body)} because"
             " gravity pulls it and its kp is low",
             unit=unit,
             severity="warning" if value > FAR * LEAST else "note",
@@ -398,7 +396,7 @@ def _ancestors(model: MjModel, body: int) -> Iterator[int]:
     """Yield a body and the bodies that carry it."""
     while body:
         yield body
-        body = int(model.body_parentid[body])
+        body = model.body_parentid[body]
 
 
 def sagging(scene: Scene, run: Run) -> Iterator[Symptom]:
@@ -408,9 +406,9 @@ def sagging(scene: Scene, run: Run) -> Iterator[Symptom]:
     driven = model.jnt_dofadr[model.actuator_trnid[is_servo(model), 0]]
     idle = (model.actuator_trntype == ON_JOINT) & (run.start.data(model).ctrl == 0.0)
     undriven = model.jnt_dofadr[model.actuator_trnid[idle, 0]]
-    for row in np.flatnonzero(data.efc_type[: data.nefc] == DRY_FRICTION).tolist():
+    for row in where(data.efc_type[: data.nefc] == DRY_FRICTION):
         dof = int(data.efc_id[row])
-        joint = int(model.dof_jntid[dof])
+        joint = model.dof_jntid[dof]
 
         is_hinge = model.jnt_type[joint] == HINGE
         unit = "°/s" if is_hinge else "mm/s"
@@ -418,7 +416,7 @@ def sagging(scene: Scene, run: Run) -> Iterator[Symptom]:
         def creep(run: Run, joint=joint, unit=unit) -> float:
             begin = run.late[0]
             end = run.late[-1]
-            address = int(model.jnt_qposadr[joint])
+            address = model.jnt_qposadr[joint]
             moved = end.arrays["qpos"][address] - begin.arrays["qpos"][address]
             return (
                 scale(unit) * abs(float(moved)) / max(end.time_s - begin.time_s, 1e-9)
@@ -448,7 +446,7 @@ def sagging(scene: Scene, run: Run) -> Iterator[Symptom]:
                 scene.name("joint", joint),
                 "speed",
                 scale(unit) * rate,
-                message=f"$shape creeps at $value{origin(run)} under a load of"
+                f"$shape creeps at $value{origin(run)} under a load of"
                 f" {number(force)}, which is {force / loss:.0%} of its frictionloss,"
                 " because MuJoCo's dry friction yields like a damper",
                 unit=unit,
@@ -494,7 +492,7 @@ def passing(scene: Scene, run: Run) -> Iterator[Symptom]:
             scene.names[geom],
             "wall",
             thick,
-            message=f"$shape passes through $against{origin(run)}, which is only $value"
+            f"$shape passes through $against{origin(run)}, which is only $value"
             " thick, because a contact that is deeper than half of it pushes onwards",
             against=(scene.names[wall],),
             unit="mm",
@@ -557,7 +555,7 @@ def crowded(scene: Scene, run: Run) -> Iterator[Symptom]:
         pairs, counts = np.unique(sample.touches.geoms, axis=0, return_counts=True)
         for pair in pairs[counts >= MOST_CONTACTS].tolist():
             field, geom = sorted(pair, key=lambda geom: model.geom_type[geom] != HFIELD)
-            asset = int(model.geom_dataid[field])
+            asset = model.geom_dataid[field]
             wide = model.hfield_size[asset][:2].tolist()
             # With cells of 0.7 radii, a geom touches too few of them to reach the limit.
             ncol, nrow = (
@@ -574,7 +572,7 @@ def crowded(scene: Scene, run: Run) -> Iterator[Symptom]:
                 scene.names[geom],
                 "cells",
                 MOST_CONTACTS,
-                message="$shape sinks through $against because it touches more cells"
+                "$shape sinks through $against because it touches more cells"
                 " than the $value contacts that MuJoCo makes for a pair",
                 against=(scene.names[field],),
                 hint=f'Use larger cells, such as nrow="{nrow}" ncol="{ncol}".',
