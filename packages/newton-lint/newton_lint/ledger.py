@@ -143,8 +143,8 @@ class Run:
 
     Unlike a time, it does not depend on the load of the machine.
     """
-    cost_s: float
-    """Processor time per simulated second."""
+    spent_s: float
+    """Processor time."""
     data: MjData = field(compare=False, repr=False)
     """The final state."""
 
@@ -264,7 +264,7 @@ def run_of(model: MjModel, start: Start, time_s: float = SPAN_S) -> Run:
         jitter=np.zeros(model.nv) if bad else _jitter(model, data),
         at_limit=limited / sampled,
         effort=(1.0 + 0.5 * solved / sampled) / step,
-        cost_s=spent / max(reached, step),
+        spent_s=spent,
         data=data,
     )
 

@@ -15,9 +15,8 @@ from newton_lint.pairs import keys_of, masks_of
 from newton_lint.source import Element, Source, Texts
 from newton_lint.warp_engine import has_noslip
 
-FREE = int(mujoco.mjtJoint.mjJNT_FREE)
-SLIDE = int(mujoco.mjtJoint.mjJNT_SLIDE)
-HINGE = int(mujoco.mjtJoint.mjJNT_HINGE)
+FREE, BALL, SLIDE, HINGE = range(4)
+"""Values of ``mjtJoint``."""
 ON_JOINT = int(mujoco.mjtTrn.mjTRN_JOINT)
 WEIGHTLESS = int(mujoco.mjtDisableBit.mjDSBL_GRAVITY)
 

@@ -33,8 +33,6 @@ FASTER = 1.2
 FASTER_M_S = 5e-3
 SLOWER = 1.8
 """A simulated second may take this many times the solver's effort."""
-SLOWEST = 3.0
-"""It may take this many times the processor time."""
 SHALLOW_M = 2e-3
 """A body whose contacts are below this depth no longer falls through."""
 FALLS_M_S = 3.0
@@ -158,7 +156,7 @@ class Trials:
 
     def _stepped(self, model: MjModel) -> "Trials":
         runs = [run_of(model, run.start) for run in self.runs]
-        self.spent_s += sum(run.cost_s * run.time_s for run in runs)
+        self.spent_s += sum(run.spent_s for run in runs)
         return Trials(replace(self.scene, model=model), runs, self.judge, self.worst)
 
     def refuses(self, variant: "Trials", finding: Finding) -> bool:
@@ -271,13 +269,12 @@ def harm(before: Sequence[Run], after: Sequence[Run], rules: Collection[str]) ->
             return reason
     if {*FREES} & {*rules}:
         return ""
-    for name, most in (("effort", SLOWER), ("cost_s", SLOWEST)):
-        old_cost = sum(getattr(run, name) for run in before)
-        new_cost = sum(getattr(run, name) for run in after)
-        if new_cost > most * old_cost:
-            ratio = new_cost / max(old_cost, 1e-9)
-            return f"a simulated second costs {number(ratio, 2)} times as much"
-    return ""
+    old_effort = sum(run.effort for run in before)
+    new_effort = sum(run.effort for run in after)
+    if new_effort <= SLOWER * old_effort:
+        return ""
+    ratio = number(new_effort / old_effort, 2)
+    return f"a simulated second costs {ratio} times as much"
 
 
 def _motion_harm(old: Run, new: Run, rules: Collection[str]) -> str:
