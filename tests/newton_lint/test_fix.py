@@ -93,7 +93,7 @@ def test_an_elliptic_cone_gets_the_iterations_that_it_needs(tmp_path, capsys):
     path.write_text(LEGS)
     assert main([str(path), "--fix"]) == 1
     assert (
-        'iterations="4"' in path.read_text() and 'cone="elliptic"' in path.read_text()
+        'iterations="10"' in path.read_text() and 'cone="elliptic"' in path.read_text()
     )
     model = mujoco.MjModel.from_xml_path(str(path))
     data = mujoco.MjData(model)

@@ -144,6 +144,16 @@ def of_option(scene: Scene, **attributes: str) -> Changes:
     return (Change("option", (), tuple(attributes.items()), "option", element),)
 
 
+def elliptic(scene: Scene, impratio: float = 0.0) -> Changes:
+    """Return changes to an elliptic cone with an impratio and enough iterations."""
+    attributes = {"cone": "elliptic"}
+    if impratio:
+        attributes["impratio"] = f"{impratio:g}"
+    if scene.model.opt.iterations < 10:
+        attributes["iterations"] = "10"
+    return of_option(scene, **attributes)
+
+
 def of_element(scene: Scene, kind: str, index: int, **attributes: str) -> Changes:
     """Return changes of one element other than a geom."""
     element = scene.source.find(kind, index)

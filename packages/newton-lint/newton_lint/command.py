@@ -5,14 +5,25 @@ docs/lint.md documents the options.
 
 import argparse
 import contextlib
-import importlib
 import os
 import re
 import sys
 import traceback
 from collections.abc import Sequence
+from importlib import metadata
 from pathlib import Path
 from typing import Any, NoReturn
+
+import mujoco
+
+from newton_lint.findings import SEVERITIES
+from newton_lint.mend import fixed, fixed_again
+from newton_lint.output import Detail, printable, written
+from newton_lint.prediction import Load
+from newton_lint.report import Request, report_of
+from newton_lint.scene import Engine
+from newton_lint.settings import table_of
+from newton_lint.target import TargetError, read_target, targets_of
 
 # Exit statuses.
 CLEAN = 0
@@ -21,7 +32,6 @@ UNFIT = 2
 BROKEN = 3
 STOPPED = 130
 PROGRAM = "newton-lint"
-SEVERITIES = ("note", "warning", "error")
 GONE = {
     "closed",
     "default-gap",
@@ -51,20 +61,17 @@ def main(arguments: Sequence[str] | None = None) -> int:
         # A terminal in Latin-1 has no ². A StringIO in a test cannot be reconfigured.
         if hasattr(stream, "reconfigure"):
             stream.reconfigure(errors="backslashreplace")
+    # By default MuJoCo writes warnings to MUJOCO_LOG.TXT in the current folder.
+    mujoco.set_mju_user_warning(lambda _: None)
     try:
-        from newton_lint.target import TargetError, mujoco
-
-        # By default MuJoCo writes warnings to MUJOCO_LOG.TXT in the current folder.
-        mujoco.set_mju_user_warning(lambda _: None)
-        try:
-            return _linted(lint_parser().parse_args(arguments))
-        except TargetError as error:
-            print(error, file=sys.stderr)
-            return UNFIT
-        except OSError as error:  # The disk is full, or the output is closed.
-            with contextlib.suppress(OSError, ValueError):
-                print(f"{PROGRAM}: {error}", file=sys.stderr)
-            return UNFIT
+        return _linted(lint_parser().parse_args(arguments))
+    except TargetError as error:
+        print(error, file=sys.stderr)
+        return UNFIT
+    except OSError as error:  # The disk is full, or the output is closed.
+        with contextlib.suppress(OSError, ValueError):
+            print(f"{PROGRAM}: {error}", file=sys.stderr)
+        return UNFIT
     except KeyboardInterrupt:
         return STOPPED
     except Exception:  # Python would exit with 1, which means findings.
@@ -82,12 +89,6 @@ def rules() -> dict[str, str]:
 
 
 def _linted(options: argparse.Namespace) -> int:
-    from newton_lint.mend import fixed, fixed_again
-    from newton_lint.output import Detail, printable, written
-    from newton_lint.report import report_of
-    from newton_lint.settings import table_of
-    from newton_lint.target import TargetError, read_target, targets_of
-
     if options.version:
         print(PROGRAM, version())
         return CLEAN
@@ -114,9 +115,8 @@ def _linted(options: argparse.Namespace) -> int:
                 and scene.path
                 and scene.model is not None
             ):
-                report, lines, why = fixed(scene, request, paths, options.dry_run)
+                report, lines = fixed(scene, request, paths, options.dry_run)
                 fixes += lines
-                unread += [why] if why else []
             else:
                 report = report_of(scene, request)
             reports.append(report)
@@ -144,12 +144,8 @@ def _linted(options: argparse.Namespace) -> int:
     return CLEAN
 
 
-def request_of(options: argparse.Namespace, table: dict[str, Any]):
+def request_of(options: argparse.Namespace, table: dict[str, Any]) -> Request:
     """Return the request of the command line, with defaults from pyproject.toml."""
-    from newton_lint.prediction import Load
-    from newton_lint.report import Request
-    from newton_lint.target import TargetError
-
     ignore = [
         *table.get("ignore", []),
         *map(str.strip, options.ignore.split(",") if options.ignore else []),
@@ -165,7 +161,12 @@ def request_of(options: argparse.Namespace, table: dict[str, Any]):
             f"cannot ignore unknown rule {', '.join(unknown)}: choose from {rule_names}"
         )
     return Request(
-        engine=engine_of(options, table),
+        engine=Engine(
+            options.engine or table.get("engine", "mujoco"),
+            options.dt,
+            options.cone,
+            options.impratio,
+        ),
         load=Load(options.acceleration, options.load),
         hold=options.hold or "",
         below_mm_s=options.below or table.get("below"),
@@ -174,20 +175,7 @@ def request_of(options: argparse.Namespace, table: dict[str, Any]):
     )
 
 
-def engine_of(options: argparse.Namespace, table: dict[str, Any]):
-    from newton_lint.scene import Engine
-
-    return Engine(
-        options.engine or table.get("engine", "mujoco"),
-        options.dt,
-        options.cone,
-        options.impratio,
-    )
-
-
 def version() -> str:
-    # This import takes as long as all the rules.
-    metadata = importlib.import_module("importlib.metadata")
     with contextlib.suppress(metadata.PackageNotFoundError):
         return metadata.version(PROGRAM)
     return "(not installed)"

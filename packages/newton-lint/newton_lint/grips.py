@@ -10,6 +10,7 @@ from mujoco import MjModel
 from newton_lint.changes import (
     Changes,
     distinct,
+    elliptic,
     of_contacts,
     of_element,
     of_geom,
@@ -22,7 +23,7 @@ from newton_lint.ledger import Run, Sample
 from newton_lint.pairs import where
 from newton_lint.scene import ON_JOINT, Scene
 from newton_lint.trials import Symptom, Trials
-from newton_lint.yielding import elliptic, noslip, stiffest
+from newton_lint.yielding import noslip, stiffest
 
 SLIP_MM_S = 1.0
 """A body creeps if it moves at least this fast on its support."""

@@ -117,30 +117,21 @@ class Mending:
 
 def fixed(
     target: Target, request: Request, paths: Sequence[Path], dry: bool
-) -> tuple[Report, list[str], str]:
+) -> tuple[Report, list[str]]:
     """Mend the files of a scene.
 
     Args:
         dry: Whether to print a patch instead of writing the files.
 
     Returns:
-        The report before the changes, lines on each change, and the reason why the
-        files cannot be written, which is empty if they can.
+        The report before the changes, and lines on each change.
+
+    Raises:
+        TargetError: A file cannot be written.
     """
     mending = Mending(target, request, paths)
-    backups = []
-    why = ""
-    if mending.texts and not dry:
-        try:
-            backups = _written(target, mending.texts)
-        except TargetError as error:
-            why = str(error)
-    lines = [
-        *(mending.patch() if dry else ()),
-        *mending.lines(not dry and not why),
-        *backups,
-    ]
-    return mending.first, lines, why
+    before = list(mending.patch()) if dry else _written(target, mending.texts)
+    return mending.first, [*before, *mending.lines(not dry)]
 
 
 def fixed_again(
@@ -152,7 +143,7 @@ def fixed_again(
         written = []
         for scene in map(read_target, targets):
             if scene.path and scene.model is not None:
-                _, changes, _ = fixed(scene, request, paths, dry=False)
+                _, changes = fixed(scene, request, paths, dry=False)
                 written += [line for line in changes if line.endswith(": written")]
         if not written:
             break

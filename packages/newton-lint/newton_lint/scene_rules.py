@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from newton_lint.changes import of_element, of_geom, of_option
+from newton_lint.changes import elliptic, of_element, of_geom
 from newton_lint.findings import Finding, Remedy, number
 from newton_lint.pairs import OFF, masks_of, where
 from newton_lint.scene import FREE, WEIGHTLESS, Scene
@@ -13,8 +13,6 @@ from newton_lint.warp_engine import refusal
 # Bodies sink visibly into a pyramidal cone from this friction on: 2 mm at 3, 100 mm at
 # 8.
 STEEP = 3.0
-FEW = (4, 10)
-"""An elliptic cone needs at least one of these numbers of solver iterations."""
 FAST_M_S = 20.0
 """Damping of a free joint hardly matters if it permits this speed of fall."""
 Found = tuple[Finding, Remedy]
@@ -92,16 +90,10 @@ def pyramid(scene: Scene) -> Iterator[Found]:
     # mj_diagApprox: an edge of a pyramid has (1 + μ²) times the weight.
     less = 1.0 + steepest**2
     effect = "reduces creep under load by a factor of {} (predicted)"
-    remedy = []
-    iterations = scene.model.opt.iterations
-    for few in (
-        (count for count in FEW if count > iterations) if iterations < 10 else (0,)
-    ):
-        attributes = {"cone": "elliptic"} | ({"iterations": str(few)} if few else {})
-        remedy.append((of_option(scene, **attributes), effect.format(number(less))))
-        if impratio <= 1.0:
-            firm = of_option(scene, **attributes, impratio="10")
-            remedy.append((firm, effect.format(number(10.0 * less / impratio))))
+    remedy = [(elliptic(scene), effect.format(number(less)))]
+    if impratio <= 1.0:
+        firm = elliptic(scene, 10.0)
+        remedy.append((firm, effect.format(number(10.0 * less / impratio))))
     if impratio > 1.0:
         finding = _scene_finding(
             scene,

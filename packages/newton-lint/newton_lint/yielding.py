@@ -9,6 +9,7 @@ from mujoco import MjModel
 
 from newton_lint.changes import (
     Changes,
+    elliptic,
     of_contacts,
     of_element,
     of_geom,
@@ -196,16 +197,6 @@ def _stiffening(
     yield of_contacts(scene, group, hardest, HARD)
     # A body between two others sinks into one of them if only the other gets stiffer.
     yield of_contacts(scene, sunk, hardest, HARD)
-
-
-def elliptic(scene: Scene, impratio: float = 0.0) -> Changes:
-    """Return changes to an elliptic cone with an impratio and enough iterations."""
-    attributes = {"cone": "elliptic"}
-    if impratio:
-        attributes["impratio"] = f"{impratio:g}"
-    if scene.model.opt.iterations < 10:
-        attributes["iterations"] = "10"
-    return of_option(scene, **attributes)
 
 
 def noslip(scene: Scene) -> list[Changes]:
