@@ -1,4 +1,4 @@
-"""Rules on a whole scene: its options, masks, meshes, masses and free bodies."""
+"""Rules on a whole scene: its options, its masks and its free bodies."""
 
 from collections.abc import Iterator
 
