@@ -188,9 +188,9 @@ def of_contact(scene: Scene, pair: int, solref: Solref, solimp: str = "") -> Cha
     """Return changes of the solref of a contact, on the geoms that decide it."""
     contacts = scene.contacts
     model = scene.model
-    geoms = [int(contacts.first[pair]), int(contacts.second[pair])]
+    geoms = [contacts.first[pair], contacts.second[pair]]
     more = {"solimp": solimp} if solimp else {}
-    if (named := int(contacts.named[pair])) >= 0:
+    if (named := contacts.named[pair]) >= 0:
         new = solref(model.pair_solref[named].tolist())
         first, second = (scene.names[geom] for geom in geoms)
         subject = f"the pair of {first} and {second}"

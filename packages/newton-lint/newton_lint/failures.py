@@ -73,7 +73,7 @@ def unstable(scene: Scene, run: Run) -> Iterator[Symptom]:
         return
     fast = run.thrown_m_s.max(initial=0.0)
     if fast > THROWN_M_S:
-        joint = free_joints(model)[int(run.thrown_m_s.argmax())]
+        joint = free_joints(model)[run.thrown_m_s.argmax()]
         yield Symptom(
             Finding(
                 "thrown",
@@ -147,7 +147,7 @@ def _stiff(model: MjModel, run: Run) -> list[tuple[int, int, float, float]]:
     unit = np.zeros((1, model.nv))
     moved = np.zeros((1, model.nv))
     for servo in where(is_servo(model)):
-        dof = int(model.jnt_dofadr[model.actuator_trnid[servo, 0]])
+        dof = model.jnt_dofadr[model.actuator_trnid[servo, 0]]
         unit[:] = 0.0
         unit[0, dof] = 1.0
         # The acceleration under a unit force is the inverse of the effective mass, which
@@ -309,7 +309,7 @@ def jittering(scene: Scene, run: Run) -> Iterator[Symptom]:
     model = scene.model
     if not model.nv or run.jitter.max() < JITTERS:
         return
-    dof = int(run.jitter.argmax())
+    dof = run.jitter.argmax()
     joint = model.dof_jntid[dof]
     is_free = model.jnt_type[joint] == FREE
     name = (
@@ -354,11 +354,11 @@ def bouncing(scene: Scene, run: Run) -> Iterator[Symptom]:
         contact = scene.pair_index(pair)
         if contact is None or not (is_bouncy[contact] and ratios[contact] < BOUNCY):
             continue
-        ratio = abs(float(ratios[contact]))
+        ratio = abs(ratios[contact])
         # A linear spring and damper returns exp(-π ζ / √(1 - ζ²)) of the speed.
         rebound = math.exp(-math.pi * ratio / math.sqrt(1.0 - ratio**2))
         bodies = scene.model.geom_bodyid[list(pair)]
-        free = [int(body) for body in bodies if scene.free[body]]
+        free = [body for body in bodies if scene.free[body]]
         if len(free) == 1 and _restitution(scene, run, pair, free[0]) is not None:
             yield from _misjudged(scene, run, pair, free[0], rebound)
         else:
@@ -399,7 +399,7 @@ def _restitution(
 ) -> float | None:
     """Return the share of its speed that a body keeps in a bounce, or None."""
     model = scene.model
-    joint = int(np.flatnonzero(model.jnt_bodyid == model.body_weldid[body])[0])
+    joint = np.flatnonzero(model.jnt_bodyid == model.body_weldid[body])[0]
     dof = model.jnt_dofadr[joint]
     gravity = model.opt.gravity
     flights: list[list[float]] = [[]]
@@ -416,7 +416,7 @@ def _restitution(
         flights[-1].append(0.5 * speed @ speed + place)
     # A single sample may be a gap of a rattling contact.
     energies = [np.mean(flight) - lowest for flight in flights if len(flight) > 2]
-    rebounds = [float(energy) for energy in energies if energy > 0.01]
+    rebounds = [energy for energy in energies if energy > 0.01]
     if len(rebounds) < 2:
         return None
     # Energies are proportional to the square of the speed.

@@ -183,7 +183,7 @@ def findings_of(
     used_keys = np.nan_to_num(all_used, nan=np.inf)
     numbers = row_numbers(hits.value[items], used_keys)
     for alike in sorted(groups_of(numbers), key=lambda members: members[0]):
-        used = float(all_used[alike[0]])
+        used = all_used[alike[0]]
         findings = []
         for members in groups_of(row_numbers(shapes[alike])):
             rows = alike[members]
@@ -193,7 +193,7 @@ def findings_of(
             finding = replace(
                 hits.finding,
                 shape=names[shapes[rows[0]]],
-                value=float(hits.value[items[rows[0]]]),
+                value=hits.value[items[rows[0]]],
                 against=tuple(names[geom] for geom in partners),
                 used=None if np.isnan(used) else used,
             )

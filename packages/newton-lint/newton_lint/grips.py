@@ -101,7 +101,7 @@ def hold_of(model: MjModel, sample: Sample, body: int) -> Grip | None:
     # Only the part along the surface is slip; the rest is the contact settling.
     velocity -= (velocity * normals).sum(axis=1)[:, None] * normals
     weights = normal_n / normal_n.sum()
-    geom = int(others[normal_n.argmax()])
+    geom = others[normal_n.argmax()]
     support = model.geom_bodyid[geom]
     # In the frame of the support, a constant creep stays constant while it turns.
     frame = sample.arrays["xmat"][support].reshape(3, 3)
@@ -110,7 +110,7 @@ def hold_of(model: MjModel, sample: Sample, body: int) -> Grip | None:
         support=support,
         normals=normals,
         normal_n=normal_n,
-        used=float(weights @ touches.used[rows]),
+        used=weights @ touches.used[rows],
         friction_n=(signs * touches.friction_n[rows]).sum(axis=0),
         slip_m_s=frame.T @ (weights @ velocity),
         rotation=frame.T @ sample.arrays["xmat"][body].reshape(3, 3),
@@ -160,22 +160,22 @@ def slip_mm_s(model: MjModel, run: Run, body: int) -> float:
         early = run.samples[: round(EARLY * len(run.samples))]
         holds = [hold_of(model, sample, body) for sample in early]
     slips = [hold.slip_m_s for hold in holds if hold]
-    return M * float(np.linalg.norm(np.mean(slips, axis=0))) if slips else math.inf
+    return M * np.linalg.norm(np.mean(slips, axis=0)) if slips else math.inf
 
 
 def _creeping(
     scene: Scene, run: Run, body: int, held: list[Grip], gripped: bool
 ) -> Iterator[Symptom]:
     slips = np.array([hold.slip_m_s for hold in held])
-    speed = M * float(np.linalg.norm(slips.mean(axis=0)))
-    path = M * float(np.linalg.norm(slips, axis=1).mean())
+    speed = M * np.linalg.norm(slips.mean(axis=0))
+    path = M * np.linalg.norm(slips, axis=1).mean()
     # A body that shakes has a long path but a small mean velocity.
     if speed < SLIP_MM_S or speed < STEADY * path:
         return
     model = scene.model
     hold = held[-1]
     supports = list(dict.fromkeys(hold.geoms))
-    load = float(np.linalg.norm(hold.friction_n))
+    load = np.linalg.norm(hold.friction_n)
     # A body that lies level drifts at random, without any load.
     if load < LEAST * _weight_n(scene, body, 0.0):
         return
@@ -238,7 +238,7 @@ def held(
     slides = len(late) < len(run.late) or _edge(late)
     speed = slip(run)
     points = float(np.mean([len(grip.geoms) for grip in grips]))
-    hold = Hold(name, float(load), points, None if slides else speed, slides, speed)
+    hold = Hold(name, load, points, None if slides else speed, slides, speed)
     finding = Finding(
         "creep",
         name,
@@ -271,7 +271,7 @@ def _bearable_n(scene: Scene, body: int, grip: Grip) -> float:
 
 def _weight_n(scene: Scene, body: int, acceleration_m_s2: float) -> float:
     gravity = float(np.linalg.norm(scene.model.opt.gravity))
-    return float(scene.model.body_mass[body]) * (gravity + acceleration_m_s2)
+    return scene.model.body_mass[body] * (gravity + acceleration_m_s2)
 
 
 def _sliding(
@@ -296,7 +296,7 @@ def _sliding(
     times = max(FIRM * load / max(bears, 1e-9), FIRM)
     rougher: Changes = ()
     mus = [
-        float(scene.contacts.friction[index, 0])
+        scene.contacts.friction[index, 0]
         for pad in pads
         for index in _pairs(scene, pad, body)
     ]
@@ -315,7 +315,7 @@ def _sliding(
         last = run.samples[-1].arrays["xpos"]
         # The support may move by intention, so only the motion relative to it counts.
         moved = (last - first)[body] - (last - first)[grip.support]
-        return M * float(np.linalg.norm(moved))
+        return M * np.linalg.norm(moved)
 
     message = "$shape slides"
     if acceleration_m_s2:
@@ -387,13 +387,13 @@ def _turning(scene: Scene, run: Run, body: int, hold: Grip) -> Iterator[Symptom]
     model = scene.model
     angle = turned_deg(model, run, body)
     pads = list(dict.fromkeys(hold.geoms))
-    down = model.opt.gravity / max(float(np.linalg.norm(model.opt.gravity)), 1e-9)
+    down = model.opt.gravity / max(np.linalg.norm(model.opt.gravity), 1e-9)
     # A body on a shelf turns for other reasons than a grip by two points.
     lies = np.abs(hold.normals @ down).max() > -OPPOSE
     if angle < TURNS_DEG or lies or not len(pads) == len(hold.geoms) == 2:
         return
     indices = [pair for pad in pads for pair in _pairs(scene, pad, body)]
-    condim = int(scene.contacts.condim[indices].max(initial=3))
+    condim = scene.contacts.condim[indices].max(initial=3)
     if condim < 4:
         why = f"condim {condim} has no torsional friction"
     elif scene.option.noslip:

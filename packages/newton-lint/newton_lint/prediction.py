@@ -54,7 +54,7 @@ def predictions(scene: Scene, load: Load) -> list[Prediction]:
     for members in groups_of(row_numbers(_kinds(scene)[rows])):
         pairs = rows[members]
         between = tuple(map(tuple, names[contacts.geoms[pairs]].tolist()))
-        pair = int(pairs[0])
+        pair = pairs[0]
         is_free = bool(loose[contacts.first[pair]] or loose[contacts.second[pair]])
         if prediction := predicted(
             contacts.contact(pair), scene.option, load, between, is_free

@@ -35,7 +35,7 @@ def wandering(scene: Scene, run: Run) -> Iterator[Symptom]:
 
         def turning(run: Run, dof=dof) -> float:
             spins = [sample.arrays["qvel"][dof : dof + 3] for sample in run.late]
-            return math.degrees(float(np.linalg.norm(spins, axis=1).mean()))
+            return math.degrees(np.linalg.norm(spins, axis=1).mean())
 
         value = turning(run)
         if not WANDERS_DEG_S < value < SWINGS_DEG_S:
@@ -96,12 +96,12 @@ def fallen(scene: Scene, run: Run) -> Iterator[Symptom]:
             continue
 
         def below(run: Run, geoms=others, plane=plane) -> float:
-            return M * max(0.0, float(_depths(run, geoms, plane).max()))
+            return M * max(0.0, _depths(run, geoms, plane).max())
 
         value = below(run)
         if value < BELOW_MM:
             continue
-        deepest = others[int(_depths(run, others, plane).argmax())]
+        deepest = others[_depths(run, others, plane).argmax()]
         masks = _masks(model, plane)
         yield Symptom(
             Finding(
@@ -131,5 +131,5 @@ def _depths(run: Run, geoms: list[int], plane: int) -> np.ndarray:
 
 def _masks(model: MjModel, plane: int) -> dict[str, str]:
     """Return masks that collide with a plane but not with each other, if possible."""
-    affinity = int(model.geom_conaffinity[plane])
+    affinity = model.geom_conaffinity[plane]
     return {"contype": str(affinity or 1), "conaffinity": "0" if affinity else "1"}

@@ -84,7 +84,7 @@ def solref_format(scene: Scene) -> Iterator[Hits]:
         plain = (contacts.named < 0) & (
             (contacts.first == geom) | (contacts.second == geom) & ~contacts.outranked
         )
-        return critical(scene, int(np.flatnonzero(plain)[0]))
+        return critical(scene, np.flatnonzero(plain)[0])
 
     yield Hits(wording, geoms, solref[:, 1], DEFAULT_SOLREF[1], advise)
 
@@ -293,7 +293,7 @@ def friction(scene: Scene) -> Iterator[Hits]:
 
 def rank(scene: Scene) -> dict[str, str]:
     """Return the attribute of a priority above all priorities of the scene."""
-    return {"priority": str(int(scene.model.geom_priority.max(initial=0)) + 1)}
+    return {"priority": str(scene.model.geom_priority.max(initial=0) + 1)}
 
 
 def of_higher_priority(scene: Scene, geoms: np.ndarray) -> Changes:

@@ -77,7 +77,7 @@ class Scene:
         model = self.model
         # A <pair> makes contacts whatever the masks of its geoms are.
         named = np.isin(np.arange(model.ngeom), [model.pair_geom1, model.pair_geom2])
-        return int(np.count_nonzero(masks_of(model) | named))
+        return np.count_nonzero(masks_of(model) | named)
 
     def name(self, kind: str, index: int) -> str:
         """Return the name of an element, or its kind with its number."""
@@ -117,12 +117,12 @@ class Scene:
 
     def pair_index(self, geoms: Sequence[int]) -> int | None:
         """Return the index of the pair of two geoms, or None if they cannot touch."""
-        return self._indices.get(int(keys_of(np.array([geoms]))[0]))
+        return self._indices.get(keys_of(np.array([geoms]))[0])
 
     def pair_element(self, contact: int) -> Element | None:
         """Return the ``<pair>`` that names the geoms of a contact."""
         geoms = (self.contacts.first[contact], self.contacts.second[contact])
-        return self.source.pair(*(self.model.geom(int(geom)).name for geom in geoms))
+        return self.source.pair(*(self.model.geom(geom).name for geom in geoms))
 
     @cached_property
     def counts(self) -> np.ndarray:

@@ -34,11 +34,11 @@ def lost(scene: Scene) -> Iterator[Found]:
     for body in np.setdiff1d(tree[scene.free[tree] & collides], named).tolist():
         own = tree == body
         bits, masks = (
-            int(np.bitwise_or.reduce(values[~own])) for values in (contype, conaffinity)
+            np.bitwise_or.reduce(values[~own]) for values in (contype, conaffinity)
         )
         if (contype[own] & masks | conaffinity[own] & bits).any():
             continue
-        geom = int(np.flatnonzero(own)[0] if bits else attached[0])
+        geom = np.flatnonzero(own)[0] if bits else attached[0]
         finding = Finding(
             "lost",
             scene.bodies[body],
@@ -58,7 +58,7 @@ def damped(scene: Scene) -> Iterator[Found]:
     """Yield free joints with damping, which slows falling bodies like a thick fluid."""
     model = scene.model
     for joint in where(model.jnt_type == FREE):
-        damping = float(model.dof_damping[model.jnt_dofadr[joint]])
+        damping = model.dof_damping[model.jnt_dofadr[joint]]
         if not damping:
             continue
         body = model.jnt_bodyid[joint]

@@ -91,7 +91,7 @@ def misled(scene: Scene, run: Run) -> Iterator[Symptom]:
     ctrl = run.start.data(model).ctrl
     for servo in where(is_servo(model)):
         joint = model.actuator_trnid[servo, 0]
-        target = float(ctrl[servo] * model.actuator_gear[servo, 0])
+        target = ctrl[servo] * model.actuator_gear[servo, 0]
         span = model.jnt_range[joint] if model.jnt_limited[joint] else (-7.0, 7.0)
         # Without a range, angles of up to a turn are plausible.
         in_range = span[0] <= math.radians(target) <= span[1]
@@ -140,8 +140,8 @@ def torn(scene: Scene, run: Run) -> Iterator[Symptom]:
         def apart(run: Run, equality=equality, unit=unit) -> float:
             return scale(unit) * run.samples[0].gaps.get(equality, 0.0)
 
-        kind = COUPLINGS.get(int(model.eq_type[equality]), "")
-        bodies = [int(body) for body in _bodies(scene, equality)]
+        kind = COUPLINGS.get(model.eq_type[equality], "")
+        bodies = _bodies(scene, equality)
         mocap = [body for body in bodies if model.body_mocapid[body] >= 0]
         why = f"the {kind} equality pulls its two sides together"
         if mocap:
@@ -165,9 +165,9 @@ def _bodies(scene: Scene, equality: int) -> list[int]:
     model = scene.model
     if model.eq_type[equality] not in (CONNECT, WELD):
         return []
-    ids = [int(model.eq_obj1id[equality]), int(model.eq_obj2id[equality])]
+    ids = [model.eq_obj1id[equality], model.eq_obj2id[equality]]
     is_site = model.eq_objtype[equality] == SITE
-    return [int(model.site_bodyid[index]) for index in ids] if is_site else ids
+    return [model.site_bodyid[index] for index in ids] if is_site else ids
 
 
 def _joining(
@@ -182,7 +182,7 @@ def _joining(
     for body, shift in zip(bodies, (-gap, gap), strict=False):
         moved = data.xpos[body] + shift
         # Either side may move to the other one, but only a mocap body is free to.
-        mocap = int(model.body_mocapid[body])
+        mocap = model.body_mocapid[body]
         if mocap < 0:
             continue
         if run.start.key is None:

@@ -111,8 +111,8 @@ def depths(scene: Scene, run: Run) -> Iterator[Symptom]:
             continue
         rests = run.still[bodies].all()
         lasts = min(late_depths(run, pair)) > 0.5 * depth / M
-        timeconst = float(contacts.solref[contact, 0])
-        mu = float(contacts.friction[contact, 0])
+        timeconst = contacts.solref[contact, 0]
+        mu = contacts.friction[contact, 0]
         # A direct solref was chosen by someone, so it counts as soft too.
         is_soft = not 0.0 < timeconst <= DEFAULT_SOLREF[0]
         much = LEAST if is_soft else DEEP_MM
@@ -229,8 +229,8 @@ def limits(scene: Scene, run: Run) -> Iterator[Symptom]:
             values = "qpos"
             at = model.jnt_qposadr[index]
             for servo in servos[model.actuator_trnid[servos, 0] == index].tolist():
-                gear = float(model.actuator_gear[servo, 0])
-                target = float(ctrl[servo]) * gear
+                gear = model.actuator_gear[servo, 0]
+                target = ctrl[servo] * gear
                 if not low <= target <= high:
                     name = scene.name("actuator", servo)
                     why = f"{name} pulls it to a target of {number(target)}"
@@ -244,7 +244,7 @@ def limits(scene: Scene, run: Run) -> Iterator[Symptom]:
         unit = "°" if is_angle else "mm"
         ways.append(of_element(scene, kind, index, solreflimit=solref))
         read = past(values, at, low, high, unit)
-        start = float(run.samples[0].arrays[values][at])
+        start = run.samples[0].arrays[values][at]
         first = scale(unit) * max(low - start, start - high)
         if first > LEAST:
             why = f"it starts {rounded(first, unit)} beyond it"
@@ -282,7 +282,7 @@ def _turns(model: MjModel, tendon: int) -> bool:
 def equality_unit(model: MjModel, equality: int) -> str:
     """Return the unit in which the gap of an equality is measured."""
     joint = model.eq_obj1id[equality]
-    kind = COUPLINGS.get(int(model.eq_type[equality]))
+    kind = COUPLINGS.get(model.eq_type[equality])
     if kind == "tendon":
         return "°" if _turns(model, joint) else "mm"
     return "°" if kind == "joint" and model.jnt_type[joint] == HINGE else "mm"
@@ -292,7 +292,7 @@ def equalities(scene: Scene, run: Run) -> Iterator[Symptom]:
     """Yield equalities with their gap; for a weld, this is the translational gap."""
     model = scene.model
     for equality in run.samples[-1].gaps:
-        if (kind := COUPLINGS.get(int(model.eq_type[equality]))) is None:
+        if (kind := COUPLINGS.get(model.eq_type[equality])) is None:
             continue
         unit = equality_unit(model, equality)
 
@@ -310,7 +310,7 @@ def equalities(scene: Scene, run: Run) -> Iterator[Symptom]:
             for attributes in (hard, hard | {"solimp": HARD})
         ]
         bodies = model.eq_objtype[equality] == int(mujoco.mjtObj.mjOBJ_BODY)
-        moving = [int(model.eq_obj2id[equality])] if bodies else []
+        moving = [model.eq_obj2id[equality]] if bodies else []
         finding = Finding(
             "equality",
             name,
@@ -355,8 +355,8 @@ def servos(scene: Scene, run: Run) -> Iterator[Symptom]:
         unit = "°" if model.jnt_type[joint] == HINGE else "mm"
 
         def short(run: Run, servo=servo, unit=unit) -> float:
-            length = float(run.mean("actuator_length")[servo])
-            return scale(unit) * abs(float(ctrl[servo]) - length)
+            length = run.mean("actuator_length")[servo]
+            return scale(unit) * abs(ctrl[servo] - length)
 
         if (value := short(run)) <= LEAST or not run.still[body]:
             continue
@@ -366,9 +366,9 @@ def servos(scene: Scene, run: Run) -> Iterator[Symptom]:
                 weightless += of_element(scene, "body", child, gravcomp="1")
         # The error is proportional to 1/kp; half of the least error leaves a margin.
         times = math.ceil(2.0 * value / LEAST)
-        gain = times * float(model.actuator_gainprm[servo, 0])
+        gain = times * model.actuator_gainprm[servo, 0]
         # The damping ratio stays the same if kv grows with the root of kp.
-        damping = -(times**0.5) * float(model.actuator_biasprm[servo, 2])
+        damping = -(times**0.5) * model.actuator_biasprm[servo, 2]
         finding = Finding(
             "servo",
             scene.name("actuator", servo),
@@ -398,7 +398,7 @@ def sagging(scene: Scene, run: Run) -> Iterator[Symptom]:
     idle = (model.actuator_trntype == ON_JOINT) & (run.start.data(model).ctrl == 0.0)
     undriven = model.jnt_dofadr[model.actuator_trnid[idle, 0]]
     for row in where(data.efc_type[: data.nefc] == DRY_FRICTION):
-        dof = int(data.efc_id[row])
+        dof = data.efc_id[row]
         joint = model.dof_jntid[dof]
 
         is_hinge = model.jnt_type[joint] == HINGE
@@ -409,9 +409,7 @@ def sagging(scene: Scene, run: Run) -> Iterator[Symptom]:
             end = run.late[-1]
             address = model.jnt_qposadr[joint]
             moved = end.arrays["qpos"][address] - begin.arrays["qpos"][address]
-            return (
-                scale(unit) * abs(float(moved)) / max(end.time_s - begin.time_s, 1e-9)
-            )
+            return scale(unit) * abs(moved) / max(end.time_s - begin.time_s, 1e-9)
 
         rate = creep(run) / scale(unit)
         force = max(abs(data.efc_force[row]), mujoco.mjMINVAL)
@@ -465,11 +463,11 @@ def passing(scene: Scene, run: Run) -> Iterator[Symptom]:
             return float(_crossing(model, pair, run, inside=0.5).any())
 
         # The thinnest direction of the bounding box is the normal of a plate.
-        axis = int(model.geom_aabb[wall, 3:].argmin())
+        axis = model.geom_aabb[wall, 3:].argmin()
         thick = 2.0 * M * model.geom_aabb[wall, 3 + axis]
         column = axis // 2 if model.geom_type[wall] == CYLINDER else axis
         contact = scene.pair_index((geom, wall))
-        mu = 0.0 if contact is None else float(contacts.friction[contact, 0])
+        mu = 0.0 if contact is None else contacts.friction[contact, 0]
         is_steep = scene.option.cone == "pyramidal" and mu > STEEP
         ways = [elliptic(scene)] if is_steep else []
         for times in THICKER if model.geom_type[wall] != MESH else ():
@@ -556,7 +554,7 @@ def crowded(scene: Scene, run: Run) -> Iterator[Symptom]:
 
             def fall(run: Run, geom=geom) -> float:
                 places = [sample.arrays["geom_xpos"][geom] for sample in run.samples]
-                return M * float(np.linalg.norm(places[-1] - places[0]))
+                return M * np.linalg.norm(places[-1] - places[0])
 
             finding = Finding(
                 "hfield",
