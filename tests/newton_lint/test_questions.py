@@ -376,6 +376,7 @@ GROUND = '<geom name="floor" type="plane" size="2 2 .1"/>'
 def test_pairs_that_are_given_twice_are_no_traceback(tmp_path):
     pair = '<pair geom1="floor" geom2="box"/>'
     box = '<body pos="0 0 .1"><freejoint/><geom name="box" type="box" size=".1 .1 .1"/></body>'
-    text = f"<mujoco><worldbody>{GROUND}{box}</worldbody><contact>{pair}{pair}</contact></mujoco>"
+    ball = '<body pos="1 0 .1"><freejoint/><geom size=".1"/></body>'
+    text = f"<mujoco><worldbody>{GROUND}{box}{ball}</worldbody><contact>{pair}{pair}</contact></mujoco>"
     (tmp_path / "scene.xml").write_text(text)
     assert main([str(tmp_path / "scene.xml")]) == 0
