@@ -281,12 +281,13 @@ def predicted_hold(
     flat = np.mean(
         [np.eye(3) - np.outer(touch.normal, touch.normal) for touch in touches], axis=0
     )
-    pairs = scene.pair_indices
+
     turning = np.zeros(3)
     points = []
     for touch in touches:
         contact = replace(
-            scene.contacts.contact(pairs[touch.geoms]), weight_1_kg=touch.weight_1_kg
+            scene.contacts.contact(scene.pair_index(touch.geoms)),
+            weight_1_kg=touch.weight_1_kg,
         )
         plain = response_of(
             contact, option, settled_impedance(contact, option, touch.normal_n)

@@ -151,25 +151,6 @@ SCENES = {  # bodies, options, expected parts of the message, parts that must be
         ),
         "error",
     ),
-    "a geom that is seen and weighs": (
-        BOX
-        + '<body name="cup" pos="0 0 .1"><freejoint/><geom size=".1"/><geom size=".1" contype="0" conaffinity="0"/>'
-        "</body>",
-        "",
-        ("visual: cup weighs 8.38 kg", 'mass="0" on the', "4.19 kg"),
-        "error",
-    ),
-    "a mesh that is its hull": (
-        '<geom name="dart" type="mesh" mesh="d"/></worldbody><asset><mesh name="d" vertex="-1 1 0 0 0 0 1 1 0 0 .4 0 '
-        '-1 1 1 0 0 1 1 1 1 0 .4 1" face="4 5 7 5 6 7 0 3 1 1 3 2 0 1 5 0 5 4 1 2 6 1 6 5 2 3 7 2 7 6 3 0 4 3 4 7"/>'
-        "</asset><worldbody>",
-        "",
-        (
-            "note closed: dart collides as its convex hull, which has 2.5 times",
-            "several convex geoms",
-        ),
-        "warning",
-    ),
     "more cells than contacts": (
         '<geom name="terrain" type="hfield" hfield="g"/><body pos="0 0 .031"><freejoint/>'
         '<geom name="sole" type="box" size=".12 .06 .03" mass="20"/></body></worldbody>'
@@ -246,7 +227,7 @@ def test_what_no_longer_falls_through_is_mended(tmp_path, capsys):
 OPTIONS = [
     (["--version"], 0, "newton-lint "),
     (["--explain", "limit"], 0, "limit (warning): A joint or tendon"),
-    (["--explain", "limits"], 2, "unknown rule limits"),
+    (["--explain", "limits"], 2, "limits: expected FILE.xml"),
     (["{}", "--ignore", "limits"], 2, "cannot ignore unknown rule limits"),
 ]
 

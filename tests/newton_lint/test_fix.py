@@ -6,7 +6,6 @@ import mujoco
 import pytest
 
 from newton_lint.command import main
-from newton_lint.pairs import pairs_of
 
 BODY = '<body name="b" pos="0 0 0.1"><freejoint/><geom name="g" size="0.1" mass="1" solref="0.001 1"/></body>'
 SCENE = '<mujoco>\n<include file="common.xml"/><worldbody><geom type="plane" size="1 1 1"/>{}</worldbody></mujoco>'
@@ -71,7 +70,7 @@ def test_a_dry_run_prints_the_patch_and_writes_nothing(scenes, capsys):
         '+<!-- <geom solref="9 9"/> --><default><geom solref="0.004 1"/></default></mujoco>'
         in err
     )
-    assert "before the changes" in err and not list(scenes.glob("*.orig"))
+    assert not list(scenes.glob("*.orig"))
 
 
 def test_links_and_modes_are_kept_and_what_is_read_only_is_said(scenes, capsys):
@@ -94,7 +93,7 @@ def test_an_elliptic_cone_gets_the_iterations_that_it_needs(tmp_path, capsys):
     path.write_text(LEGS)
     assert main([str(path), "--fix"]) == 1
     assert (
-        'iterations="4"' in path.read_text() and 'cone="elliptic"' in path.read_text()
+        'iterations="10"' in path.read_text() and 'cone="elliptic"' in path.read_text()
     )
     model = mujoco.MjModel.from_xml_path(str(path))
     data = mujoco.MjData(model)
@@ -168,11 +167,35 @@ def test_bad_input_is_one_line(scenes, tmp_path, monkeypatch, capsys):
     )
 
 
-def test_of_many_geoms_that_are_alike_the_first_are_read(tmp_path, capsys):
-    geoms = "".join(f'<geom size="0.01" pos="{index} 0 1"/>' for index in range(3000))
-    text = f'<mujoco><worldbody><geom type="plane" size="1 1 1"/>{{}}<body><freejoint/>{geoms}</body></worldbody></mujoco>'
-    for scene, count in ((text.format(""), 3000), ("<mujoco/>", 0)):
-        assert len(pairs_of(mujoco.MjModel.from_xml_string(scene))[0]) == count
-    (tmp_path / "many.xml").write_text(text.format(geoms))
-    assert main([str(tmp_path / "many.xml"), "--no-step", "--notes"]) == 0
-    assert "360600 pairs" in capsys.readouterr().out
+GEOM = '<geom size="0.01" pos="{} 0 1"{}/>'
+PLANE = '<geom type="plane" size="1 1 1"/>'
+
+
+def test_of_too_many_geoms_one_that_differs_is_read(tmp_path, monkeypatch, capsys):
+    monkeypatch.setattr("newton_lint.pairs.MOST_PAIRS", 5000)
+    odd = ' solref="0.02 -3"'
+    geoms = "".join(GEOM.format(index, odd * (index == 101)) for index in range(200))
+    text = f"<mujoco><worldbody>{PLANE}{geoms}<body><freejoint/>{geoms}</body></worldbody></mujoco>"
+    (tmp_path / "many.xml").write_text(text)
+    assert main([str(tmp_path / "many.xml"), "--no-step", "--notes"]) == 1
+    out = capsys.readouterr().out
+    assert "error solref-format: solref of geom_102 and body_1/geom_302 has" in out
+    assert "note unread: Only 84 of the shapes" in out
+
+
+def test_many_alike_bodies_have_one_warning_with_one_change(tmp_path, capsys):
+    bodies = "".join(
+        f'<body pos="{index} 0 .1"><freejoint/><geom size=".1" solref="0.001 1"'
+        f' priority="1"/></body>'
+        for index in range(1500)
+    )
+    text = f"<mujoco><worldbody>{PLANE}{bodies}</worldbody></mujoco>"
+    path = tmp_path / "many.xml"
+    path.write_text(text.replace('"0.001 1"', '"0.02 -3"', 1))
+    assert main([str(path), "--no-step"]) == 1
+    lines = capsys.readouterr().out.splitlines()
+    assert "1125750 pairs" in lines[0] and len(lines) == 3
+    assert "error solref-format: solref of body_1/geom_1 has" in lines[1]
+    assert "warning timeconst: timeconst 0.001 s of body_2/geom_2, " in lines[2]
+    assert 'solref="0.004 1"` on body_2/geom_2, body_3/geom_3, ' in lines[2]
+    assert "and 1496 more writes the" in lines[2]

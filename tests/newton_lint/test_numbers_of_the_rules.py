@@ -51,7 +51,7 @@ def found(rule: str, **changes) -> list[Finding]:
     steps = given["integrator"] is None
     runs = [run_of(scene.model, Start("the start"))] if steps else []
     trials = Trials(scene, runs)
-    return [each for each in lint(scene, trials) if each.rule == rule]
+    return [each for each in lint(trials) if each.rule == rule]
 
 
 def alone(solref: str, **more) -> dict:

@@ -1,10 +1,13 @@
 """Questions from issue trackers: the finding, and the effect of its first change."""
 
+from pathlib import Path
+
 import mujoco
 import numpy as np
 import pytest
 
 from newton_lint.command import main
+from tests.newton_lint.truth import CORPUS
 
 PINCH = """
 <mujoco>
@@ -157,7 +160,7 @@ SIDES = {
     "friction": (
         "",
         'friction="0.05"',
-        "friction 0.05 of part counts nowhere",
+        "friction 0.05 of part is never used",
         'priority="1"',
     ),
     "pyramid": ("", 'friction="5"', "friction 5 makes", 'cone="elliptic"'),
@@ -176,7 +179,7 @@ def test_what_only_one_side_says_is_answered(rule, tmp_path, capsys):
     main([str(path), "--notes"])
     out = capsys.readouterr().out
     assert f" {rule}: " in out and said in out and advice in out
-    assert ("counts nowhere" in out) == (rule == "friction")
+    assert ("is never used" in out) == (rule == "friction")
 
 
 PART = '<body name="part" pos="0 0 {z}"><freejoint/><geom name="part" type="box" size="0.1 0.1 0.1" {geom}/></body>'
@@ -197,7 +200,7 @@ WELDED = (
 STARTS = {
     "an exclude is of the bodies that overlap": (
         TORSO,
-        "overlap: torso/",
+        "overlap: thigh/",
         'body1="torso" body2="thigh"',
     ),
     "a margin presses": (
@@ -330,3 +333,50 @@ def test_what_mujoco_warp_refuses_is_said_in_its_words(tmp_path, capsys):
         and "mjSOL_PGS is unsupported" in out
         and "predicted creep" not in out
     )
+
+
+@pytest.mark.parametrize("solref", [".02 1", ".05 1"])
+def test_a_change_that_tears_a_finger_through_a_wall_is_not_recommended(
+    solref, tmp_path, capsys
+):
+    """A stiff mirror would drag the finger through the box that stops it."""
+    text = (CORPUS / "mimic_blocked.xml").read_text()
+    path = tmp_path / "scene.xml"
+    path.write_text(text.replace(".02 1", solref))
+    assert main([str(path), "--fix"]) == 1
+    out, err = capsys.readouterr()
+    assert "warning equality: mirror is 2" in out and err == ""
+    assert "because" not in out and "No tried change helps." in out
+
+
+@pytest.mark.parametrize("name", ["bouncing_ball", "friction_ignored", "spin_hand"])
+def test_fix_writes_the_change_that_the_line_recommends(name, tmp_path, capsys):
+    path = tmp_path / "scene.xml"
+    path.write_text((CORPUS / f"{name}.xml").read_text())
+    assert main([str(path), "--fix"]) == 1
+    out, err = capsys.readouterr()
+    reasons = [line for line in err.splitlines() if "not written because" in line]
+    assert ("--fix does not write this because" in out) == bool(reasons)
+    assert bool(reasons) == (name != "spin_hand")
+
+
+def test_a_rule_that_is_gone_is_named_in_one_line(tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    Path("pyproject.toml").write_text('[tool.newton-lint]\nignore = ["fixed"]\n')
+    Path("scene.xml").write_text("<mujoco/>")
+    assert main(["scene.xml"]) == 0
+    out, err = capsys.readouterr()
+    assert "nothing found" in out and len(err.splitlines()) == 1
+    assert "rule fixed does not exist any more" in err
+
+
+GROUND = '<geom name="floor" type="plane" size="2 2 .1"/>'
+
+
+def test_pairs_that_are_given_twice_are_no_traceback(tmp_path):
+    pair = '<pair geom1="floor" geom2="box"/>'
+    box = '<body pos="0 0 .1"><freejoint/><geom name="box" type="box" size=".1 .1 .1"/></body>'
+    ball = '<body pos="1 0 .1"><freejoint/><geom size=".1"/></body>'
+    text = f"<mujoco><worldbody>{GROUND}{box}{ball}</worldbody><contact>{pair}{pair}</contact></mujoco>"
+    (tmp_path / "scene.xml").write_text(text)
+    assert main([str(tmp_path / "scene.xml")]) == 0

@@ -9,6 +9,7 @@ import numpy as np
 from mujoco import MjData, MjModel
 
 from newton_lint.combined import CONES
+from newton_lint.pairs import where
 from newton_lint.scene import FREE, Scene
 from newton_lint.source import Element
 
@@ -116,7 +117,7 @@ def _set(model: MjModel, change: Change, name: str, values: np.ndarray) -> None:
             model.qpos0[address : address + 3] = values
     array = ARRAYS.get((change.kind, name), f"{PREFIXES[change.kind]}_{name}")
     if array.startswith("dof_"):
-        ids = np.flatnonzero(np.isin(model.dof_jntid, ids)).tolist()
+        ids = where(np.isin(model.dof_jntid, ids))
     target = getattr(model, array)
     if target.ndim == 1:
         target[ids] = values[0]
@@ -127,6 +128,8 @@ def _set(model: MjModel, change: Change, name: str, values: np.ndarray) -> None:
     if name in ("contype", "conaffinity"):
         # MuJoCo first compares the masks of bodies.
         whole = getattr(model, f"body_{name}")
+        # The tree of the midphase has no geoms that could not collide.
+        model.opt.disableflags |= int(mujoco.mjtDisableBit.mjDSBL_MIDPHASE)
         np.bitwise_or.at(whole, model.geom_bodyid[ids], target[ids])
 
 
@@ -139,6 +142,16 @@ def of_option(scene: Scene, **attributes: str) -> Changes:
     """Return changes of ``<option>``, which is added if the file has none."""
     element = scene.source.option(next(iter(attributes)))
     return (Change("option", (), tuple(attributes.items()), "option", element),)
+
+
+def elliptic(scene: Scene, impratio: float = 0.0) -> Changes:
+    """Return changes to an elliptic cone with an impratio and enough iterations."""
+    attributes = {"cone": "elliptic"}
+    if impratio:
+        attributes["impratio"] = f"{impratio:g}"
+    if scene.model.opt.iterations < 10:
+        attributes["iterations"] = "10"
+    return of_option(scene, **attributes)
 
 
 def of_element(scene: Scene, kind: str, index: int, **attributes: str) -> Changes:
@@ -158,8 +171,9 @@ def of_geom(scene: Scene, geom: int, attributes: Mapping[str, str]) -> Changes:
     source = scene.source
     element = source.geom(geom)
     authored = source.authored(geom, items[0][0])
-    # Several attributes may come from several defaults, so the geom gets them all.
-    if authored in (None, element) or len(items) > 1:
+    # Several attributes may come from several defaults, so the geom gets them all, and
+    # a priority of all geoms of a default would outrank none of them.
+    if authored in (None, element) or len(items) > 1 or "priority" in attributes:
         return (Change("geom", (geom,), items, scene.names[geom], element),)
     ids = tuple(
         other
@@ -174,9 +188,9 @@ def of_contact(scene: Scene, pair: int, solref: Solref, solimp: str = "") -> Cha
     """Return changes of the solref of a contact, on the geoms that decide it."""
     contacts = scene.contacts
     model = scene.model
-    geoms = [int(contacts.first[pair]), int(contacts.second[pair])]
+    geoms = [contacts.first[pair], contacts.second[pair]]
     more = {"solimp": solimp} if solimp else {}
-    if (named := int(contacts.named[pair])) >= 0:
+    if (named := contacts.named[pair]) >= 0:
         new = solref(model.pair_solref[named].tolist())
         first, second = (scene.names[geom] for geom in geoms)
         subject = f"the pair of {first} and {second}"

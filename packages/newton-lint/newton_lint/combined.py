@@ -57,10 +57,10 @@ class Contacts:
         return Contact(
             solref=tuple(self.solref[index].tolist()),
             solimp=tuple(self.solimp[index].tolist()),
-            mu=float(self.friction[index, 0]),
-            weight_1_kg=float(self.weight[index]),
+            mu=self.friction[index, 0],
+            weight_1_kg=self.weight[index],
             solreffriction=tuple(self.solreffriction[index].tolist()),
-            condim=int(self.condim[index]),
+            condim=self.condim[index],
         )
 
 
@@ -69,8 +69,8 @@ def option_of(model: mujoco.MjModel) -> Option:
     opt = model.opt
     return Option(
         timestep_s=opt.timestep,
-        integrator=int(opt.integrator),
-        cone=CONES[int(opt.cone)],
+        integrator=opt.integrator,
+        cone=CONES[opt.cone],
         impratio=max(opt.impratio, mujoco.mjMINVAL),
         refsafe=not opt.disableflags & REFSAFE_OFF,
         noslip=opt.noslip_iterations > 0,

@@ -5,14 +5,25 @@ docs/lint.md documents the options.
 
 import argparse
 import contextlib
-import importlib
 import os
 import re
 import sys
 import traceback
 from collections.abc import Sequence
+from importlib import metadata
 from pathlib import Path
 from typing import Any, NoReturn
+
+import mujoco
+
+from newton_lint.findings import SEVERITIES
+from newton_lint.mend import fixed, fixed_again
+from newton_lint.output import Detail, printable, written
+from newton_lint.prediction import Load
+from newton_lint.report import Request, report_of
+from newton_lint.scene import Engine
+from newton_lint.settings import table_of
+from newton_lint.target import TargetError, read_target, targets_of
 
 # Exit statuses.
 CLEAN = 0
@@ -21,7 +32,19 @@ UNFIT = 2
 BROKEN = 3
 STOPPED = 130
 PROGRAM = "newton-lint"
-SEVERITIES = ("note", "warning", "error")
+GONE = {
+    "closed",
+    "default-gap",
+    "fixed",
+    "gap",
+    "grip",
+    "hull",
+    "override",
+    "unsettled",
+    "unused",
+    "visual",
+}
+"""Rules of earlier releases, which a table of a project may still ignore."""
 RULE = re.compile(r"^\| `([\w-]+)` \| (\w+) \| (.+) \| .+ \|$", re.MULTILINE)
 """Matches a row of rules.md."""
 
@@ -38,38 +61,22 @@ def main(arguments: Sequence[str] | None = None) -> int:
         # A terminal in Latin-1 has no ². A StringIO in a test cannot be reconfigured.
         if hasattr(stream, "reconfigure"):
             stream.reconfigure(errors="backslashreplace")
+    # By default MuJoCo writes warnings to MUJOCO_LOG.TXT in the current folder.
+    mujoco.set_mju_user_warning(lambda _: None)
     try:
-        # The user's function may render or compute with NumPy's threads.
-        if not any(".py:" in argument for argument in arguments):
-            _import_mujoco()
-        from newton_lint.target import TargetError, mujoco
-
-        # By default MuJoCo writes warnings to MUJOCO_LOG.TXT in the current folder.
-        mujoco.set_mju_user_warning(lambda _: None)
-        try:
-            return _linted(lint_parser().parse_args(arguments))
-        except TargetError as error:
-            print(error, file=sys.stderr)
-            return UNFIT
-        except OSError as error:  # The disk is full, or the output is closed.
-            with contextlib.suppress(OSError, ValueError):
-                print(f"{PROGRAM}: {error}", file=sys.stderr)
-            return UNFIT
+        return _linted(lint_parser().parse_args(arguments))
+    except TargetError as error:
+        print(error, file=sys.stderr)
+        return UNFIT
+    except OSError as error:  # The disk is full, or the output is closed.
+        with contextlib.suppress(OSError, ValueError):
+            print(f"{PROGRAM}: {error}", file=sys.stderr)
+        return UNFIT
     except KeyboardInterrupt:
         return STOPPED
     except Exception:  # Python would exit with 1, which means findings.
         traceback.print_exc()
         return BROKEN
-
-
-def _import_mujoco() -> None:
-    """Import MuJoCo without rendering and NumPy without threads, to start faster."""
-    unused = {"MUJOCO_GL": "disable", "OPENBLAS_NUM_THREADS": "1"}
-    if "mujoco" not in sys.modules and not unused.keys() & os.environ.keys():
-        os.environ.update(unused)
-        importlib.import_module("mujoco")
-        for name in unused:
-            del os.environ[name]
 
 
 def rules() -> dict[str, str]:
@@ -81,38 +88,13 @@ def rules() -> dict[str, str]:
     }
 
 
-class Tell(argparse.Action):
-    def __call__(self, parser, namespace, rule, option_string=None) -> None:
-        """Print the version or the description of a rule, and exit.
-
-        Without a rule, or with a target in its place, explain each finding.
-        """
-        if option_string == "--version":
-            print(PROGRAM, version())
-        elif rule in rules():
-            print(rules()[rule])
-        elif rule is None or Path(rule).suffix or ":" in rule or Path(rule).is_dir():
-            namespace.explain = True
-            namespace.target = [*namespace.target, *filter(None, [rule])]
-            return
-        else:
-            parser.error(f"unknown rule {rule}: choose from {', '.join(rules())}")
-        parser.exit(CLEAN)
-
-
-class Gather(argparse.Action):
-    def __call__(self, parser, namespace, values, option_string=None) -> None:
-        """Append targets to those that followed ``--explain``."""
-        namespace.target = [*namespace.target, *values]
-
-
 def _linted(options: argparse.Namespace) -> int:
-    from newton_lint.mend import fixed, fixed_again
-    from newton_lint.output import Detail, printable, written
-    from newton_lint.report import report_of
-    from newton_lint.settings import table_of
-    from newton_lint.target import TargetError, read_target, targets_of
-
+    if options.version:
+        print(PROGRAM, version())
+        return CLEAN
+    if options.explain and {*options.target[:1]} & {*rules()}:
+        print(rules()[options.target[0]])
+        return CLEAN
     if not options.target:
         raise TargetError(f"expected a TARGET; see {PROGRAM} --help")
     table = table_of(Path.cwd())
@@ -133,9 +115,8 @@ def _linted(options: argparse.Namespace) -> int:
                 and scene.path
                 and scene.model is not None
             ):
-                report, lines, why = fixed(scene, request, paths, options.dry_run)
+                report, lines = fixed(scene, request, paths, options.dry_run)
                 fixes += lines
-                unread += [why] if why else []
             else:
                 report = report_of(scene, request)
             reports.append(report)
@@ -163,46 +144,38 @@ def _linted(options: argparse.Namespace) -> int:
     return CLEAN
 
 
-def request_of(options: argparse.Namespace, table: dict[str, Any]):
+def request_of(options: argparse.Namespace, table: dict[str, Any]) -> Request:
     """Return the request of the command line, with defaults from pyproject.toml."""
-    from newton_lint.prediction import Load
-    from newton_lint.report import Request
-    from newton_lint.target import TargetError
-
     ignore = [
         *table.get("ignore", []),
         *map(str.strip, options.ignore.split(",") if options.ignore else []),
     ]
-    if unknown := [rule for rule in ignore if rule not in rules()]:
+    for rule in GONE.intersection(ignore):
+        print(
+            f"{PROGRAM}: the ignored rule {rule} does not exist any more",
+            file=sys.stderr,
+        )
+    if unknown := [rule for rule in ignore if rule not in (*rules(), *GONE)]:
         rule_names = ", ".join(rules())
         raise TargetError(
             f"cannot ignore unknown rule {', '.join(unknown)}: choose from {rule_names}"
         )
     return Request(
-        engine=engine_of(options, table),
+        engine=Engine(
+            options.engine or table.get("engine", "mujoco"),
+            options.dt,
+            options.cone,
+            options.impratio,
+        ),
         load=Load(options.acceleration, options.load),
         hold=options.hold or "",
-        lift_m_s2=options.lift,
         below_mm_s=options.below or table.get("below"),
         ignore=frozenset(ignore),
         step=not options.no_step,
     )
 
 
-def engine_of(options: argparse.Namespace, table: dict[str, Any]):
-    from newton_lint.scene import Engine
-
-    return Engine(
-        options.engine or table.get("engine", "mujoco"),
-        options.dt,
-        options.cone,
-        options.impratio,
-    )
-
-
 def version() -> str:
-    # This import takes as long as all the rules.
-    metadata = importlib.import_module("importlib.metadata")
     with contextlib.suppress(metadata.PackageNotFoundError):
         return metadata.version(PROGRAM)
     return "(not installed)"
@@ -212,16 +185,14 @@ def lint_parser() -> Parser:
     """Return the parser of the main command."""
     parser = Parser(
         prog=PROGRAM,
-        description="Find contact parameters that MuJoCo does not use as they are"
-        " written, predict creep, and recommend changes.",
+        description="Step scenes in MuJoCo for 2 s, list what goes wrong and parameters"
+        " that MuJoCo does not use as they are written, and recommend changes.",
     )
     add = parser.add_argument
     add(
         "target",
         metavar="TARGET",
         nargs="*",
-        action=Gather,
-        default=[],
         help="FILE.xml, FILE.urdf, FILE.usd, a folder, FILE.py:function or"
         " module:function",
     )
@@ -232,14 +203,11 @@ def lint_parser() -> Parser:
         choices=(*SEVERITIES, "never"),
         help="lowest severity that gives exit status 1; default: warning",
     )
-    add("--version", action=Tell, nargs=0, help="print the version")
+    add("--version", action="store_true", help="print the version")
     add(
         "--explain",
-        action=Tell,
-        nargs="?",
-        default=False,
-        metavar="RULE",
-        help="describe a rule, or print the details of each finding",
+        action="store_true",
+        help="print the details of each finding, or describe the rule named as TARGET",
     )
     add("--notes", action="store_true", help="print notes too")
     add("--ignore", metavar="RULES", help="rules to ignore, separated by commas")
@@ -274,13 +242,6 @@ def lint_parser() -> Parser:
         "--hold",
         metavar="BODY",
         help="body whose creep is reported; the first keyframe or the start grips it",
-    )
-    add(
-        "--lift",
-        type=positive,
-        default=0.0,
-        metavar="M/S²",
-        help="upward acceleration of the support of the held body",
     )
     add(
         "--below",

@@ -19,6 +19,7 @@ from newton_lint.changes import (
 from newton_lint.findings import Finding, number
 from newton_lint.law import EULER, M
 from newton_lint.ledger import Run, free_joints
+from newton_lint.pairs import where
 from newton_lint.scene import FREE, ON_JOINT, Scene
 from newton_lint.trials import THROWN_M_S, Symptom
 
@@ -64,7 +65,7 @@ def unstable(scene: Scene, run: Run) -> Iterator[Symptom]:
             "",
             "",
             run.time_s,
-            message=f"The simulation blows up within {run.time_s:.3g} s"
+            f"The simulation blows up within {run.time_s:.3g} s"
             f" from {run.start.name} because {why}",
             severity="error",
         )
@@ -72,14 +73,14 @@ def unstable(scene: Scene, run: Run) -> Iterator[Symptom]:
         return
     fast = run.thrown_m_s.max(initial=0.0)
     if fast > THROWN_M_S:
-        joint = free_joints(model)[int(run.thrown_m_s.argmax())]
+        joint = free_joints(model)[run.thrown_m_s.argmax()]
         yield Symptom(
             Finding(
                 "thrown",
                 scene.bodies[model.jnt_bodyid[joint]],
                 "speed",
                 fast,
-                message="$shape flies off at $value because contacts push it with more"
+                "$shape flies off at $value because contacts push it with more"
                 f" energy than it had (from {run.start.name})",
                 unit="m/s",
                 severity="error",
@@ -95,7 +96,7 @@ def unstable(scene: Scene, run: Run) -> Iterator[Symptom]:
             "",
             "iterations",
             float(opt.iterations),
-            message=f"The solver uses all $value iterations in {run.at_limit:.0%} of the"
+            f"The solver uses all $value iterations in {run.at_limit:.0%} of the"
             f" steps from {run.start.name}, so the contacts are not solved",
         )
 
@@ -145,8 +146,8 @@ def _stiff(model: MjModel, run: Run) -> list[tuple[int, int, float, float]]:
     stiff = []
     unit = np.zeros((1, model.nv))
     moved = np.zeros((1, model.nv))
-    for servo in np.flatnonzero(is_servo(model)).tolist():
-        dof = int(model.jnt_dofadr[model.actuator_trnid[servo, 0]])
+    for servo in where(is_servo(model)):
+        dof = model.jnt_dofadr[model.actuator_trnid[servo, 0]]
         unit[:] = 0.0
         unit[0, dof] = 1.0
         # The acceleration under a unit force is the inverse of the effective mass, which
@@ -227,11 +228,8 @@ def overlapping(scene: Scene, run: Run) -> Iterator[Symptom]:
             continue
         force = last.normal_n[(touching == bodies).all(axis=1)].sum()
         jammed = not run.bad and weight > 0.0 and force > FORCE * weight
-        margin = (
-            " including their margin"
-            if model.geom_margin[list(pair)].any() or model.pair_margin.any()
-            else ""
-        )
+        has_margin = model.geom_margin[list(pair)].any()
+        margin = " including their margin" if has_margin else ""
         message = f"$shapes and $against overlap by $value{margin} at {run.start.name}"
         if bodies in heap[1:]:
             message += f" (the fastest of {len(heap)} pairs)"
@@ -251,7 +249,6 @@ def overlapping(scene: Scene, run: Run) -> Iterator[Symptom]:
             message += "; MuJoCo ignores this contact if the base can move"
         hard = jammed or run.bad or speed(bodies) > THROWN_M_S
         partner, shape = (scene.names[geom] for geom in pair)
-        separation = "Lower the margin, or move" if margin else "Move"
 
         def overlap(run: Run, pair=pair) -> float:
             return M * run.first.get(pair, 0.0)
@@ -262,11 +259,11 @@ def overlapping(scene: Scene, run: Run) -> Iterator[Symptom]:
                 shape,
                 "overlap",
                 M * depth,
-                message=message,
+                message,
                 against=(partner,),
                 unit="mm",
                 severity="warning" if hard and not is_base else "note",
-                hint=f"{separation} one of them by {number(M * depth)} mm.",
+                hint=f"Move one of them by {number(M * depth)} mm.",
             ),
             overlap,
             list(_separating(scene, run, bodies, pair, depth)),
@@ -301,7 +298,7 @@ def _separating(
         is_second = model.geom_bodyid[touches.geoms[row[0], 1]] == body
         away = touches.normal[row[0]] * (1.0 if is_second else -1.0)
         if run.start.key is None:
-            root = int(model.body_rootid[body])
+            root = model.body_rootid[body]
             # Without a gap of 0.1 mm, rounding in the file could leave a contact.
             place = model.body_pos[root] + (depth + 1e-4) * away
             yield of_element(scene, "body", root, pos=text_of(place))
@@ -312,8 +309,8 @@ def jittering(scene: Scene, run: Run) -> Iterator[Symptom]:
     model = scene.model
     if not model.nv or run.jitter.max() < JITTERS:
         return
-    dof = int(run.jitter.argmax())
-    joint = int(model.dof_jntid[dof])
+    dof = run.jitter.argmax()
+    joint = model.dof_jntid[dof]
     is_free = model.jnt_type[joint] == FREE
     name = (
         scene.bodies[model.jnt_bodyid[joint]] if is_free else scene.name("joint", joint)
@@ -328,7 +325,7 @@ def jittering(scene: Scene, run: Run) -> Iterator[Symptom]:
     light = jumping & (model.jnt_type[model.dof_jntid] >= 2) & (model.dof_M0 < LIGHT)
     for times in (100.0, 10.0) if light.any() else ():
         changes: Changes = ()
-        for index in np.flatnonzero(light).tolist():
+        for index in where(light):
             value = model.dof_armature[index] + times * model.dof_M0[index]
             joint = model.dof_jntid[index]
             changes += of_element(scene, "joint", joint, armature=f"{value:.2g}")
@@ -338,7 +335,7 @@ def jittering(scene: Scene, run: Run) -> Iterator[Symptom]:
         name,
         "speed",
         run.jitter[dof],
-        message="$shape vibrates by $value from one time step to the next"
+        "$shape vibrates by $value from one time step to the next"
         f"{origin(run)} because the time step is too long for the forces on its inertia"
         f" of {inertia:.2g} {'kg' if linear else 'kg m²'}",
         unit="m/s" if linear else "rad/s",
@@ -353,14 +350,15 @@ def bouncing(scene: Scene, run: Run) -> Iterator[Symptom]:
     ratios = contacts.dampratio
     # Without damping (a second number of 0) the ratio is 0 in both forms.
     is_bouncy = ((first > 0.0) == (second > 0.0)) | (second == 0.0)
-    for contact in np.flatnonzero(is_bouncy & (ratios < BOUNCY)).tolist():
-        geoms = (int(contacts.first[contact]), int(contacts.second[contact]))
-        pair = tuple(sorted(geoms))
-        ratio = abs(float(ratios[contact]))
+    for pair in run.pairs:
+        contact = scene.pair_index(pair)
+        if contact is None or not (is_bouncy[contact] and ratios[contact] < BOUNCY):
+            continue
+        ratio = abs(ratios[contact])
         # A linear spring and damper returns exp(-π ζ / √(1 - ζ²)) of the speed.
         rebound = math.exp(-math.pi * ratio / math.sqrt(1.0 - ratio**2))
         bodies = scene.model.geom_bodyid[list(pair)]
-        free = [int(body) for body in bodies if scene.free[body]]
+        free = [body for body in bodies if scene.free[body]]
         if len(free) == 1 and _restitution(scene, run, pair, free[0]) is not None:
             yield from _misjudged(scene, run, pair, free[0], rebound)
         else:
@@ -385,7 +383,7 @@ def _misjudged(
             scene.bodies[body],
             "rebound",
             miss,
-            message=f"$shape rebounds with {kept:.0%} of its speed instead of the"
+            f"$shape rebounds with {kept:.0%} of its speed instead of the"
             f" {rebound:.0%} that the solref implies{origin(run)}, because a bounce"
             " lasts only a few time steps",
             unit="%",
@@ -401,8 +399,8 @@ def _restitution(
 ) -> float | None:
     """Return the share of its speed that a body keeps in a bounce, or None."""
     model = scene.model
-    joint = int(np.flatnonzero(model.jnt_bodyid == model.body_weldid[body])[0])
-    dof = int(model.jnt_dofadr[joint])
+    joint = np.flatnonzero(model.jnt_bodyid == model.body_weldid[body])[0]
+    dof = model.jnt_dofadr[joint]
     gravity = model.opt.gravity
     flights: list[list[float]] = [[]]
     lowest = math.inf
@@ -418,7 +416,7 @@ def _restitution(
         flights[-1].append(0.5 * speed @ speed + place)
     # A single sample may be a gap of a rattling contact.
     energies = [np.mean(flight) - lowest for flight in flights if len(flight) > 2]
-    rebounds = [float(energy) for energy in energies if energy > 0.01]
+    rebounds = [energy for energy in energies if energy > 0.01]
     if len(rebounds) < 2:
         return None
     # Energies are proportional to the square of the speed.
@@ -460,7 +458,7 @@ def _rattling(
             shape,
             "dampratio",
             value,
-            message="$shape and $against part and meet at $value"
+            "$shape and $against part and meet at $value"
             f"{origin(run)} because the damping ratio of their contact is"
             f" {ratio:.2g}, so they rebound with {rebound:.0%} of their speed",
             against=(partner,),

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from string import Template
 
 import numpy as np
@@ -14,6 +15,7 @@ LEAST = 1e-3
 """Smaller values are printed as being below this one."""
 HUGE = 1e12
 """Only larger values are printed with an exponent."""
+MANY = 1000
 SHOWN = 3
 """Names that a list has before it counts the rest."""
 
@@ -29,8 +31,14 @@ class Cure:
     unit: str = "1"
     effect: str = ""
     """The effect in words, for changes whose effect is no reading."""
+    drawback: str = ""
+    """Why ``--fix`` does not write the changes, or an empty string."""
 
     def __str__(self) -> str:
+        return self._text
+
+    @cached_property
+    def _text(self) -> str:
         effect = self.effect
         if "{}" in effect and self.after is not None:
             effect = effect.format(rounded(self.after, self.unit))
@@ -43,7 +51,10 @@ class Cure:
         changes = joined([f"{text} on {named(on)}" for text, on in subjects.items()])
         if self.changes[0].kind == "exclude":
             return f"Adding {self.changes[0].text} to <contact> {effect}{measured}"
-        return f"Setting {changes} {effect or 'prevents it'}{measured}"
+        text = f"Setting {changes} {effect or 'prevents it'}{measured}"
+        if self.drawback:
+            text += f". --fix does not write this because {self.drawback}"
+        return text
 
 
 @dataclass(frozen=True)
@@ -138,17 +149,6 @@ def joined(names: Sequence[str]) -> str:
     )
 
 
-@dataclass(frozen=True)
-class Wording:
-    """The message of a rule on one parameter."""
-
-    rule: str
-    parameter: str
-    message: str
-    unit: str = "1"
-    severity: str = "warning"
-
-
 Remedy = Sequence[tuple[Changes, str]]
 """Changes with their effects in words; one without changes is only a hint."""
 
@@ -157,7 +157,8 @@ Remedy = Sequence[tuple[Changes, str]]
 class Hits:
     """Geoms or pairs that a rule hits; the arrays are of all geoms or pairs."""
 
-    wording: Wording
+    finding: Finding
+    """The finding, without its shapes and values."""
     items: np.ndarray
     """Indices of the geoms or pairs that are hit."""
     value: np.ndarray
@@ -171,27 +172,52 @@ class Hits:
     """The other geom of each pair, or None if the items are geoms."""
 
 
-def findings_of(hits: Hits, names: Sequence[str]) -> Iterator[tuple[Finding, Remedy]]:
-    """Yield a finding for each shape and each of its values, with its remedies."""
+def findings_of(
+    hits: Hits, names: Sequence[str]
+) -> Iterator[tuple[list[Finding], Remedy]]:
+    """Yield the findings with equal values, one for each shape, and their remedies."""
     items = hits.items
     all_used = np.broadcast_to(hits.used, hits.value.shape)[items]
     shapes = items if hits.shape is None else hits.shape[items]
     # NaN does not equal itself, so each hit without a used value would stay alone.
     used_keys = np.nan_to_num(all_used, nan=np.inf)
-    numbers = row_numbers(shapes, hits.value[items], used_keys)
-    for members in sorted(groups_of(numbers), key=lambda members: members[0]):
-        first = members[0]
-        entry = int(items[first])
-        used = float(all_used[first])
-        partners = () if hits.partner is None else hits.partner[items[members]].tolist()
-        finding = Finding(
-            **vars(hits.wording),
-            shape=names[shapes[first]],
-            value=float(hits.value[entry]),
-            against=tuple(names[geom] for geom in partners),
-            used=None if np.isnan(used) else used,
-        )
-        yield finding, hits.advise(entry)
+    numbers = row_numbers(hits.value[items], used_keys)
+    for alike in sorted(groups_of(numbers), key=lambda members: members[0]):
+        used = all_used[alike[0]]
+        findings = []
+        for members in groups_of(row_numbers(shapes[alike])):
+            rows = alike[members]
+            partners = (
+                () if hits.partner is None else hits.partner[items[rows]].tolist()
+            )
+            finding = replace(
+                hits.finding,
+                shape=names[shapes[rows[0]]],
+                value=hits.value[items[rows[0]]],
+                against=tuple(names[geom] for geom in partners),
+                used=None if np.isnan(used) else used,
+            )
+            findings.append(finding)
+        yield findings, _shared(hits, items[alike])
+
+
+def _shared(hits: Hits, items: np.ndarray) -> Remedy:
+    """Return remedies that change all of some items with equal values."""
+    if len(items) > MANY and hits.shape is not None and hits.partner is not None:
+        # A few of the pairs have all the geoms.
+        firsts = [
+            np.unique(geoms[items], return_index=True)[1]
+            for geoms in (hits.shape, hits.partner)
+        ]
+        items = items[np.unique(np.concatenate(firsts))]
+    remedies = [hits.advise(item) for item in items.tolist()]
+    shared = []
+    for ways in zip(*remedies, strict=True):
+        changes = (change for changes, _ in ways for change in changes)
+        # Pairs of one shape may ask for different values, but it can have only one.
+        single = {(change.kind, change.subject): change for change in changes}
+        shared.append((tuple(single.values()), ways[0][1]))
+    return shared
 
 
 def row_numbers(*columns: np.ndarray) -> np.ndarray:

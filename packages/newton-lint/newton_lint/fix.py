@@ -6,7 +6,6 @@ import os
 import re
 import shutil
 import stat
-import tempfile
 from collections.abc import Iterable
 from pathlib import Path
 
@@ -103,8 +102,7 @@ def write(texts: Texts) -> list[tuple[Path, Path]]:
     replaced: list[tuple[Path, Path]] = []
     try:
         for file, text in texts.items():
-            # os.replace would replace a link by a file, and would also replace a
-            # read-only file, because it only needs permission for the folder.
+            # A link stays a link. Root may write read-only files too.
             real = file.resolve(strict=True)
             if not stat.S_IMODE(real.stat().st_mode) & 0o222:
                 raise PermissionError(f"{file} is read-only")
@@ -117,7 +115,8 @@ def write(texts: Texts) -> list[tuple[Path, Path]]:
             )
             shutil.copy2(real, backup)
             replaced.append((real, backup))
-            _replace(real, text)
+            # This keeps the mode and the owner; the backup has the old contents.
+            real.write_bytes(text)
     except BaseException:
         undo(replaced)
         raise
@@ -129,23 +128,3 @@ def undo(replaced: Iterable[tuple[Path, Path]]) -> None:
     for real, backup in replaced:
         with contextlib.suppress(OSError):
             os.replace(backup, real)
-
-
-def _replace(file: Path, text: bytes) -> None:
-    # os.replace does not work across file systems.
-    handle, name = tempfile.mkstemp(prefix=f".{file.name[:60]}.", dir=file.parent)
-    try:
-        with os.fdopen(handle, "wb") as stream:
-            stream.write(text)
-            stream.flush()
-            # Without this, a power failure may leave an empty file.
-            os.fsync(stream.fileno())
-        status = file.stat()
-        shutil.copymode(file, name)
-        with contextlib.suppress(OSError):  # Only root may change the owner.
-            os.chown(name, status.st_uid, status.st_gid)
-        os.replace(name, file)
-    except BaseException:
-        with contextlib.suppress(OSError):
-            Path(name).unlink()
-        raise

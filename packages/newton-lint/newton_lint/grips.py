@@ -4,13 +4,13 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
-import mujoco
 import numpy as np
 from mujoco import MjModel
 
 from newton_lint.changes import (
     Changes,
     distinct,
+    elliptic,
     of_contacts,
     of_element,
     of_geom,
@@ -19,10 +19,11 @@ from newton_lint.changes import (
 from newton_lint.failures import origin
 from newton_lint.findings import Finding, number
 from newton_lint.law import M
-from newton_lint.ledger import Run, Sample, Start, run_of
-from newton_lint.scene import ON_JOINT, Scene, changed
+from newton_lint.ledger import Run, Sample
+from newton_lint.pairs import where
+from newton_lint.scene import ON_JOINT, Scene
 from newton_lint.trials import Symptom, Trials
-from newton_lint.yielding import elliptic, noslip, stiffest
+from newton_lint.yielding import noslip, stiffest
 
 SLIP_MM_S = 1.0
 """A body creeps if it moves at least this fast on its support."""
@@ -86,7 +87,7 @@ def hold_of(model: MjModel, sample: Sample, body: int) -> Grip | None:
     """Return how a body is held in a sample, or None if nothing presses on it."""
     touches = sample.touches
     welds = model.body_weldid[model.geom_bodyid[touches.geoms]]
-    weld = int(model.body_weldid[body])
+    weld = model.body_weldid[body]
     rows = np.flatnonzero((welds == weld).any(axis=1) & (touches.normal_n > 0.0))
     if not len(rows):
         return None
@@ -100,8 +101,8 @@ def hold_of(model: MjModel, sample: Sample, body: int) -> Grip | None:
     # Only the part along the surface is slip; the rest is the contact settling.
     velocity -= (velocity * normals).sum(axis=1)[:, None] * normals
     weights = normal_n / normal_n.sum()
-    geom = int(others[normal_n.argmax()])
-    support = int(model.geom_bodyid[geom])
+    geom = others[normal_n.argmax()]
+    support = model.geom_bodyid[geom]
     # In the frame of the support, a constant creep stays constant while it turns.
     frame = sample.arrays["xmat"][support].reshape(3, 3)
     return Grip(
@@ -109,7 +110,7 @@ def hold_of(model: MjModel, sample: Sample, body: int) -> Grip | None:
         support=support,
         normals=normals,
         normal_n=normal_n,
-        used=float(weights @ touches.used[rows]),
+        used=weights @ touches.used[rows],
         friction_n=(signs * touches.friction_n[rows]).sum(axis=0),
         slip_m_s=frame.T @ (weights @ velocity),
         rotation=frame.T @ sample.arrays["xmat"][body].reshape(3, 3),
@@ -159,22 +160,22 @@ def slip_mm_s(model: MjModel, run: Run, body: int) -> float:
         early = run.samples[: round(EARLY * len(run.samples))]
         holds = [hold_of(model, sample, body) for sample in early]
     slips = [hold.slip_m_s for hold in holds if hold]
-    return M * float(np.linalg.norm(np.mean(slips, axis=0))) if slips else math.inf
+    return M * np.linalg.norm(np.mean(slips, axis=0)) if slips else math.inf
 
 
 def _creeping(
     scene: Scene, run: Run, body: int, held: list[Grip], gripped: bool
 ) -> Iterator[Symptom]:
     slips = np.array([hold.slip_m_s for hold in held])
-    speed = M * float(np.linalg.norm(slips.mean(axis=0)))
-    path = M * float(np.linalg.norm(slips, axis=1).mean())
+    speed = M * np.linalg.norm(slips.mean(axis=0))
+    path = M * np.linalg.norm(slips, axis=1).mean()
     # A body that shakes has a long path but a small mean velocity.
     if speed < SLIP_MM_S or speed < STEADY * path:
         return
     model = scene.model
     hold = held[-1]
     supports = list(dict.fromkeys(hold.geoms))
-    load = float(np.linalg.norm(hold.friction_n))
+    load = np.linalg.norm(hold.friction_n)
     # A body that lies level drifts at random, without any load.
     if load < LEAST * _weight_n(scene, body, 0.0):
         return
@@ -186,9 +187,9 @@ def _creeping(
             scene.bodies[body],
             "creep",
             speed,
-            message=f"$shape creeps at $value {where} $against{origin(run)} because"
+            f"$shape creeps at $value {where} $against{origin(run)} because"
             f" friction yields to its load of {number(load)} N like a damper, although"
-            f" only {hold.used:.0%} of the friction is used",
+            f" at most {math.ceil(100.0 * hold.used)}% of the friction is used",
             against=tuple(scene.names[geom] for geom in supports),
             unit="mm/s",
         ),
@@ -209,22 +210,15 @@ def _firmer(scene: Scene, body: int, supports: list[int]) -> list[Changes]:
 
 
 def held(
-    trials: Trials, name: str, lift_m_s2: float, below_mm_s: float
+    trials: Trials, name: str, below_mm_s: float
 ) -> tuple[Hold, Finding | None] | None:
     """Measure how a body is held, from the first keyframe or the start.
-
-    Args:
-        lift_m_s2: Upward acceleration of its support, which adds to gravity.
 
     Returns:
         The hold and a finding if the body slides or creeps too fast, or None if nothing
         touches the body.
     """
     index = min(1, len(trials.runs) - 1)
-    if lift_m_s2:
-        # The changes are tried under the lift too, so they need runs of their own.
-        trials = _lifted(trials.scene, trials.runs[index].start, lift_m_s2)
-        index = 0
     scene = trials.scene
     model = scene.model
     run = trials.runs[index]
@@ -244,7 +238,7 @@ def held(
     slides = len(late) < len(run.late) or _edge(late)
     speed = slip(run)
     points = float(np.mean([len(grip.geoms) for grip in grips]))
-    hold = Hold(name, float(load), points, None if slides else speed, slides, speed)
+    hold = Hold(name, load, points, None if slides else speed, slides, speed)
     finding = Finding(
         "creep",
         name,
@@ -266,14 +260,6 @@ def held(
     return hold, trials.finding_of(Symptom(finding, slip, ways, goal=below_mm_s), index)
 
 
-def _lifted(scene: Scene, start: Start, lift_m_s2: float) -> Trials:
-    """Return the run of a scene with more gravity, which acts like a lift."""
-    old = scene.model.opt.gravity
-    norm = max(float(np.linalg.norm(old)), mujoco.mjMINVAL)
-    model = changed(scene.model, gravity=(1.0 + lift_m_s2 / norm) * old)
-    return Trials(replace(scene, model=model), [run_of(model, start)])
-
-
 def _bearable_n(scene: Scene, body: int, grip: Grip) -> float:
     """Return the load that the friction of a grip can bear [N]."""
     total = 0.0
@@ -285,7 +271,7 @@ def _bearable_n(scene: Scene, body: int, grip: Grip) -> float:
 
 def _weight_n(scene: Scene, body: int, acceleration_m_s2: float) -> float:
     gravity = float(np.linalg.norm(scene.model.opt.gravity))
-    return float(scene.model.body_mass[body]) * (gravity + acceleration_m_s2)
+    return scene.model.body_mass[body] * (gravity + acceleration_m_s2)
 
 
 def _sliding(
@@ -310,7 +296,7 @@ def _sliding(
     times = max(FIRM * load / max(bears, 1e-9), FIRM)
     rougher: Changes = ()
     mus = [
-        float(scene.contacts.friction[index, 0])
+        scene.contacts.friction[index, 0]
         for pad in pads
         for index in _pairs(scene, pad, body)
     ]
@@ -329,7 +315,7 @@ def _sliding(
         last = run.samples[-1].arrays["xpos"]
         # The support may move by intention, so only the motion relative to it counts.
         moved = (last - first)[body] - (last - first)[grip.support]
-        return M * float(np.linalg.norm(moved))
+        return M * np.linalg.norm(moved)
 
     message = "$shape slides"
     if acceleration_m_s2:
@@ -343,7 +329,7 @@ def _sliding(
             scene.bodies[body],
             "load",
             load,
-            message=f"{message} out of $against{origin(run)} because {why}",
+            f"{message} out of the grip of $against{origin(run)} because {why}",
             against=tuple(scene.names[pad] for pad in pads),
             used=bears,
             unit="N",
@@ -359,19 +345,18 @@ def _sliding(
 def _pairs(scene: Scene, geom: int, body: int) -> list[int]:
     """Return the indices of the pairs of a geom and a body."""
     model = scene.model
-    geoms = np.flatnonzero(model.body_weldid[model.geom_bodyid] == body).tolist()
-    pairs = (tuple(sorted((geom, partner))) for partner in geoms)
-    indices = scene.pair_indices
-    return [indices[pair] for pair in pairs if pair in indices]
+    geoms = where(model.body_weldid[model.geom_bodyid] == body)
+    indices = [scene.pair_index((geom, partner)) for partner in geoms]
+    return [index for index in indices if index is not None]
 
 
 def _stronger(scene: Scene, pads: list[int], times: float) -> Changes:
     """Return changes that multiply the forces of the actuators of a grip."""
     model = scene.model
-    bodies = {int(model.geom_bodyid[geom]) for geom in pads}
+    bodies = {model.geom_bodyid[geom] for geom in pads}
     joints = np.flatnonzero(np.isin(model.jnt_bodyid, [*bodies]))
     changes: Changes = ()
-    for index in np.flatnonzero(model.actuator_trntype == ON_JOINT).tolist():
+    for index in where(model.actuator_trntype == ON_JOINT):
         if model.actuator_trnid[index, 0] not in joints:
             continue
         if model.actuator_forcelimited[index]:
@@ -402,13 +387,13 @@ def _turning(scene: Scene, run: Run, body: int, hold: Grip) -> Iterator[Symptom]
     model = scene.model
     angle = turned_deg(model, run, body)
     pads = list(dict.fromkeys(hold.geoms))
-    down = model.opt.gravity / max(float(np.linalg.norm(model.opt.gravity)), 1e-9)
+    down = model.opt.gravity / max(np.linalg.norm(model.opt.gravity), 1e-9)
     # A body on a shelf turns for other reasons than a grip by two points.
     lies = np.abs(hold.normals @ down).max() > -OPPOSE
     if angle < TURNS_DEG or lies or not len(pads) == len(hold.geoms) == 2:
         return
     indices = [pair for pad in pads for pair in _pairs(scene, pad, body)]
-    condim = int(scene.contacts.condim[indices].max(initial=3))
+    condim = scene.contacts.condim[indices].max(initial=3)
     if condim < 4:
         why = f"condim {condim} has no torsional friction"
     elif scene.option.noslip:
@@ -435,7 +420,7 @@ def _turning(scene: Scene, run: Run, body: int, hold: Grip) -> Iterator[Symptom]
             scene.bodies[body],
             "condim",
             angle,
-            message=f"$shape turns by $value between $against{origin(run)} because"
+            f"$shape turns by $value between $against{origin(run)} because"
             f" they hold it at opposite points and {why}",
             against=tuple(scene.names[pad] for pad in pads),
             used=4.0,

@@ -143,8 +143,8 @@ class Run:
 
     Unlike a time, it does not depend on the load of the machine.
     """
-    cost_s: float
-    """Processor time per simulated second."""
+    spent_s: float
+    """Processor time."""
     data: MjData = field(compare=False, repr=False)
     """The final state."""
 
@@ -157,6 +157,14 @@ class Run:
     def late(self) -> list[Sample]:
         """Return the samples over which readings are averaged."""
         return self.samples[int(LATE * len(self.samples)) :]
+
+    @cached_property
+    def pairs(self) -> list[tuple[int, int]]:
+        """Return the pairs of geoms that touch in any sample, in order of the time."""
+        touching = [
+            pair for sample in self.samples for pair in sample.touches.pairs.tolist()
+        ]
+        return list(dict.fromkeys(map(tuple, touching)))
 
     @cached_property
     def speed(self) -> float:
@@ -256,7 +264,7 @@ def run_of(model: MjModel, start: Start, time_s: float = SPAN_S) -> Run:
         jitter=np.zeros(model.nv) if bad else _jitter(model, data),
         at_limit=limited / sampled,
         effort=(1.0 + 0.5 * solved / sampled) / step,
-        cost_s=spent / max(reached, step),
+        spent_s=spent,
         data=data,
     )
 
@@ -342,7 +350,8 @@ def overlaps(data: MjData) -> dict[tuple[int, int], float]:
     """Return the largest overlap of each pair of geoms, including their margins [m]."""
     deepest: dict[tuple[int, int], float] = {}
     depths = data.contact.includemargin - data.contact.dist
-    for pair, depth in zip(data.contact.geom.tolist(), depths.tolist(), strict=True):
-        if depth > 0.0 <= min(pair):  # A flex has the geom -1.
-            deepest[tuple(pair)] = max(depth, deepest.get(tuple(pair), 0.0))
+    pairs = np.sort(data.contact.geom, axis=1).tolist()
+    for (low, high), depth in zip(pairs, depths.tolist(), strict=True):
+        if depth > 0.0 <= low:  # A flex has the geom -1.
+            deepest[low, high] = max(depth, deepest.get((low, high), 0.0))
     return deepest

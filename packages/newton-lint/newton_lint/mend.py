@@ -7,31 +7,19 @@ from pathlib import Path
 from xml.parsers import expat
 
 import mujoco
-import numpy as np
 
-from newton_lint.changes import Change
-from newton_lint.findings import Finding, number
-from newton_lint.fix import Unwritable, edited, undo, write
-from newton_lint.law import M
-from newton_lint.ledger import Run, runs_of
+from newton_lint.findings import Cure, Finding
+from newton_lint.fix import Unwritable, edited, write
+from newton_lint.ledger import runs_of
 from newton_lint.report import Report, Request, report_of
 from newton_lint.source import Texts, parse
 from newton_lint.target import Target, TargetError, compiled, read_target, tried
-from newton_lint.trials import MENDS, MOVING, harm
+from newton_lint.trials import harm
 
 # At most this many changes are tried in one pass.
 MOST_TRIES = 40
 # Scenes that share files are mended in at most this many passes.
 PASSES = 4
-
-
-def _measures(runs: Sequence[Run]) -> str:
-    depth = max((run.deepest_m for run in runs), default=0.0)
-    seconds = sum(run.cost_s for run in runs) / max(len(runs), 1)
-    return (
-        f"the deepest contact is {number(M * depth)} mm and a simulated second takes"
-        f" {number(seconds, 2)} s"
-    )
 
 
 class Mending:
@@ -49,8 +37,8 @@ class Mending:
         rules: list[str] = []
         # An accepted change alters the findings, so list the candidates again.
         while candidate := self._next():
-            line, finding, changes = candidate
-            self.outcomes[line] = self._outcome(finding, changes)
+            line, finding, cure = candidate
+            self.outcomes[line] = self._outcome(finding, cure)
             if not self.outcomes[line]:
                 rules.append(finding.rule)
                 # Another change may do no harm any more.
@@ -67,36 +55,28 @@ class Mending:
     def _tried(self) -> list[tuple[str, str]]:
         return list(self.outcomes.items())
 
-    def _next(self) -> tuple[str, Finding, Sequence[Change]] | None:
-        """Return the next changes with their text and the finding that they mend."""
+    def _next(self) -> tuple[str, Finding, Cure] | None:
+        """Return the next cure with the text of its changes and the finding that it mends."""
         for finding in self.report.findings:
             for cure in finding.cures if finding.severity != "note" else ():
                 line = ", ".join(map(str, cure.changes))
                 if line not in self.outcomes and len(self.outcomes) < MOST_TRIES:
-                    return line, finding, cure.changes
+                    return line, finding, cure
         return None
 
-    def _outcome(self, finding: Finding, changes: Sequence[Change]) -> str:
-        """Apply changes that mend a finding, or return why they do harm."""
+    def _outcome(self, finding: Finding, cure: Cure) -> str:
+        """Apply a cure of a finding, or return why it is not written."""
+        if cure.drawback:
+            return cure.drawback
         try:
-            texts = self.texts | edited(changes, self.report.source, self.texts)
+            texts = self.texts | edited(cure.changes, self.report.source, self.texts)
             report = report_of(tried(self.target, texts), self.request)
         except Unwritable as error:
             return str(error)
         except (ValueError, OSError, expat.ExpatError, mujoco.FatalError) as error:
             return f"MuJoCo refuses it: {' '.join(str(error).split())[:200]}"
-        key = _key(finding)
-        # The change was tried alone before, but now it is on top of the others.
-        if _worst(report).get(key, 0.0) > MENDS * _worst(self.report)[key]:
-            return "the finding remains"
-        known = {_key(item) for item in self.report.findings}
-        for item in report.findings:
-            severe = item.severity == "error" or finding.severity != "error"
-            if item.severity != "note" and _key(item) not in known and severe:
-                return f"it causes another finding: {item.rule} {item.shape}".rstrip()
-        # A change that makes bodies faster is recommended, but not written.
-        rules = [finding.rule] if finding.rule not in MOVING else []
-        reason = harm(self.report.runs, report.runs, rules)
+        # The changes were tried on the compiled model, and these are the files.
+        reason = harm(self.report.runs, report.runs, [finding.rule])
         if reason := reason or self._harm_elsewhere(texts, finding.rule):
             return reason
         self.texts = texts
@@ -135,53 +115,23 @@ class Mending:
             )
 
 
-def _key(finding: Finding) -> tuple[str, str, str]:
-    return finding.rule, finding.shape, finding.parameter
-
-
-def _worst(report: Report) -> dict[tuple[str, str, str], float]:
-    """Return the largest value of each kind of finding."""
-    worst: dict[tuple[str, str, str], float] = {}
-    for finding in report.findings:
-        if finding.severity != "note":
-            key = _key(finding)
-            worst[key] = max(abs(finding.value), worst.get(key, 0.0))
-    return worst
-
-
 def fixed(
     target: Target, request: Request, paths: Sequence[Path], dry: bool
-) -> tuple[Report, list[str], str]:
+) -> tuple[Report, list[str]]:
     """Mend the files of a scene.
 
     Args:
         dry: Whether to print a patch instead of writing the files.
 
     Returns:
-        The report before the changes, lines on each change, and the reason why the
-        files cannot be written, which is empty if they can.
+        The report before the changes, and lines on each change.
+
+    Raises:
+        TargetError: A file cannot be written.
     """
     mending = Mending(target, request, paths)
-    backups = []
-    why = ""
-    if mending.texts and not dry:
-        try:
-            backups = _written(target, mending.texts)
-        except TargetError as error:
-            why = str(error)
-    lines = [
-        *(mending.patch() if dry else ()),
-        *mending.lines(not dry and not why),
-        *backups,
-    ]
-    if mending.texts:
-        before = _measures(mending.first.runs)
-        after = _measures(mending.report.runs)
-        lines.append(
-            f"{target.name}: before the changes, {before}; after them, {after}"
-            " (measured)"
-        )
-    return mending.first, lines, why
+    before = list(mending.patch()) if dry else _written(target, mending.texts)
+    return mending.first, [*before, *mending.lines(not dry)]
 
 
 def fixed_again(
@@ -193,7 +143,7 @@ def fixed_again(
         written = []
         for scene in map(read_target, targets):
             if scene.path and scene.model is not None:
-                _, changes, _ = fixed(scene, request, paths, dry=False)
+                _, changes = fixed(scene, request, paths, dry=False)
                 written += [line for line in changes if line.endswith(": written")]
         if not written:
             break
@@ -202,31 +152,11 @@ def fixed_again(
 
 
 def _written(target: Target, texts: Texts) -> list[str]:
-    assert target.path is not None  # Only scenes that come from a file are changed.
-    expected = compiled(target.path, texts)
     try:
         replaced = write(texts)
     except OSError as error:
         raise TargetError(f"{target.name}: not written: {error}") from error
-    try:
-        is_expected = are_same(expected, compiled(target.path))
-    except ValueError:
-        is_expected = False
-    if not is_expected:
-        undo(replaced)
-        raise TargetError(
-            f"{target.name}: not written, because MuJoCo compiles the new file to"
-            " another model than the one that was measured"
-        )
     return [
         f"{file}: the old file is kept as {backup.name}"
         for file, (_, backup) in zip(texts, replaced, strict=True)
     ]
-
-
-def are_same(*models: mujoco.MjModel) -> bool:
-    """Return whether models are equal to the last bit."""
-    buffers = [np.empty(mujoco.mj_sizeModel(model), np.uint8) for model in models]
-    for model, buffer in zip(models, buffers, strict=True):
-        mujoco.mj_saveModel(model, None, buffer)
-    return np.array_equal(*buffers)

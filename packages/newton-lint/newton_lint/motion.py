@@ -7,7 +7,9 @@ from functools import partial
 from newton_lint.failures import ITERATED, bouncing, jittering, overlapping, unstable
 from newton_lint.findings import Finding
 from newton_lint.grips import grips
+from newton_lint.ledger import Run
 from newton_lint.resting import fallen, wandering
+from newton_lint.scene import Scene
 from newton_lint.starting import ill_posed, leaving, misled, torn
 from newton_lint.trials import Symptom, Trials
 from newton_lint.yielding import (
@@ -24,13 +26,14 @@ EFFECTS = ("depth", "equality", "limit", "servo", "tunnel", "slip", "jitter", "b
 """Rules whose findings follow from a jam at the start."""
 
 
-def motions(trials: Trials, acceleration_m_s2: float = 0.0) -> list[Finding]:
-    """Return the findings on the runs of a scene.
+def symptoms(
+    scene: Scene, runs: Sequence[Run], acceleration_m_s2: float = 0.0
+) -> list[tuple[int, Symptom]]:
+    """Return what goes wrong in the runs of a scene, with the index of the run.
 
     Args:
         acceleration_m_s2: Acceleration that a grip has to bear besides gravity.
     """
-    scene = trials.scene
     holding = partial(grips, acceleration_m_s2=acceleration_m_s2)
     always = (unstable, overlapping, misled, torn)
     settled = (
@@ -48,20 +51,27 @@ def motions(trials: Trials, acceleration_m_s2: float = 0.0) -> list[Finding]:
         wandering,
         fallen,
     )
-    findings: dict[tuple, Finding] = {}
-    for index, run in enumerate(trials.runs):
-        rules = always if run.bad else (*always, *settled)
+    found = []
+    for index, run in enumerate(runs):
         # The scene is probably never used from such a start.
         is_idle = run.start.name == "the start" and (
             scene.model.nkey > 0 or ill_posed(scene, run)
         )
+        for rule in always if run.bad else (*always, *settled):
+            found += [(index, _noted(symptom, is_idle)) for symptom in rule(scene, run)]
+    return found
+
+
+def motions(trials: Trials) -> list[Finding]:
+    """Return the findings on the runs of a scene."""
+    findings: dict[tuple, Finding] = {}
+    for number in range(len(trials.runs)):
         # Findings of all starts are merged, and the worst one of a kind is kept.
         items = [
             finding
-            for rule in rules
-            for symptom in rule(scene, run)
-            if (finding := trials.finding_of(_noted(symptom, is_idle), index))
-            is not None
+            for index, symptom in trials.judged[1]
+            if index == number
+            and (finding := trials.finding_of(symptom, index)) is not None
         ]
         for item in _without_effects(items):
             key = (item.rule, item.shape, item.against)
@@ -95,6 +105,15 @@ def _without_effects(items: Sequence[Finding]) -> list[Finding]:
     overlaps = [item for item in items if item.rule == "overlap"]
     jammed = any(item.severity == "warning" for item in overlaps)
     notes = ("overlap",) * unsolved + EFFECTS * jammed
+    apart = {
+        item.shape
+        for item in items
+        if item.rule == "apart" and item.severity == "warning"
+    }
     return [
-        replace(item, severity="note") if item.rule in notes else item for item in items
+        replace(item, severity="note")
+        if item.rule in notes
+        or (item.rule == "equality" and item.shape in apart and not item.cures)
+        else item
+        for item in items
     ]

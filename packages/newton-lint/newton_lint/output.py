@@ -49,29 +49,12 @@ def written(reports: Sequence[Report], form: str, detail: Detail = Detail()) -> 
     """
     if form == "json":
         objects = [as_json(report) for report in reports]
-        return json.dumps(objects[0] if len(objects) == 1 else objects, indent=1)
+        found = objects[0] if len(objects) == 1 else objects
+        # Numbers of NumPy become those of Python.
+        return json.dumps(found, indent=1, default=lambda number: number.item())
     lines_of = _github if form == "github" else text_of
     lines = [line for report in reports for line in lines_of(report, detail)]
-    lines += summary(reports) if form == "text" and len(reports) > 1 else ()
     return "\n".join(map(printable, lines))
-
-
-def summary(reports: Sequence[Report]) -> Iterator[str]:
-    """Yield the lines of a table that counts the findings and scenes of each rule."""
-    hits = [
-        (finding.severity, finding.rule, report.target)
-        for report in reports
-        for finding in report.findings
-    ]
-    with_any = len({target for severity, _, target in hits if severity != "note"})
-    yield f"{_counted(len(reports), 'scene')}, {with_any} with warnings or errors"
-    yield f"  {'severity':9}{'rule':16}{'findings':>9}{'scenes':>8}"
-    kinds = {(severity, rule) for severity, rule, _ in hits}
-    for severity, rule in sorted(
-        kinds, key=lambda kind: (-SEVERITIES.index(kind[0]), kind[1])
-    ):
-        targets = [target for *kind, target in hits if kind == [severity, rule]]
-        yield f"  {severity:9}{rule:16}{len(targets):>9}{len(set(targets)):>8}"
 
 
 def text_of(report: Report, detail: Detail = Detail()) -> Iterator[str]:

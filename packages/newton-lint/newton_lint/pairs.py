@@ -13,7 +13,24 @@ OFF = int(mujoco.mjtDisableBit.mjDSBL_CONTACT) | int(
     mujoco.mjtDisableBit.mjDSBL_CONSTRAINT
 )
 UNFILTERED = int(mujoco.mjtDisableBit.mjDSBL_FILTERPARENT)
-MOST_PAIRS = 1_000_000
+PARAMETERS = (
+    "solref",
+    "solimp",
+    "solmix",
+    "friction",
+    "condim",
+    "priority",
+    "contype",
+    "conaffinity",
+)
+"""Arrays in which geoms of one kind agree."""
+MOST_PAIRS = 2_000_000
+"""Of more pairs than this, only a sample is read."""
+
+
+def where(mask: np.ndarray) -> list[int]:
+    """Return the indices at which a mask is true."""
+    return np.flatnonzero(mask).tolist()
 
 
 def pairs_of(model: MjModel) -> tuple[np.ndarray, np.ndarray]:
@@ -32,7 +49,7 @@ def pairs_of(model: MjModel) -> tuple[np.ndarray, np.ndarray]:
     indices = np.flatnonzero(collidable(model, named))
     pairs = _unnamed(model)
     # mj_collision merges duplicates.
-    pairs = pairs[~np.isin(_key(pairs, model.ngeom), _key(named, model.ngeom))]
+    pairs = pairs[~np.isin(keys_of(pairs), keys_of(named))]
     return np.concatenate([named[indices], pairs]), np.append(
         indices, np.full(len(pairs), -1)
     )
@@ -43,14 +60,30 @@ def collidable(model: MjModel, pairs: np.ndarray) -> np.ndarray:
     return ~np.isin(model.geom_type[pairs], (PLANE, HFIELD)).all(axis=1)
 
 
+def masks_of(model: MjModel) -> np.ndarray:
+    """Return the bits of both masks of each geom, which are 0 if it is only seen."""
+    return model.geom_contype | model.geom_conaffinity
+
+
+def kinds_of(model: MjModel, *of_bodies: np.ndarray) -> np.ndarray:
+    """Number geoms so that alike ones, also by arrays of bodies, have equal numbers."""
+    columns = [getattr(model, f"geom_{name}") for name in PARAMETERS]
+    columns += [values[model.geom_bodyid] for values in of_bodies]
+    rows = np.column_stack(columns)
+    return np.unique(rows, axis=0, return_inverse=True)[1].ravel()
+
+
 def read(model: MjModel) -> np.ndarray:
-    """Return the geoms that can collide, or a regular sample if they are too many."""
-    geoms = np.flatnonzero(model.geom_contype | model.geom_conaffinity)
-    counts = np.bincount(model.body_weldid[model.geom_bodyid[geoms]]).astype(float)
-    many = 0.5 * (counts.sum() ** 2 - (counts**2).sum()) > MOST_PAIRS
-    return (
-        geoms[:: math.ceil(len(geoms) / (2.0 * MOST_PAIRS) ** 0.5)] if many else geoms
-    )
+    """Return the geoms that can collide, or a sample with each kind if they are many."""
+    geoms = np.flatnonzero(masks_of(model))
+    welds = model.body_weldid[model.geom_bodyid[geoms]]
+    counts = np.bincount(welds).astype(float)
+    if 0.5 * (counts.sum() ** 2 - (counts**2).sum()) < MOST_PAIRS:
+        return geoms
+    kinds = kinds_of(model, model.body_weldid > 0)[geoms]
+    _, firsts = np.unique(kinds, return_index=True)
+    stride = math.ceil(len(geoms) / (2.0 * MOST_PAIRS) ** 0.5)
+    return np.union1d(geoms[firsts], geoms[::stride])
 
 
 def _unnamed(model: MjModel) -> np.ndarray:
@@ -87,5 +120,6 @@ def _unnamed(model: MjModel) -> np.ndarray:
     return pairs[collides]
 
 
-def _key(pairs: np.ndarray, geom_count: int) -> np.ndarray:
-    return pairs[:, 0].astype(np.int64) * geom_count + pairs[:, 1]
+def keys_of(pairs: np.ndarray) -> np.ndarray:
+    """Return a number for each pair of geoms, whatever their order is."""
+    return (pairs.min(axis=1).astype(np.int64) << 32) + pairs.max(axis=1)

@@ -9,6 +9,7 @@ import numpy as np
 
 from newton_lint.findings import groups_of, row_numbers
 from newton_lint.law import STEP_SHARE, Contact, M, Option, clamped, response_of
+from newton_lint.pairs import kinds_of
 from newton_lint.scene import Scene
 
 
@@ -48,15 +49,12 @@ def predictions(scene: Scene, load: Load) -> list[Prediction]:
     contacts = scene.contacts
     rows = np.flatnonzero(contacts.condim > 1)
     loose = scene.free[scene.model.geom_bodyid]
-    names = scene.names
+    names = np.array(scene.names, dtype=object)
     creeps = []
     for members in groups_of(row_numbers(_kinds(scene)[rows])):
         pairs = rows[members]
-        geoms = zip(
-            contacts.first[pairs].tolist(), contacts.second[pairs].tolist(), strict=True
-        )
-        between = tuple((names[geom1], names[geom2]) for geom1, geom2 in geoms)
-        pair = int(pairs[0])
+        between = tuple(map(tuple, names[contacts.geoms[pairs]].tolist()))
+        pair = pairs[0]
         is_free = bool(loose[contacts.first[pair]] or loose[contacts.second[pair]])
         if prediction := predicted(
             contacts.contact(pair), scene.option, load, between, is_free
@@ -77,16 +75,7 @@ def predictions(scene: Scene, load: Load) -> list[Prediction]:
 def _kinds(scene: Scene) -> np.ndarray:
     contacts = scene.contacts
     model = scene.model
-    columns = np.concatenate(
-        (model.geom_solref.T, model.geom_solimp.T, model.geom_friction.T)
-    )
-    single = (
-        model.geom_condim,
-        model.geom_priority,
-        model.geom_solmix,
-        scene.free[model.geom_bodyid],
-    )
-    kind = row_numbers(*columns, *single, model.body_invweight0[model.geom_bodyid, 0])
+    kind = kinds_of(model, model.body_invweight0[:, 0], scene.free)
     kind1 = kind[contacts.first]
     kind2 = kind[contacts.second]
     unordered = np.minimum(kind1, kind2) * model.ngeom + np.maximum(kind1, kind2)

@@ -11,9 +11,10 @@ from newton_lint.changes import Changes
 from newton_lint.findings import SEVERITIES, Finding, sentence
 from newton_lint.grips import SLIP_MM_S, Hold, held
 from newton_lint.ledger import MOST_DOFS, Run, runs_of
-from newton_lint.motion import motions
+from newton_lint.motion import motions, symptoms
+from newton_lint.pairs import masks_of, read
 from newton_lint.prediction import Load, Prediction, predictions
-from newton_lint.rules import lint
+from newton_lint.rules import faults, lint
 from newton_lint.scene import Engine, Scene
 from newton_lint.settings import is_ignored
 from newton_lint.source import Element, Source
@@ -41,8 +42,6 @@ class Request:
     load: Load = field(default_factory=Load)
     hold: str = ""
     """A body whose creep is reported, or an empty string."""
-    lift_m_s2: float = 0.0
-    """Upward acceleration of the support of this body."""
     below_mm_s: float | None = None
     """The creep of a held body is a finding above this speed."""
     ignore: Collection[str] = ()
@@ -112,8 +111,13 @@ def report_on(
     """
     model = scene.model
     runs = runs_of(model, target.data) if request.step else []
-    trials = Trials(scene, runs)
-    findings = [*more, *lint(scene, trials)]
+
+    def judge(scene: Scene, runs: Sequence[Run]):
+        found = [finding for group, _ in faults(scene, runs) for finding in group]
+        return found, symptoms(scene, runs, request.load.acceleration_m_s2)
+
+    trials = Trials(scene, runs, judge)
+    findings = [*more, *lint(trials)]
     # Creep is undefined if the engine refuses the scene or throws bodies off.
     refused = any(finding.rule in ("engine", "stiff") for finding in findings)
     hold: Hold | None = None
@@ -124,7 +128,7 @@ def report_on(
         )
     if request.hold and runs and not refused:
         bound = request.below_mm_s or SLIP_MM_S
-        measured = held(trials, request.hold, request.lift_m_s2, bound)
+        measured = held(trials, request.hold, bound)
         if measured is None:
             message = (
                 "Nothing touches $shape: grip it in a keyframe, or in the data that"
@@ -136,7 +140,7 @@ def report_on(
         else:
             hold, creep = measured
             findings += [creep] if creep else []
-    motion = motions(trials, request.load.acceleration_m_s2)
+    motion = motions(trials)
     # The finding of --hold on the same body replaces its finding on slip.
     known = [hold.body] if hold else []
     findings += [
@@ -151,6 +155,12 @@ def report_on(
         findings.append(
             Finding("unstepped", "", "nv", nv, message=message, severity="note")
         )
+    if (count := len(read(model))) < np.count_nonzero(masks_of(model)):
+        message = (
+            "Only $value of the shapes are read, because there are too many pairs;"
+            " every other shape has the same contact parameters as one of these"
+        )
+        findings.append(Finding("unread", "", "pairs", count, message, severity="note"))
     return Report(
         target=target.name,
         dt_s=scene.option.timestep_s,
@@ -173,13 +183,7 @@ def _noted(
     scene: Scene, runs: Sequence[Run], findings: Sequence[Finding]
 ) -> list[Finding]:
     """Return the findings, with those on shapes that touch nothing as notes."""
-    touched = {
-        scene.names[geom]
-        for run in runs
-        for sample in run.samples
-        for pair in sample.touches.geoms.tolist()
-        for geom in pair
-    }
+    touched = {scene.names[geom] for run in runs for pair in run.pairs for geom in pair}
     may_touch = not runs or any(run.bad for run in runs)
 
     def is_idle(finding: Finding) -> bool:
@@ -218,7 +222,7 @@ def _newton_findings(
             "",
             "gravity",
             gravity,
-            message="The scene has a gravity of $value m/s², but Newton's importer"
+            "The scene has a gravity of $value m/s², but Newton's importer"
             " reads $used m/s²",
             used=taken,
         )

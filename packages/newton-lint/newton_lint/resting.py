@@ -11,7 +11,7 @@ from newton_lint.failures import origin
 from newton_lint.findings import Finding
 from newton_lint.law import M
 from newton_lint.ledger import Run
-from newton_lint.pairs import MESH, PLANE
+from newton_lint.pairs import MESH, PLANE, where
 from newton_lint.scene import FREE, Scene
 from newton_lint.trials import Symptom
 
@@ -29,13 +29,13 @@ def wandering(scene: Scene, run: Run) -> Iterator[Symptom]:
     """Yield bodies that turn slowly on too few points, or on a border of two geoms."""
     model = scene.model
     static = model.body_weldid[model.geom_bodyid] == 0
-    for joint in np.flatnonzero(model.jnt_type == FREE).tolist():
-        body = int(model.jnt_bodyid[joint])
-        dof = int(model.jnt_dofadr[joint]) + 3
+    for joint in where(model.jnt_type == FREE):
+        body = model.jnt_bodyid[joint]
+        dof = model.jnt_dofadr[joint] + 3
 
         def turning(run: Run, dof=dof) -> float:
             spins = [sample.arrays["qvel"][dof : dof + 3] for sample in run.late]
-            return math.degrees(float(np.linalg.norm(spins, axis=1).mean()))
+            return math.degrees(np.linalg.norm(spins, axis=1).mean())
 
         value = turning(run)
         if not WANDERS_DEG_S < value < SWINGS_DEG_S:
@@ -71,7 +71,7 @@ def wandering(scene: Scene, run: Run) -> Iterator[Symptom]:
                 scene.bodies[body],
                 "points",
                 value,
-                message="$shape turns at $value on $against"
+                "$shape turns at $value on $against"
                 f"{origin(run)} although it should rest, because {why}",
                 against=tuple(names),
                 unit="°/s",
@@ -86,39 +86,31 @@ def fallen(scene: Scene, run: Run) -> Iterator[Symptom]:
     """Yield parts of a free robot that pass a plane because only others collide."""
     model = scene.model
     pairs = scene.contacts.geoms
-    for plane in np.flatnonzero(model.geom_type == PLANE).tolist():
+    tree = model.body_rootid[model.geom_bodyid]
+    for plane in where(model.geom_type == PLANE):
         partners = np.unique(pairs[(pairs == plane).any(axis=1)])
-        bodies = {int(body) for body in model.geom_bodyid[partners]}
-        roots = {int(model.body_rootid[body]) for body in bodies}
-        # Geoms of the same robot on bodies that never collide with this plane.
-        others = [
-            geom
-            for geom in range(model.ngeom)
-            if int(model.geom_bodyid[geom]) not in bodies
-            and int(model.body_rootid[model.geom_bodyid[geom]]) in roots
-            and scene.free[model.body_rootid[model.geom_bodyid[geom]]]
-        ]
-        if not others:
+        # Geoms of the same robot that never collide with this plane.
+        is_part = np.isin(tree, tree[partners]) & scene.free[tree]
+        is_part[partners] = False
+        if not (others := where(is_part)):
             continue
 
         def below(run: Run, geoms=others, plane=plane) -> float:
-            return M * max(0.0, float(_depths(run, geoms, plane).max()))
+            return M * max(0.0, _depths(run, geoms, plane).max())
 
         value = below(run)
         if value < BELOW_MM:
             continue
-        deepest = others[int(_depths(run, others, plane).argmax())]
-        body = int(model.geom_bodyid[deepest])
+        deepest = others[_depths(run, others, plane).argmax()]
         masks = _masks(model, plane)
         yield Symptom(
             Finding(
                 "through",
-                scene.bodies[body],
+                scene.names[deepest],
                 "contype",
                 value,
-                message="$shape is $value below $against after 2 s"
-                f"{origin(run)} because none of its geoms collides; only other parts of"
-                " the robot do",
+                "$shape is $value below $against after 2 s"
+                f"{origin(run)} because only other parts of the robot collide with it",
                 against=(scene.names[plane],),
                 unit="mm",
             ),
@@ -139,5 +131,5 @@ def _depths(run: Run, geoms: list[int], plane: int) -> np.ndarray:
 
 def _masks(model: MjModel, plane: int) -> dict[str, str]:
     """Return masks that collide with a plane but not with each other, if possible."""
-    affinity = int(model.geom_conaffinity[plane])
+    affinity = model.geom_conaffinity[plane]
     return {"contype": str(affinity or 1), "conaffinity": "0" if affinity else "1"}

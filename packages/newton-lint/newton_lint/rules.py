@@ -11,10 +11,12 @@ import mujoco
 import numpy as np
 
 from newton_lint.changes import Changes, distinct, of_contact, of_geom, of_option
-from newton_lint.findings import Finding, Hits, Remedy, Wording, findings_of, number
+from newton_lint.findings import Finding, Hits, Remedy, findings_of, number
 from newton_lint.law import DEFAULT_SOLREF, clamped
+from newton_lint.ledger import Run
+from newton_lint.pairs import keys_of
 from newton_lint.scene import Scene
-from newton_lint.scene_rules import closed, damped, engine, lost, pyramid, visual
+from newton_lint.scene_rules import damped, engine, lost, pyramid
 from newton_lint.trials import Trials
 
 # Parameters that differ by less than this are equal.
@@ -26,34 +28,38 @@ FAR = 4.0
 Advise = Callable[[int], Remedy]
 
 
-def lint(scene: Scene, trials: Trials) -> list[Finding]:
+def lint(trials: Trials) -> list[Finding]:
     """Return the findings of all rules, in the order of the rules.
 
     A change is recommended if it does no harm within 2 s from all starts.
     """
+    scene = trials.scene
+    found = list(faults(scene, trials.runs))
+    found += [([finding], remedy) for finding, remedy in engine(scene)]
+    return [
+        finding for group, remedy in found for finding in trials.advised(group, remedy)
+    ]
+
+
+def faults(scene: Scene, runs: Sequence[Run]) -> Iterator[tuple[list[Finding], Remedy]]:
+    """Yield alike findings on the parameters of a scene, with their remedies."""
     rules = (
         solref_format,
         solimp,
         timeconst,
         too_stiff,
         dampratio,
-        partial(one_sided, touched=_touched(scene, trials)),
+        partial(one_sided, touched=_touched(scene, runs)),
         friction,
     )
     # Some rules divide by parts of a solref that may be 0.
     with np.errstate(divide="ignore", invalid="ignore"):
-        findings = [
-            trials.advised(finding, remedy)
-            for rule in rules
-            for hits in rule(scene)
-            for finding, remedy in findings_of(hits, scene.names)
-        ]
-    scene_rules = (lost, damped, visual, closed, pyramid, engine)
-    return findings + [
-        trials.advised(finding, remedy)
-        for rule in scene_rules
-        for finding, remedy in rule(scene)
-    ]
+        for rule in rules:
+            for hits in rule(scene):
+                yield from findings_of(hits, scene.names)
+    for scene_rule in (lost, damped, pyramid):
+        for finding, remedy in scene_rule(scene):
+            yield [finding], remedy
 
 
 def solref_format(scene: Scene) -> Iterator[Hits]:
@@ -64,9 +70,11 @@ def solref_format(scene: Scene) -> Iterator[Hits]:
         scene.counts & ((solref[:, 0] > 0.0) != (solref[:, 1] > 0.0))
     )
     # getsolparam replaces such a solref and writes a warning to the log.
-    wording = Wording(
+    wording = Finding(
         "solref-format",
+        "",
         "solref[1]",
+        0.0,
         "solref of $shapes has only one positive number (the second number is $value),"
         " so MuJoCo uses its default",
         severity="error",
@@ -76,7 +84,7 @@ def solref_format(scene: Scene) -> Iterator[Hits]:
         plain = (contacts.named < 0) & (
             (contacts.first == geom) | (contacts.second == geom) & ~contacts.outranked
         )
-        return critical(scene, int(np.flatnonzero(plain)[0]))
+        return critical(scene, np.flatnonzero(plain)[0])
 
     yield Hits(wording, geoms, solref[:, 1], DEFAULT_SOLREF[1], advise)
 
@@ -88,9 +96,11 @@ def solimp(scene: Scene) -> Iterator[Hits]:
     ).T
     geoms = np.flatnonzero(scene.counts & (dmin > dmax))
     yield Hits(
-        Wording(
+        Finding(
             "solimp",
+            "",
             "solimp",
+            0.0,
             "solimp of $shapes has a dmin of $value above its dmax of $used, so"
             " contacts get softer with depth, and creep grows with the load",
         ),
@@ -115,19 +125,21 @@ def timeconst(scene: Scene) -> Iterator[Hits]:
     )
     below = (authored > 0.0) & (ratio > 0.0) & (authored < limit * (1.0 - SAME))
     least = "one time step over the dampratio" if option.discrete else "two time steps"
-    wording = Wording(
+    wording = Finding(
         "timeconst",
+        "",
         "timeconst",
+        0.0,
         f"timeconst $value of $shapes against $against is below {least}, so MuJoCo"
         " uses $used",
-        "s",
+        unit="s",
     )
     # Nobody wrote a timeconst that equals the default.
     pairs = np.flatnonzero(below & (authored != DEFAULT_SOLREF[0]))
 
     def advise(pair: int) -> Remedy:
         longer = longer_solref(
-            scene, pair, limit[pair], "writes down the value that is used"
+            scene, pair, limit[pair], "writes the value that MuJoCo uses anyway"
         )
         factor = limit[pair] / authored[pair]
         if factor > FAR:
@@ -155,9 +167,11 @@ def too_stiff(scene: Scene) -> Iterator[Hits]:
     # The integrator discrete is stable with any of them, as both terms are implicit.
     stiff = np.flatnonzero(taken & (gain >= STIFF) & (not scene.option.discrete))
     why = "does not clamp it" if scene.option.refsafe else "is off"
-    wording = Wording(
+    wording = Finding(
         "stiff",
+        "",
         "solref",
+        0.0,
         "solref $value of $shapes against $against is too stiff for the time step:"
         f" contacts throw bodies off if b·h + k·h²/2 is above {STIFF}, and refsafe {why}",
         severity="error",
@@ -191,11 +205,13 @@ def dampratio(scene: Scene) -> Iterator[Hits]:
     sound = (first > 0.0) == (second > 0.0)
     yield _pair_hits(
         scene,
-        Wording(
+        Finding(
             "dampratio",
+            "",
             "dampratio",
-            "dampratio $value of $shapes against $against is far above the critical"
-            " one, so the contact is softer by the square of it",
+            0.0,
+            "dampratio $value of $shapes against $against is far above 1, and the"
+            " contact gets softer with its square",
         ),
         np.flatnonzero(sound & (ratio > FAR) & np.isfinite(ratio)),
         ratio,
@@ -204,16 +220,11 @@ def dampratio(scene: Scene) -> Iterator[Hits]:
     )
 
 
-def _touched(scene: Scene, trials: Trials) -> np.ndarray:
+def _touched(scene: Scene, runs: Sequence[Run]) -> np.ndarray:
     """Return for each pair whether it touches in a run, or may if nothing is known."""
-    touched = {
-        tuple(pair)
-        for run in trials.runs
-        for sample in run.samples
-        for pair in sample.touches.pairs.tolist()
-    }
-    pairs = scene.pair_indices
-    return np.array([not touched or pair in touched for pair in pairs], dtype=bool)
+    touched = [pair for run in runs for pair in run.pairs]
+    keys = keys_of(np.array(touched, dtype=int).reshape(-1, 2))
+    return np.isin(keys_of(scene.contacts.geoms), keys) | (not touched)
 
 
 def one_sided(scene: Scene, touched: np.ndarray) -> Iterator[Hits]:
@@ -233,14 +244,16 @@ def one_sided(scene: Scene, touched: np.ndarray) -> Iterator[Hits]:
     )
     softer = stiffest > np.maximum(2.0 * authored, 4.0 * scene.option.timestep_s)
     shape = np.flatnonzero(is_stiff & softer)
-    wording = Wording(
+    wording = Finding(
         "one-sided",
+        "",
         "solref",
+        0.0,
         "solref $value of $shapes is stiff only on this side, because each contact mixes"
         " it with the soft solref of the other geom, which gives at least $used",
-        "s",
+        unit="s",
     )
-    ranking = "makes its solref, solimp, friction and condim count alone"
+    ranking = "makes contacts use its solref, solimp, friction and condim"
     stiff = [
         (of_higher_priority(scene, geoms), ranking) for geoms in (shape, shape[:1])
     ]
@@ -255,15 +268,17 @@ def friction(scene: Scene) -> Iterator[Hits]:
     least = -_largest(scene, plain, -contacts.friction[:, 0])
 
     def advise(geom: int) -> Remedy:
-        effect = "makes its friction count alone, with its solref, solimp and condim"
+        effect = "makes contacts use its friction, solref, solimp and condim"
         return [(of_geom(scene, geom, rank(scene)), effect)]
 
     # The compiled model does not distinguish a default from the same written number.
     yield Hits(
-        Wording(
+        Finding(
             "friction",
+            "",
             "friction",
-            "friction $value of $shapes counts nowhere because a contact uses the"
+            0.0,
+            "friction $value of $shapes is never used because a contact uses the"
             " larger friction of its two geoms, or that of the geom with the higher"
             " priority; here it is at least $used",
         ),
@@ -278,7 +293,7 @@ def friction(scene: Scene) -> Iterator[Hits]:
 
 def rank(scene: Scene) -> dict[str, str]:
     """Return the attribute of a priority above all priorities of the scene."""
-    return {"priority": str(int(scene.model.geom_priority.max(initial=0)) + 1)}
+    return {"priority": str(scene.model.geom_priority.max(initial=0) + 1)}
 
 
 def of_higher_priority(scene: Scene, geoms: np.ndarray) -> Changes:
@@ -342,7 +357,7 @@ def _largest(scene: Scene, pairs: np.ndarray, values: np.ndarray) -> np.ndarray:
 
 def _pair_hits(
     scene: Scene,
-    wording: Wording,
+    wording: Finding,
     pairs: np.ndarray,
     authored: np.ndarray,
     used: np.ndarray | float,

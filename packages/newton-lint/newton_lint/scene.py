@@ -1,6 +1,7 @@
 """A scene for the rules: its compiled model, its pairs and its source."""
 
 import copy
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 
@@ -10,22 +11,14 @@ from mujoco import MjModel
 
 from newton_lint.combined import CONES, Contacts, contacts_of, option_of
 from newton_lint.law import Option
+from newton_lint.pairs import keys_of, masks_of
 from newton_lint.source import Element, Source, Texts
 from newton_lint.warp_engine import has_noslip
 
-FREE = int(mujoco.mjtJoint.mjJNT_FREE)
-SLIDE = int(mujoco.mjtJoint.mjJNT_SLIDE)
-HINGE = int(mujoco.mjtJoint.mjJNT_HINGE)
+FREE, BALL, SLIDE, HINGE = range(4)
+"""Values of ``mjtJoint``."""
 ON_JOINT = int(mujoco.mjtTrn.mjTRN_JOINT)
 WEIGHTLESS = int(mujoco.mjtDisableBit.mjDSBL_GRAVITY)
-
-
-def changed(model: MjModel, **options: float) -> MjModel:
-    """Return a copy of a model with other options."""
-    model = copy.copy(model)
-    for name, value in options.items():
-        setattr(model.opt, name, value)
-    return model
 
 
 def qualified(owner: str, name: str) -> str:
@@ -47,8 +40,11 @@ class Engine:
         """Return a model with these options in place of the scene's."""
         cone = CONES.index(self.cone) if self.cone else None
         options = {"timestep": self.timestep_s, "cone": cone, "impratio": self.impratio}
-        authored = {name: value for name, value in options.items() if value is not None}
-        return changed(model, **authored)
+        model = copy.copy(model)
+        for name, value in options.items():
+            if value is not None:
+                setattr(model.opt, name, value)
+        return model
 
 
 @dataclass(frozen=True)
@@ -81,8 +77,7 @@ class Scene:
         model = self.model
         # A <pair> makes contacts whatever the masks of its geoms are.
         named = np.isin(np.arange(model.ngeom), [model.pair_geom1, model.pair_geom2])
-        masks = model.geom_contype | model.geom_conaffinity
-        return int(np.count_nonzero(masks | named))
+        return np.count_nonzero(masks_of(model) | named)
 
     def name(self, kind: str, index: int) -> str:
         """Return the name of an element, or its kind with its number."""
@@ -115,15 +110,19 @@ class Scene:
         return None
 
     @cached_property
-    def pair_indices(self) -> dict[tuple[int, int], int]:
-        """Return the index of each pair by its geoms, the lower one first."""
-        pairs = np.sort(self.contacts.geoms, axis=1)
-        return {pair: index for index, pair in enumerate(map(tuple, pairs.tolist()))}
+    def _indices(self) -> dict[int, int]:
+        # Numbers are hashed faster than pairs, of which there may be millions.
+        keys = keys_of(self.contacts.geoms).tolist()
+        return dict(zip(keys, range(len(keys)), strict=True))
+
+    def pair_index(self, geoms: Sequence[int]) -> int | None:
+        """Return the index of the pair of two geoms, or None if they cannot touch."""
+        return self._indices.get(keys_of(np.array([geoms]))[0])
 
     def pair_element(self, contact: int) -> Element | None:
         """Return the ``<pair>`` that names the geoms of a contact."""
         geoms = (self.contacts.first[contact], self.contacts.second[contact])
-        return self.source.pair(*(self.model.geom(int(geom)).name for geom in geoms))
+        return self.source.pair(*(self.model.geom(geom).name for geom in geoms))
 
     @cached_property
     def counts(self) -> np.ndarray:

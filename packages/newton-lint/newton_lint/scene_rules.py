@@ -1,28 +1,18 @@
-"""Rules on a whole scene: its options, masks, meshes, masses and free bodies."""
+"""Rules on a whole scene: its options, its masks and its free bodies."""
 
-import contextlib
 from collections.abc import Iterator
 
-import mujoco
 import numpy as np
 
-from newton_lint.changes import of_element, of_geom, of_option
+from newton_lint.changes import elliptic, of_element, of_geom
 from newton_lint.findings import Finding, Remedy, number
-from newton_lint.pairs import MESH, OFF, read
+from newton_lint.pairs import OFF, masks_of, where
 from newton_lint.scene import FREE, WEIGHTLESS, Scene
 from newton_lint.warp_engine import refusal
 
 # Bodies sink visibly into a pyramidal cone from this friction on: 2 mm at 3, 100 mm at
 # 8.
 STEEP = 3.0
-# Visual geoms are reported if they make a body this many times as heavy.
-HEAVIER = 1.7
-# A mass counts as doubled if its ratio differs from 2 by less than this.
-TWICE = 0.1
-# A mesh is reported if its convex hull has this many times its volume.
-HOLLOW = 2.0
-FEW = (4, 10)
-"""An elliptic cone needs at least one of these numbers of solver iterations."""
 FAST_M_S = 20.0
 """Damping of a free joint hardly matters if it permits this speed of fall."""
 Found = tuple[Finding, Remedy]
@@ -31,50 +21,54 @@ Found = tuple[Finding, Remedy]
 def lost(scene: Scene) -> Iterator[Found]:
     """Yield free bodies that collide with no other body, so that they fall forever."""
     model = scene.model
-    contacts = scene.contacts
     tree = model.body_rootid[model.geom_bodyid]
+    contype = model.geom_contype
+    conaffinity = model.geom_conaffinity
     # If all masks are off, every geom counts.
-    collides = np.isin(np.arange(model.ngeom), read(model)) | (scene.colliding == 0)
-    is_whole = len(read(model)) == np.count_nonzero(
-        model.geom_contype | model.geom_conaffinity
-    )
-    is_free = scene.free[tree]
-    attached = np.flatnonzero(~is_free)
+    collides = (masks_of(model) > 0) | (scene.colliding == 0)
+    attached = np.flatnonzero(~scene.free[tree])
     is_off = model.opt.disableflags & (WEIGHTLESS | OFF)
-    if is_off or not (model.opt.gravity.any() and is_whole and len(attached)):
+    if is_off or not (model.opt.gravity.any() and len(attached)):
         return
-    touchable = tree[contacts.geoms]
-    for body in np.setdiff1d(tree[is_free & collides], touchable).tolist():
-        bits = int(np.bitwise_or.reduce(model.geom_contype[tree != body]))
-        geom = int(np.flatnonzero(tree == body)[0] if bits else attached[0])
+    named = tree[np.append(model.pair_geom1, model.pair_geom2)]
+    for body in np.setdiff1d(tree[scene.free[tree] & collides], named).tolist():
+        own = tree == body
+        bits, masks = (
+            np.bitwise_or.reduce(values[~own]) for values in (contype, conaffinity)
+        )
+        if (contype[own] & masks | conaffinity[own] & bits).any():
+            continue
+        geom = np.flatnonzero(own)[0] if bits else attached[0]
         finding = Finding(
             "lost",
             scene.bodies[body],
             "contype",
-            float(model.geom_contype[geom]),
-            message="$shape falls through every other body because the contype and"
+            float(contype[geom]),
+            "$shape falls through every other body because the contype and"
             " conaffinity bits of its geoms match those of no other geom",
             element=scene.source.authored(geom, "contype") or scene.source.geom(geom),
         )
-        masks = {"contype": f"{bits or 1}", "conaffinity": f"{bits or 1}"}
-        yield finding, [(of_geom(scene, geom, masks), "lets it collide")]
+        changes = of_geom(
+            scene, geom, {"contype": f"{bits or 1}", "conaffinity": f"{bits or 1}"}
+        )
+        yield finding, [(changes, "lets it collide")]
 
 
 def damped(scene: Scene) -> Iterator[Found]:
     """Yield free joints with damping, which slows falling bodies like a thick fluid."""
     model = scene.model
-    for joint in np.flatnonzero(model.jnt_type == FREE).tolist():
-        damping = float(model.dof_damping[model.jnt_dofadr[joint]])
+    for joint in where(model.jnt_type == FREE):
+        damping = model.dof_damping[model.jnt_dofadr[joint]]
         if not damping:
             continue
-        body = int(model.jnt_bodyid[joint])
+        body = model.jnt_bodyid[joint]
         weight = model.body_subtreemass[body] * np.linalg.norm(model.opt.gravity)
         finding = Finding(
             "damping",
             scene.bodies[body],
             "damping",
             damping,
-            message="$shape never falls faster than"
+            "$shape never falls faster than"
             f" {number(weight / damping)} m/s because its free joint has a damping of"
             " $value, which acts on it like a thick fluid",
             severity="warning" if weight < FAST_M_S * damping else "note",
@@ -82,93 +76,6 @@ def damped(scene: Scene) -> Iterator[Found]:
         )
         changes = of_element(scene, "joint", joint, damping="0")
         yield finding, [(changes, "lets it fall freely")]
-
-
-def visual(scene: Scene) -> Iterator[Found]:
-    """Yield bodies whose mass includes visual geoms, which collide with nothing."""
-    model = scene.model
-    root = scene.source.root
-    if root is None or root.tag != "mujoco" or model.npair:
-        return
-    # Old releases have no MjSpec, or one that cannot do this.
-    with contextlib.suppress(ValueError, AttributeError):
-        spec = mujoco.MjSpec.from_file(str(root.file))
-        count = 0
-        for body in () if spec.compiler.inertiagrouprange[0] else spec.bodies[1:]:
-            visible = [
-                geom for geom in body.geoms if not geom.contype and not geom.conaffinity
-            ]
-            if 0 < len(visible) < len(body.geoms) and not body.explicitinertial:
-                for geom in visible:
-                    geom.mass = 0.0
-                    count = count + 1
-        light = spec.compile() if count else model
-        times = (
-            model.body_mass
-            / np.maximum(light.body_mass, mujoco.mjMINVAL)
-            * (model.body_weldid > 0)
-        )
-        heavier = times > HEAVIER
-        # Other ratios may be intended.
-        is_twice = (np.abs(times[heavier] - 2.0) < TWICE).all()
-        for body in np.flatnonzero(heavier).tolist():
-            mass = model.body_mass[body]
-            used = light.body_mass[body]
-            finding = Finding(
-                "visual",
-                scene.bodies[body],
-                "mass",
-                mass,
-                message=f"$shape weighs $value, which is {number(times[body], 2)} times its"
-                " mass without the visual geoms, which collide with nothing",
-                unit="kg",
-                severity="warning" if is_twice else "note",
-            )
-            hint = (
-                'Set mass="0" on the visual geoms, or add an <inertial> to the body;'
-                f" its mass is then {number(used)} kg."
-            )
-            yield finding, [((), hint)]
-
-
-def closed(scene: Scene) -> Iterator[Found]:
-    """Yield hollow meshes, which collide as their convex hull."""
-    model = scene.model
-    touch = (model.geom_contype | model.geom_conaffinity) != 0
-    for geom in np.flatnonzero(touch & (model.geom_type == MESH)).tolist():
-        mesh = int(model.geom_dataid[geom])
-        if (start := int(model.mesh_graphadr[mesh])) < 0:  # The mesh has no hull.
-            continue
-        vertices = model.mesh_vert[model.mesh_vertadr[mesh] :][
-            : model.mesh_vertnum[mesh]
-        ].astype(float)
-        corners = vertices[
-            model.mesh_face[model.mesh_faceadr[mesh] :][: model.mesh_facenum[mesh]]
-        ]
-        count, faces = model.mesh_graph[start : start + 2].tolist()
-        hull = vertices[
-            model.mesh_graph[start + 2 + 3 * count + 3 * faces :][: 3 * faces].reshape(
-                -1, 3
-            )
-        ]
-        full = abs(np.linalg.det(hull).sum())
-        hollow = abs(np.linalg.det(corners).sum())
-        if full > HOLLOW * hollow > 0.0:
-            finding = Finding(
-                "closed",
-                scene.names[geom],
-                "hull",
-                full / hollow,
-                message="$shape collides as its convex hull, which has $value times the"
-                " volume of the mesh, so other bodies cannot enter its hollow parts",
-                severity="note",
-                element=scene.source.geom(geom),
-            )
-            hint = (
-                "Replace the mesh by several convex geoms, for example with CoACD or"
-                " obj2mjcf."
-            )
-            yield finding, [((), hint)]
 
 
 def pyramid(scene: Scene) -> Iterator[Found]:
@@ -183,16 +90,10 @@ def pyramid(scene: Scene) -> Iterator[Found]:
     # mj_diagApprox: an edge of a pyramid has (1 + μ²) times the weight.
     less = 1.0 + steepest**2
     effect = "reduces creep under load by a factor of {} (predicted)"
-    remedy = []
-    iterations = scene.model.opt.iterations
-    for few in (
-        (count for count in FEW if count > iterations) if iterations < 10 else (0,)
-    ):
-        attributes = {"cone": "elliptic"} | ({"iterations": str(few)} if few else {})
-        remedy.append((of_option(scene, **attributes), effect.format(number(less))))
-        if impratio <= 1.0:
-            firm = of_option(scene, **attributes, impratio="10")
-            remedy.append((firm, effect.format(number(10.0 * less / impratio))))
+    remedy = [(elliptic(scene), effect.format(number(less)))]
+    if impratio <= 1.0:
+        firm = elliptic(scene, 10.0)
+        remedy.append((firm, effect.format(number(10.0 * less / impratio))))
     if impratio > 1.0:
         finding = _scene_finding(
             scene,

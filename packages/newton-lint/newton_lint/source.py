@@ -139,8 +139,11 @@ class Source:
         Elements and objects of the model are matched by order or, if the counts or the
         names differ, by name.
         """
-        if kind in self._placed:
-            return self._placed[kind]
+        if kind not in self._placed:
+            self._placed[kind] = self._matched(kind)
+        return self._placed[kind]
+
+    def _matched(self, kind: str) -> dict[int, Placed]:
         tags = (kind, f"free{kind}")
         placed = [
             (element, name)

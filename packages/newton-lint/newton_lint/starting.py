@@ -11,6 +11,7 @@ from newton_lint.changes import Changes, of_element, text_of
 from newton_lint.failures import is_servo, origin
 from newton_lint.findings import Finding, number
 from newton_lint.ledger import Run
+from newton_lint.pairs import where
 from newton_lint.scene import HINGE, Scene
 from newton_lint.trials import Symptom
 from newton_lint.yielding import COUPLINGS, equality_unit, past, scale
@@ -76,7 +77,7 @@ def leaving(scene: Scene, run: Run) -> Iterator[Symptom]:
         run.start.name,
         "speed",
         speed,
-        message="$shape sets the scene in motion at $value because it has no"
+        "$shape sets the scene in motion at $value because it has no"
         f" {' and no '.join(missing)}, so the servos pull their joints to 0",
         unit="m/s or rad/s",
         element=element,
@@ -88,9 +89,9 @@ def misled(scene: Scene, run: Run) -> Iterator[Symptom]:
     """Yield servos of hinges whose targets are in degrees."""
     model = scene.model
     ctrl = run.start.data(model).ctrl
-    for servo in np.flatnonzero(is_servo(model)).tolist():
-        joint = int(model.actuator_trnid[servo, 0])
-        target = float(ctrl[servo] * model.actuator_gear[servo, 0])
+    for servo in where(is_servo(model)):
+        joint = model.actuator_trnid[servo, 0]
+        target = ctrl[servo] * model.actuator_gear[servo, 0]
         span = model.jnt_range[joint] if model.jnt_limited[joint] else (-7.0, 7.0)
         # Without a range, angles of up to a turn are plausible.
         in_range = span[0] <= math.radians(target) <= span[1]
@@ -108,7 +109,7 @@ def misled(scene: Scene, run: Run) -> Iterator[Symptom]:
             new = ctrl.copy()
             new[servo] = math.radians(ctrl[servo])
             changes += of_element(scene, "key", run.start.key, ctrl=text_of(new, 6))
-        address = int(model.jnt_qposadr[joint])
+        address = model.jnt_qposadr[joint]
         goal = math.radians(target)
         read = past("qpos", address, goal, goal, "°")
         finding = Finding(
@@ -116,7 +117,7 @@ def misled(scene: Scene, run: Run) -> Iterator[Symptom]:
             name,
             "ctrl",
             read(run) if not run.bad else math.inf,
-            message=f"$shape drives its joint to $value beyond {target:g}°{origin(run)}"
+            f"$shape drives its joint to $value beyond {target:g}°{origin(run)}"
             f" because ctrl is in radians, and {target:g} is probably in degrees",
             unit="°",
             severity="error",
@@ -139,8 +140,8 @@ def torn(scene: Scene, run: Run) -> Iterator[Symptom]:
         def apart(run: Run, equality=equality, unit=unit) -> float:
             return scale(unit) * run.samples[0].gaps.get(equality, 0.0)
 
-        kind = COUPLINGS.get(int(model.eq_type[equality]), "")
-        bodies = [int(body) for body in _bodies(scene, equality)]
+        kind = COUPLINGS.get(model.eq_type[equality], "")
+        bodies = _bodies(scene, equality)
         mocap = [body for body in bodies if model.body_mocapid[body] >= 0]
         why = f"the {kind} equality pulls its two sides together"
         if mocap:
@@ -150,7 +151,7 @@ def torn(scene: Scene, run: Run) -> Iterator[Symptom]:
             scene.name("equality", equality),
             "gap",
             value,
-            message=f"$shape is $value open at {run.start.name}, and the scene starts"
+            f"$shape is $value open at {run.start.name}, and the scene starts"
             f" with {number(speed, 2)} m/s or rad/s because {why}",
             unit=unit,
             severity="warning" if speed > LEAVES else "note",
@@ -164,9 +165,9 @@ def _bodies(scene: Scene, equality: int) -> list[int]:
     model = scene.model
     if model.eq_type[equality] not in (CONNECT, WELD):
         return []
-    ids = [int(model.eq_obj1id[equality]), int(model.eq_obj2id[equality])]
+    ids = [model.eq_obj1id[equality], model.eq_obj2id[equality]]
     is_site = model.eq_objtype[equality] == SITE
-    return [int(model.site_bodyid[index]) for index in ids] if is_site else ids
+    return [model.site_bodyid[index] for index in ids] if is_site else ids
 
 
 def _joining(
@@ -174,25 +175,14 @@ def _joining(
 ) -> Iterator[Changes]:
     """Yield changes that close an equality at the start."""
     model = scene.model
-    ids = [int(model.eq_obj1id[equality]), int(model.eq_obj2id[equality])]
-    if not bodies:
-        return
-    is_site = model.eq_objtype[equality] == SITE
-    if is_site:
-        points = data.site_xpos[ids]
-    else:
-        # Both anchors are in eq_data: the first three numbers belong to body2 of a
-        # weld, and to body1 of a connect.
-        anchors = model.eq_data[equality, :6].reshape(2, 3)
-        if model.eq_type[equality] == WELD:
-            anchors = anchors[::-1]
-        frames = data.xmat[bodies].reshape(-1, 3, 3)
-        points = data.xpos[bodies] + np.einsum("nij,nj->ni", frames, anchors)
-    shift = points[1] - points[0]
-    for side, body in enumerate(bodies):
+    rows = data.efc_id == equality
+    rows &= data.efc_type == int(mujoco.mjtConstraint.mjCNSTR_EQUALITY)
+    # The first three rows are the place of the first side less that of the second.
+    gap = data.efc_pos[rows][:3]
+    for body, shift in zip(bodies, (-gap, gap), strict=False):
+        moved = data.xpos[body] + shift
         # Either side may move to the other one, but only a mocap body is free to.
-        moved = data.xpos[body] + (shift if side == 0 else -shift)
-        mocap = int(model.body_mocapid[body])
+        mocap = model.body_mocapid[body]
         if mocap < 0:
             continue
         if run.start.key is None:
@@ -201,9 +191,9 @@ def _joining(
             mpos = model.key_mpos[run.start.key].reshape(-1, 3).copy()
             mpos[mocap] = moved
             yield of_element(scene, "key", run.start.key, mpos=text_of(mpos.ravel(), 6))
-    if is_site and run.start.key is None:
-        for side, site in enumerate(ids):
-            body = bodies[side]
-            frame = data.xmat[body].reshape(3, 3)
-            place = frame.T @ (points[1 - side] - data.xpos[body])
+    if model.eq_objtype[equality] == SITE and run.start.key is None:
+        sites = (model.eq_obj1id[equality], model.eq_obj2id[equality])
+        for site, shift in zip(sites, (-gap, gap), strict=True):
+            frame = data.xmat[model.site_bodyid[site]].reshape(3, 3)
+            place = model.site_pos[site] + frame.T @ shift
             yield of_element(scene, "site", site, pos=text_of(place))

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 
 import mujoco
 from mujoco import MjModel
@@ -12,6 +13,7 @@ from newton_lint.fix import Unwritable, edited
 from newton_lint.law import M
 from newton_lint.ledger import SPAN_S, Run, run_of
 from newton_lint.scene import Scene
+from newton_lint.source import Element
 from newton_lint.target import compiled
 
 THROWN_M_S = 0.5
@@ -31,8 +33,6 @@ FASTER = 1.2
 FASTER_M_S = 5e-3
 SLOWER = 1.8
 """A simulated second may take this many times the solver's effort."""
-SLOWEST = 3.0
-"""It may take this many times the processor time."""
 SHALLOW_M = 2e-3
 """A body whose contacts are below this depth no longer falls through."""
 FALLS_M_S = 3.0
@@ -55,8 +55,6 @@ SINKING = ("tunnel", "slides", "through", "damping")
 """Rules on bodies that may touch something only after the change."""
 WRITTEN = ("lost", "pyramid", "solref-format", "dampratio", "stiff", "one-sided")
 """Rules whose changes let contacts be as soft as they are written."""
-DOUBTFUL = ("depth", "equality", "limit")
-"""Rules whose findings are notes if nothing mends them."""
 LEADING = ("equality", "keyframe", "limit", "servo", "apart", "degrees")
 """Rules whose changes lead to other motions, with other impacts on the way."""
 Read = Callable[[Run], float]
@@ -76,18 +74,58 @@ class Symptom:
     """The effect of the changes in words, with {} for the reading after them."""
     unit: str = ""
     """The unit of the reading, if it differs from that of the finding."""
+    why: str = ""
+    """The likely cause, which is only told if a change of it helps."""
     goal: float = 0.0
     """A reading that is good enough; by default a share of that without changes."""
 
 
+Judge = Callable[
+    [Scene, Sequence[Run]], tuple[list[Finding], list[tuple[int, Symptom]]]
+]
+"""Returns what is wrong with the parameters of a scene and, by run, with its motion."""
+
+
 @dataclass
 class Trials:
-    """The runs of a scene, and those of its variants."""
+    """The runs of a scene or of a variant of it, and the variants that were tried."""
 
     scene: Scene
     runs: Sequence[Run]
+    judge: Judge = lambda *_: ([], [])
+    known: Collection[str] = ()
+    """Rules with findings on the scene that this is a variant of."""
     spent_s: float = 0.0
-    variants: dict[Changes, list[Run] | None] = field(default_factory=dict)
+    variants: dict[Changes, "Trials | None"] = field(default_factory=dict)
+
+    @cached_property
+    def judged(self) -> tuple[list[Finding], list[tuple[int, Symptom]]]:
+        return self.judge(self.scene, self.runs)
+
+    @cached_property
+    def worst(self) -> dict[str, float]:
+        """Return the largest value of each rule."""
+        findings, symptoms = self.judged
+        values = [
+            (abs(finding.value), finding.rule)
+            for finding in (*findings, *(symptom.finding for _, symptom in symptoms))
+        ]
+        return {rule: value for value, rule in sorted(values)}
+
+    @cached_property
+    def faults(self) -> list[Finding]:
+        """Return the warnings and errors of a variant."""
+        findings, symptoms = self.judged
+        inner = Trials(self.scene, self.runs)
+        certain = [
+            symptom.finding
+            for index, symptom in symptoms
+            # What only counts if something mends it is tried on top of the changes.
+            if not symptom.needs_cure
+            or symptom.finding.rule in self.known
+            or inner.finding_of(symptom, index)
+        ]
+        return [item for item in (*findings, *certain) if item.severity != "note"]
 
     def model(self, changes: Changes) -> MjModel | None:
         """Return the changed model, or None if it cannot be made."""
@@ -105,18 +143,40 @@ class Trials:
         except (Unwritable, ValueError, mujoco.FatalError):
             return None
 
-    def runs_with(self, changes: Changes) -> list[Run] | None:
-        """Return the runs of a changed scene, or None if there are none."""
+    def variant(self, changes: Changes) -> "Trials | None":
+        """Return the trials of a changed scene, or None if it cannot be stepped."""
         if changes not in self.variants:
             # A variant of a run that stopped early cannot be compared with it.
             long = all(run.time_s > 0.99 * SPAN_S or run.bad for run in self.runs)
             model = None
             if changes and long and self.spent_s < BUDGET_S:
                 model = self.model(changes)
-            runs = [run_of(model, run.start) for run in self.runs] if model else None
-            self.spent_s += sum(run.cost_s * run.time_s for run in runs or ())
-            self.variants[changes] = runs
+            self.variants[changes] = self._stepped(model) if model else None
         return self.variants[changes]
+
+    def _stepped(self, model: MjModel) -> "Trials":
+        runs = [run_of(model, run.start) for run in self.runs]
+        self.spent_s += sum(run.spent_s for run in runs)
+        return Trials(replace(self.scene, model=model), runs, self.judge, self.worst)
+
+    def refuses(self, variant: "Trials", finding: Finding) -> bool:
+        """Return whether a variant does harm or has a worse fault of another kind."""
+        if any(run.bad or run.time_s < 0.99 * SPAN_S for run in variant.runs):
+            return True
+        if harm(self.runs, variant.runs, [finding.rule]):
+            return True
+        return any(
+            fault.rule != finding.rule
+            and abs(fault.value) > DEEPER * self.worst.get(fault.rule, 0.0)
+            and (fault.severity == "error" or finding.severity != "error")
+            for fault in variant.faults
+        )
+
+    def drawback(self, variant: "Trials", finding: Finding) -> str:
+        """Return the harm that changes do because their rule is meant to do it."""
+        is_meant = finding.rule in MOVING
+        reasons = map(faster, self.runs, variant.runs) if is_meant else ()
+        return next(filter(None, reasons), "")
 
     def finding_of(self, symptom: Symptom, index: int) -> Finding | None:
         """Return the finding of a symptom in a run with the changes that mend it."""
@@ -125,47 +185,78 @@ class Trials:
         ways = symptom.ways if finding.severity != "note" else ()
         before = symptom.read(self.runs[index])
         cures: list[Cure] = []
+        was_tried = False
         for changes in ways:
-            if (runs := self.runs_with(changes)) is None:
+            if (variant := self.variant(changes)) is None:
                 continue
-            if any(run.bad or run.time_s < 0.99 * SPAN_S for run in runs):
+            was_tried = True
+            if self.refuses(variant, finding):
                 continue
-            after = symptom.read(runs[index])
+            after = symptom.read(variant.runs[index])
             # The negation also refuses NaN.
             if not after < MENDS * before:
                 continue
-            if harm(self.runs, runs, [finding.rule]):
-                continue
             unit = symptom.unit or finding.unit
-            cures.append(Cure(changes, before, after, unit, symptom.effect))
+            drawback = self.drawback(variant, finding)
+            cures.append(Cure(changes, before, after, unit, symptom.effect, drawback))
             good = symptom.goal or GOOD * before
             if after <= good or len(cures) == MOST_CURES:
                 break
         if symptom.needs_cure and not cures:
             return None
-        if finding.rule in DOUBTFUL and not cures:
-            finding = replace(finding, severity="note")
+        if symptom.why and (cures or finding.severity == "note"):
+            message = f"{finding.message} because {symptom.why}"
+            finding = replace(finding, message=message)
+        if was_tried and not cures and not finding.hint:
+            finding = replace(finding, hint="No tried change helps.")
         # Changes that mend it well come first; the sort keeps the order of the rule.
         cures.sort(key=lambda cure: (cure.after or 0.0) > GOOD * before)
         element = finding.element or self.scene.place(finding.shape)
         return replace(finding, cures=tuple(cures), element=element)
 
-    def advised(self, finding: Finding, remedy: Remedy) -> Finding:
-        """Return a finding with the changes that do no harm from any start."""
+    def advised(self, group: Sequence[Finding], remedy: Remedy) -> list[Finding]:
+        """Return alike findings with the changes that do no harm from any start."""
+        finding = group[0]
+        scene = self.scene
         cures: list[Cure] = []
         hints = [effect for changes, effect in remedy if not changes]
         for changes, effect in remedy if finding.severity != "note" else ():
             if not changes or len(cures) == MOST_CURES:
                 continue
-            runs = self.runs_with(changes) if self.runs else []
-            if runs is not None and not harm(self.runs, runs, [finding.rule]):
-                cures.append(Cure(changes, effect=effect))
-        elements = [changes[0].element for changes, _ in remedy if changes]
-        element = finding.element or next(iter(elements), None)
-        element = element or self.scene.place(finding.shape)
-        return replace(
-            finding, cures=tuple(cures), hint=" ".join(hints), element=element
-        )
+            drawback = ""
+            if self.runs:
+                variant = self.variant(changes)
+                if variant is None or self.refuses(variant, finding):
+                    continue
+                if any(
+                    (item.rule, item.shape) == (finding.rule, finding.shape)
+                    and abs(item.value) > MENDS * abs(finding.value)
+                    for item in variant.judged[0]
+                ):
+                    continue
+                drawback = self.drawback(variant, finding)
+            cures.append(Cure(changes, effect=effect, drawback=drawback))
+        all_changes = [change for changes, _ in remedy for change in changes]
+
+        def place(finding: Finding) -> Element | None:
+            places = [
+                change.element
+                for change in all_changes
+                if len(group) == 1
+                or any(scene.names[geom] == finding.shape for geom in change.ids)
+            ]
+            own = [finding.element, *places, scene.place(finding.shape)]
+            return next(filter(None, own), None)
+
+        return [
+            replace(
+                finding,
+                cures=tuple(cures),
+                hint=" ".join(hints),
+                element=place(finding),
+            )
+            for finding in group
+        ]
 
 
 def harm(before: Sequence[Run], after: Sequence[Run], rules: Collection[str]) -> str:
@@ -178,13 +269,12 @@ def harm(before: Sequence[Run], after: Sequence[Run], rules: Collection[str]) ->
             return reason
     if {*FREES} & {*rules}:
         return ""
-    for name, most in (("effort", SLOWER), ("cost_s", SLOWEST)):
-        old_cost = sum(getattr(run, name) for run in before)
-        new_cost = sum(getattr(run, name) for run in after)
-        if new_cost > most * old_cost:
-            ratio = new_cost / max(old_cost, 1e-9)
-            return f"a simulated second costs {number(ratio, 2)} times as much"
-    return ""
+    old_effort = sum(run.effort for run in before)
+    new_effort = sum(run.effort for run in after)
+    if new_effort <= SLOWER * old_effort:
+        return ""
+    ratio = number(new_effort / old_effort, 2)
+    return f"a simulated second costs {ratio} times as much"
 
 
 def _motion_harm(old: Run, new: Run, rules: Collection[str]) -> str:
@@ -210,11 +300,14 @@ def _motion_harm(old: Run, new: Run, rules: Collection[str]) -> str:
                 f"the {name} goes from {number(M * old_depth)} to {number(M * new_depth)} mm"
                 f" from {new.start.name}"
             )
-    old_speed = old.speed
-    new_speed = new.speed
-    if new_speed > FASTER * old_speed + FASTER_M_S and not {*MOVING} & {*rules}:
-        return (
-            f"the fastest speed at the end goes from {number(old_speed)} to"
-            f" {number(new_speed)} m/s or rad/s"
-        )
-    return ""
+    return "" if {*MOVING} & {*rules} else faster(old, new)
+
+
+def faster(old: Run, new: Run) -> str:
+    """Return how the motion at the end gets faster, or an empty string."""
+    if new.speed <= FASTER * old.speed + FASTER_M_S:
+        return ""
+    return (
+        f"the fastest speed at the end goes from {number(old.speed)} to"
+        f" {number(new.speed)} m/s or rad/s"
+    )

@@ -9,6 +9,7 @@ from mujoco import MjModel
 
 from newton_lint.changes import (
     Changes,
+    elliptic,
     of_contacts,
     of_element,
     of_geom,
@@ -19,8 +20,8 @@ from newton_lint.changes import (
 from newton_lint.failures import is_servo, origin, shorter_steps
 from newton_lint.findings import Finding, number, rounded
 from newton_lint.law import DEFAULT_SOLREF, M
-from newton_lint.ledger import Run, Sample
-from newton_lint.pairs import HFIELD, PLANE
+from newton_lint.ledger import Run
+from newton_lint.pairs import HFIELD, PLANE, where
 from newton_lint.scene import HINGE, ON_JOINT, SLIDE, Scene
 from newton_lint.scene_rules import STEEP
 from newton_lint.trials import Read, Symptom
@@ -82,15 +83,15 @@ def depths(scene: Scene, run: Run) -> Iterator[Symptom]:
         for sample in run.late
         for pair in sample.touches.pairs.tolist()
     }
-    indices = scene.pair_indices
     sunk = [
-        indices[pair]
+        contact
         for pair in late
-        if pair in indices and M * depth_m(run, pair) > 0.3 * LEAST
+        if M * depth_m(run, pair) > 0.3 * LEAST
+        and (contact := scene.pair_index(pair)) is not None
     ]
     for pair in late:
         # The pair may be of a geom that is not read.
-        if (contact := scene.pair_indices.get(pair)) is None:
+        if (contact := scene.pair_index(pair)) is None:
             continue
 
         def read(run: Run, pair=pair) -> float:
@@ -109,8 +110,9 @@ def depths(scene: Scene, run: Run) -> Iterator[Symptom]:
         if depth <= least or (depth < 2.0 * first and not lies):
             continue
         rests = run.still[bodies].all()
-        timeconst = float(contacts.solref[contact, 0])
-        mu = float(contacts.friction[contact, 0])
+        lasts = min(late_depths(run, pair)) > 0.5 * depth / M
+        timeconst = contacts.solref[contact, 0]
+        mu = contacts.friction[contact, 0]
         # A direct solref was chosen by someone, so it counts as soft too.
         is_soft = not 0.0 < timeconst <= DEFAULT_SOLREF[0]
         much = LEAST if is_soft else DEEP_MM
@@ -128,29 +130,34 @@ def depths(scene: Scene, run: Run) -> Iterator[Symptom]:
                 scene.names[shape],
                 "depth",
                 depth,
-                message=f"$shape sinks $value into $against {when(run, *bodies)}"
-                f" because {why}",
+                f"$shape sinks $value into $against {when(run, *bodies)}",
                 against=(scene.names[partner],),
                 unit="mm",
                 severity="warning"
-                if ((severe and rests) or depth > sizes[thin]) and depth > 2.0 * first
+                if (
+                    (severe and rests)
+                    or (lasts and depth > DEEP_MM)
+                    or depth > sizes[thin]
+                )
+                and depth > 2.0 * first
                 else "note",
             ),
             read,
             list(_stiffening(scene, contact, depth, sunk)),
+            why=why,
         )
 
 
 def depth_m(run: Run, pair: Sequence[int]) -> float:
     """Return the mean of the deepest contact of two geoms in the late samples [m]."""
-    return float(
-        np.mean(
-            [
-                sample.touches.depth_m[sample.touches.between(pair)].max(initial=0.0)
-                for sample in run.late
-            ]
-        )
-    )
+    return float(np.mean(late_depths(run, pair)))
+
+
+def late_depths(run: Run, pair: Sequence[int]) -> list[float]:
+    return [
+        sample.touches.depth_m[sample.touches.between(pair)].max(initial=0.0)
+        for sample in run.late
+    ]
 
 
 def _stiffening(
@@ -192,16 +199,6 @@ def _stiffening(
     yield of_contacts(scene, sunk, hardest, HARD)
 
 
-def elliptic(scene: Scene, impratio: float = 0.0) -> Changes:
-    """Return changes to an elliptic cone with an impratio and enough iterations."""
-    attributes = {"cone": "elliptic"}
-    if impratio:
-        attributes["impratio"] = f"{impratio:g}"
-    if scene.model.opt.iterations < 10:
-        attributes["iterations"] = "10"
-    return of_option(scene, **attributes)
-
-
 def noslip(scene: Scene) -> list[Changes]:
     """Return changes that add the noslip pass, unless the engine may not have it."""
     if scene.engine.name != "mujoco":
@@ -216,8 +213,8 @@ def limits(scene: Scene, run: Run) -> Iterator[Symptom]:
     servos = np.flatnonzero(is_servo(model))
     ctrl = run.start.data(model).ctrl
     is_single = np.isin(model.jnt_type, (HINGE, SLIDE))
-    joints = np.flatnonzero(model.jnt_limited & is_single).tolist()
-    tendons = np.flatnonzero(model.tendon_limited).tolist()
+    joints = where(model.jnt_limited & is_single)
+    tendons = where(model.tendon_limited)
     for kind, index in [
         *(("joint", joint) for joint in joints),
         *(("tendon", tendon) for tendon in tendons),
@@ -227,13 +224,13 @@ def limits(scene: Scene, run: Run) -> Iterator[Symptom]:
         body = 0
         if kind == "joint":
             low, high = model.jnt_range[index].tolist()
-            body = int(model.jnt_bodyid[index])
+            body = model.jnt_bodyid[index]
             is_angle = model.jnt_type[index] == HINGE
             values = "qpos"
-            at = int(model.jnt_qposadr[index])
+            at = model.jnt_qposadr[index]
             for servo in servos[model.actuator_trnid[servos, 0] == index].tolist():
-                gear = float(model.actuator_gear[servo, 0])
-                target = float(ctrl[servo]) * gear
+                gear = model.actuator_gear[servo, 0]
+                target = ctrl[servo] * gear
                 if not low <= target <= high:
                     name = scene.name("actuator", servo)
                     why = f"{name} pulls it to a target of {number(target)}"
@@ -247,36 +244,32 @@ def limits(scene: Scene, run: Run) -> Iterator[Symptom]:
         unit = "°" if is_angle else "mm"
         ways.append(of_element(scene, kind, index, solreflimit=solref))
         read = past(values, at, low, high, unit)
-        first = scale(unit) * _beyond(run.samples[0], values, at, low, high)
+        start = run.samples[0].arrays[values][at]
+        first = scale(unit) * max(low - start, start - high)
         if first > LEAST:
             why = f"it starts {rounded(first, unit)} beyond it"
         if (value := read(run)) > LEAST:
-            severe = value > MUCH * LEAST and run.still[body]
             finding = Finding(
                 "limit",
                 scene.name(kind, index),
                 "position" if kind == "joint" else "length",
                 value,
-                f"$shape is $value beyond its range {when(run, body)} because {why}",
+                f"$shape is $value beyond its range {when(run, body)}",
                 unit=unit,
-                severity="warning" if severe else "note",
+                severity="warning" if value > MUCH * LEAST else "note",
             )
-            yield Symptom(finding, read, ways)
+            yield Symptom(finding, read, ways, why=why)
 
 
 def past(name: str, at: int, low: float, high: float, unit: str) -> Read:
-    """Return a reading of how far a value is beyond its range in the late samples."""
+    """Return a reading of how far a value is, or swings about, beyond its range."""
 
     def read(run: Run) -> float:
-        excess = [_beyond(sample, name, at, low, high) for sample in run.late]
-        return scale(unit) * float(np.mean(excess))
+        values = np.array([sample.arrays[name][at] for sample in run.samples])
+        centre = _centre(values, len(run.late))
+        return scale(unit) * max(low - centre, centre - high, 0.0)
 
     return read
-
-
-def _beyond(sample: Sample, name: str, at: int, low: float, high: float) -> float:
-    value = float(sample.arrays[name][at])
-    return max(low - value, value - high, 0.0)
 
 
 def _turns(model: MjModel, tendon: int) -> bool:
@@ -288,8 +281,8 @@ def _turns(model: MjModel, tendon: int) -> bool:
 
 def equality_unit(model: MjModel, equality: int) -> str:
     """Return the unit in which the gap of an equality is measured."""
-    joint = int(model.eq_obj1id[equality])
-    kind = COUPLINGS.get(int(model.eq_type[equality]))
+    joint = model.eq_obj1id[equality]
+    kind = COUPLINGS.get(model.eq_type[equality])
     if kind == "tendon":
         return "°" if _turns(model, joint) else "mm"
     return "°" if kind == "joint" and model.jnt_type[joint] == HINGE else "mm"
@@ -299,7 +292,7 @@ def equalities(scene: Scene, run: Run) -> Iterator[Symptom]:
     """Yield equalities with their gap; for a weld, this is the translational gap."""
     model = scene.model
     for equality in run.samples[-1].gaps:
-        if (kind := COUPLINGS.get(int(model.eq_type[equality]))) is None:
+        if (kind := COUPLINGS.get(model.eq_type[equality])) is None:
             continue
         unit = equality_unit(model, equality)
 
@@ -317,18 +310,18 @@ def equalities(scene: Scene, run: Run) -> Iterator[Symptom]:
             for attributes in (hard, hard | {"solimp": HARD})
         ]
         bodies = model.eq_objtype[equality] == int(mujoco.mjtObj.mjOBJ_BODY)
-        moving = [int(model.eq_obj2id[equality])] if bodies else []
+        moving = [model.eq_obj2id[equality]] if bodies else []
         finding = Finding(
             "equality",
             name,
             "gap",
             value,
-            message=f"$shape is $value open {when(run, *moving)} because its solref"
-            f" ({solref}) is too soft for the load on this {kind} equality",
+            f"$shape is $value open {when(run, *moving)}",
             unit=unit,
             severity="warning" if value > FAR * LEAST else "note",
         )
-        yield Symptom(finding, gap, ways)
+        why = f"its solref ({solref}) is too soft for the load on this {kind} equality"
+        yield Symptom(finding, gap, ways, why=why)
 
 
 def _centre(values: np.ndarray, late: int) -> float:
@@ -336,8 +329,9 @@ def _centre(values: np.ndarray, late: int) -> float:
     ways = np.sign(np.diff(values))
     # Turning points of the swing: the sign of the slope changes there.
     turns = values[1:-1][(ways[1:] * ways[:-1]) < 0.0]
-    if len(turns) < 3 or np.ptp(values[-late:]) < LEAST_SWING * values[-late:].mean():
-        return float(values[-late:].mean())
+    mean = float(values[-late:].mean())
+    if len(turns) < 3 or np.ptp(values[-late:]) < LEAST_SWING * abs(mean):
+        return mean
     # This mean is exact for a decaying oscillation in which each half swing is
     # smaller by the same amount.
     before, last, after = turns[-3:].tolist()
@@ -350,12 +344,10 @@ def servos(scene: Scene, run: Run) -> Iterator[Symptom]:
     ctrl = run.start.data(model).ctrl.copy()
     limited = model.actuator_ctrllimited > 0
     ctrl[limited] = np.clip(ctrl[limited], *model.actuator_ctrlrange[limited].T)
-    for servo in np.flatnonzero(
-        is_servo(model) & (model.actuator_dyntype == 0)
-    ).tolist():
-        joint = int(model.actuator_trnid[servo, 0])
-        dof = int(model.jnt_dofadr[joint])
-        body = int(model.jnt_bodyid[joint])
+    for servo in where(is_servo(model) & (model.actuator_dyntype == 0)):
+        joint = model.actuator_trnid[servo, 0]
+        dof = model.jnt_dofadr[joint]
+        body = model.jnt_bodyid[joint]
         # A servo that presses against a contact or a limit does not have to arrive.
         is_blocked = abs(run.mean("qfrc_constraint")[dof]) > 1e-9
         if model.jnt_type[joint] not in (HINGE, SLIDE) or is_blocked:
@@ -363,8 +355,8 @@ def servos(scene: Scene, run: Run) -> Iterator[Symptom]:
         unit = "°" if model.jnt_type[joint] == HINGE else "mm"
 
         def short(run: Run, servo=servo, unit=unit) -> float:
-            length = float(run.mean("actuator_length")[servo])
-            return scale(unit) * abs(float(ctrl[servo]) - length)
+            length = run.mean("actuator_length")[servo]
+            return scale(unit) * abs(ctrl[servo] - length)
 
         if (value := short(run)) <= LEAST or not run.still[body]:
             continue
@@ -374,15 +366,15 @@ def servos(scene: Scene, run: Run) -> Iterator[Symptom]:
                 weightless += of_element(scene, "body", child, gravcomp="1")
         # The error is proportional to 1/kp; half of the least error leaves a margin.
         times = math.ceil(2.0 * value / LEAST)
-        gain = times * float(model.actuator_gainprm[servo, 0])
+        gain = times * model.actuator_gainprm[servo, 0]
         # The damping ratio stays the same if kv grows with the root of kp.
-        damping = -(times**0.5) * float(model.actuator_biasprm[servo, 2])
+        damping = -(times**0.5) * model.actuator_biasprm[servo, 2]
         finding = Finding(
             "servo",
             scene.name("actuator", servo),
             "error",
             value,
-            message=f"$shape is $value from its target {when(run, body)} because"
+            f"$shape is $value from its target {when(run, body)} because"
             " gravity pulls it and its kp is low",
             unit=unit,
             severity="warning" if value > FAR * LEAST else "note",
@@ -395,7 +387,7 @@ def _ancestors(model: MjModel, body: int) -> Iterator[int]:
     """Yield a body and the bodies that carry it."""
     while body:
         yield body
-        body = int(model.body_parentid[body])
+        body = model.body_parentid[body]
 
 
 def sagging(scene: Scene, run: Run) -> Iterator[Symptom]:
@@ -405,9 +397,9 @@ def sagging(scene: Scene, run: Run) -> Iterator[Symptom]:
     driven = model.jnt_dofadr[model.actuator_trnid[is_servo(model), 0]]
     idle = (model.actuator_trntype == ON_JOINT) & (run.start.data(model).ctrl == 0.0)
     undriven = model.jnt_dofadr[model.actuator_trnid[idle, 0]]
-    for row in np.flatnonzero(data.efc_type[: data.nefc] == DRY_FRICTION).tolist():
-        dof = int(data.efc_id[row])
-        joint = int(model.dof_jntid[dof])
+    for row in where(data.efc_type[: data.nefc] == DRY_FRICTION):
+        dof = data.efc_id[row]
+        joint = model.dof_jntid[dof]
 
         is_hinge = model.jnt_type[joint] == HINGE
         unit = "°/s" if is_hinge else "mm/s"
@@ -415,11 +407,9 @@ def sagging(scene: Scene, run: Run) -> Iterator[Symptom]:
         def creep(run: Run, joint=joint, unit=unit) -> float:
             begin = run.late[0]
             end = run.late[-1]
-            address = int(model.jnt_qposadr[joint])
+            address = model.jnt_qposadr[joint]
             moved = end.arrays["qpos"][address] - begin.arrays["qpos"][address]
-            return (
-                scale(unit) * abs(float(moved)) / max(end.time_s - begin.time_s, 1e-9)
-            )
+            return scale(unit) * abs(moved) / max(end.time_s - begin.time_s, 1e-9)
 
         rate = creep(run) / scale(unit)
         force = max(abs(data.efc_force[row]), mujoco.mjMINVAL)
@@ -445,7 +435,7 @@ def sagging(scene: Scene, run: Run) -> Iterator[Symptom]:
                 scene.name("joint", joint),
                 "speed",
                 scale(unit) * rate,
-                message=f"$shape creeps at $value{origin(run)} under a load of"
+                f"$shape creeps at $value{origin(run)} under a load of"
                 f" {number(force)}, which is {force / loss:.0%} of its frictionloss,"
                 " because MuJoCo's dry friction yields like a damper",
                 unit=unit,
@@ -473,11 +463,11 @@ def passing(scene: Scene, run: Run) -> Iterator[Symptom]:
             return float(_crossing(model, pair, run, inside=0.5).any())
 
         # The thinnest direction of the bounding box is the normal of a plate.
-        axis = int(model.geom_aabb[wall, 3:].argmin())
+        axis = model.geom_aabb[wall, 3:].argmin()
         thick = 2.0 * M * model.geom_aabb[wall, 3 + axis]
         column = axis // 2 if model.geom_type[wall] == CYLINDER else axis
-        contact = scene.pair_indices.get(tuple(sorted((geom, wall))))
-        mu = 0.0 if contact is None else float(contacts.friction[contact, 0])
+        contact = scene.pair_index((geom, wall))
+        mu = 0.0 if contact is None else contacts.friction[contact, 0]
         is_steep = scene.option.cone == "pyramidal" and mu > STEEP
         ways = [elliptic(scene)] if is_steep else []
         for times in THICKER if model.geom_type[wall] != MESH else ():
@@ -491,7 +481,7 @@ def passing(scene: Scene, run: Run) -> Iterator[Symptom]:
             scene.names[geom],
             "wall",
             thick,
-            message=f"$shape passes through $against{origin(run)}, which is only $value"
+            f"$shape passes through $against{origin(run)}, which is only $value"
             " thick, because a contact that is deeper than half of it pushes onwards",
             against=(scene.names[wall],),
             unit="mm",
@@ -554,7 +544,7 @@ def crowded(scene: Scene, run: Run) -> Iterator[Symptom]:
         pairs, counts = np.unique(sample.touches.geoms, axis=0, return_counts=True)
         for pair in pairs[counts >= MOST_CONTACTS].tolist():
             field, geom = sorted(pair, key=lambda geom: model.geom_type[geom] != HFIELD)
-            asset = int(model.geom_dataid[field])
+            asset = model.geom_dataid[field]
             wide = model.hfield_size[asset][:2].tolist()
             # With cells of 0.7 radii, a geom touches too few of them to reach the limit.
             ncol, nrow = (
@@ -564,14 +554,14 @@ def crowded(scene: Scene, run: Run) -> Iterator[Symptom]:
 
             def fall(run: Run, geom=geom) -> float:
                 places = [sample.arrays["geom_xpos"][geom] for sample in run.samples]
-                return M * float(np.linalg.norm(places[-1] - places[0]))
+                return M * np.linalg.norm(places[-1] - places[0])
 
             finding = Finding(
                 "hfield",
                 scene.names[geom],
                 "cells",
                 MOST_CONTACTS,
-                message="$shape sinks through $against because it touches more cells"
+                "$shape sinks through $against because it touches more cells"
                 " than the $value contacts that MuJoCo makes for a pair",
                 against=(scene.names[field],),
                 hint=f'Use larger cells, such as nrow="{nrow}" ncol="{ncol}".',

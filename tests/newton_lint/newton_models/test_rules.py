@@ -159,6 +159,30 @@ def test_kf_is_read_by_some_releases_and_cones_and_contacts_and_clamped():
     assert shapes == ([PAIR] if kf_is_read() else [PAIR[:1]])
 
 
+@pytest.mark.parametrize("impratio", [1.0, 4.0])
+def test_kf_is_clamped_where_its_timeconst_is_two_substeps(monkeypatch, impratio):
+    """The timeconst is 2 / (kf w ((1 - dmax) / impratio + dmax)), with dmax of 0.95."""
+    monkeypatch.setattr(module, "kf_is_read", lambda: True)
+
+    def of(first: float, second: float, **attributes: tuple) -> list[tuple]:
+        model = two_boxes({"kf": first}, {"kf": second}, **attributes)
+        return found(model, name="newton", cone="elliptic", impratio=impratio)
+
+    weight = 2.0 / float(two_boxes({}, {}).body_mass.numpy()[0])
+    most = 1.0 / (DT * weight * (0.05 / impratio + 0.95))
+    own = {"geom_priority": (1, 0)}
+    mixed = {"geom_solmix": (1.0, 3.0)}
+    assert (
+        of(0.99 * most, 9.0 * most, **own)
+        == of(0.39 * most, 1.19 * most, **mixed)
+        == []
+    )
+    assert of(1.01 * most, 9.0 * most, **own) == [("kf", PAIR, "kf", 1.01 * most, most)]
+    assert of(0.4 * most, 1.21 * most, **mixed) == [
+        ("kf", PAIR, "kf", 1.0075 * most, most)
+    ]
+
+
 def test_a_kf_of_zero_takes_the_friction_away(monkeypatch):
     monkeypatch.setattr(module, "kf_is_read", lambda: True)
     model = two_boxes({"kf": 0.0}, {"kf": 1e5}, geom_priority=(1, 0))

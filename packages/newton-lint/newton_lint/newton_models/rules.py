@@ -11,7 +11,7 @@ from mujoco import MjData
 from newton.solvers import SolverMuJoCo
 
 from newton_lint.combined import Contacts, contacts_of, share
-from newton_lint.findings import Finding, Hits, Remedy, Wording, findings_of
+from newton_lint.findings import Finding, Hits, Remedy, findings_of
 from newton_lint.law import DEFAULT_SOLREF
 from newton_lint.newton_models.compat import kf_is_read
 from newton_lint.rules import SAME
@@ -73,7 +73,8 @@ def findings_in(scene: Shapes) -> list[Finding]:
         replace(finding, hint=" ".join(hint for _, hint in remedy))
         for rule in rules
         for hits in rule(scene)
-        for finding, remedy in findings_of(hits, scene.names)
+        for findings, remedy in findings_of(hits, scene.names)
+        for finding in findings
     ]
 
 
@@ -92,9 +93,11 @@ def ke_without_kd(scene: Shapes) -> Iterator[Hits]:
     ):
         hit = np.flatnonzero(converted & (values[name] > 0.0) & (values[zero] <= 0.0))
         yield Hits(
-            Wording(
+            Finding(
                 "ke-without-kd",
+                "",
                 name,
+                0.0,
                 f"{name} $value of $shapes is not read because {zero} is 0, so the"
                 f" solver uses solref ({timeconst_s:g}, {ratio:g})",
             ),
@@ -122,9 +125,11 @@ def restitution(scene: Shapes) -> Iterator[Hits]:
         ]
 
     yield Hits(
-        Wording(
+        Finding(
             "restitution",
+            "",
             "restitution",
+            0.0,
             "restitution $value of $shapes is ignored because SolverMuJoCo has no"
             " restitution; the damping of a contact decides how it rebounds",
         ),
@@ -142,7 +147,7 @@ def friction_gain(scene: Shapes) -> Iterator[Hits]:
     if reason := kf_unread(scene):
         unread = np.flatnonzero(authored & scene.counts)
         yield Hits(
-            Wording("kf", "kf", f"kf $value of $shapes is not read {reason}"),
+            Finding("kf", "", "kf", 0.0, f"kf $value of $shapes is not read {reason}"),
             unread,
             kf,
         )
@@ -154,13 +159,31 @@ def friction_gain(scene: Shapes) -> Iterator[Hits]:
     mixed = mix * kf[first] + (1.0 - mix) * kf[second]
     mu = contacts.friction[:, 0]
     frictionless = np.flatnonzero((contacts.condim > 1) & (mixed == 0.0))
-    wording = Wording(
+    wording = Finding(
         "kf",
+        "",
         "mu",
+        0.0,
         "mu $value of $shapes against $against is not read because a kf of 0 removes"
         " the friction",
     )
     yield Hits(wording, frictionless, mu, shape=first, partner=second)
+    option = scene.option
+    dmax = contacts.solimp[:, 1]
+    portion = (1.0 - dmax) / option.impratio + dmax
+    most = 1.0 / (option.timestep_s * contacts.weight * portion)
+    is_authored = authored[first] | authored[second] & ~contacts.outranked
+    clamped = (contacts.named < 0) & is_authored & (mixed > most * (1.0 + SAME))
+    wording = Finding(
+        "kf",
+        "",
+        "kf",
+        0.0,
+        "kf $value of $shapes against $against needs a friction timeconst below two"
+        " time steps, so MuJoCo uses that of a kf of $used",
+    )
+    hit = np.flatnonzero(clamped & option.refsafe)
+    yield Hits(wording, hit, mixed, used=most, shape=first, partner=second)
 
 
 def kf_unread(scene: Scene) -> str:
