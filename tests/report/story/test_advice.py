@@ -146,7 +146,7 @@ RECORDED = {
         "mujoco_contacts": "fails",
         "more_substeps": "the opposite",
         "friction_gain": "holds",
-        "hydroelastic": "cannot tell",
+        "hydroelastic": "fails",
     },
     "1.8.0": {
         "raise_mu": "fails",

@@ -321,7 +321,7 @@ def test_lines_are_drawn_for_the_settings_that_were_timed(editions):
         "shipped pads",
         "stiff pads by the rule",
         "the root cure, stiff pads",
-        "Steel",
+        "Kamino, DVI",
     } <= {*names}
     assert "16\u202f384 worlds" not in names
     untimed = {name: found for name, found in results.items() if name != "step_cost"}
@@ -514,6 +514,7 @@ def test_every_way_was_run_and_timed():
         "solver",
         "reproduction",
         "speed",
+        "kamino",
         "step_cost",
         "time_step",
     )
