@@ -20,4 +20,8 @@ PLANNED = [
 @pytest.mark.parametrize("section", PLANNED)
 def test_a_section_has_something_to_measure_on_every_device(section, device):
     plan = MODULES[section].measure(Conditions(device=device, quick=True))
-    assert next(plan), "what measures nothing has no machine to name in its record"
+    try:
+        assert next(plan), "a stage without batches never ends"
+    except StopIteration as end:
+        # It measures nothing on this device, and says why.
+        assert all("slip_mm_reason" in row for row in end.value.rows)

@@ -41,6 +41,7 @@ from measured_report.measuring.batch import (
     measure_batch,
     note_opened,
     reason_of,
+    utc_time,
 )
 from measured_report.measuring.machine import (
     KIND,
@@ -188,19 +189,22 @@ class Section:
             )
         self._refuse_undeclared(results)
         measured_on = {}
-        for name in results[0].machine:
-            properties = {result.machine[name] for result in results}
+        # A section may find that it can measure nothing on this device.
+        machines = [result.machine for result in results] or [machine(self.device)]
+        for name in machines[0]:
+            properties = {each[name] for each in machines}
             if name in KIND and len(properties) > 1:
                 raise ReportError(
                     "batches were measured on different kinds of machines: use "
                     "machines of one kind"
                 )
             measured_on[name] = ", ".join(sorted(filter(None, properties))) or None
-        ended = max(result.ended for result in results)
+        now = utc_time().isoformat(timespec="seconds")
+        ended = max((result.ended for result in results), default=now)
         seconds = round(sum(result.seconds for result in results), 1)
         measured: dict[str, Any] = {
             "date": ended,
-            "started": min(result.started for result in results),
+            "started": min((result.started for result in results), default=now),
             "ended": ended,
             "commit": commit(),
             "command": self.project.rerun(self.name, measured_on["device"]),
