@@ -125,7 +125,7 @@ def suggestions(
     line_of = line_counter(text)
     findings = []
     marked_tables = []
-    units = {}
+    units: dict[int, str] = {}
     for table in read_tables(text):
         for cell in table.cells:
             unit = split_unit(cell.column)[1]
