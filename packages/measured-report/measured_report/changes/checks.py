@@ -125,8 +125,11 @@ def gaps(edition: Edition) -> list[str]:
             for column, reason in implausible_cells(row).items():
                 lines.append(f"{name}: {row['case']} has no {column}: {reason}")
         for key, figure in chapter.section.figures.items():
-            if not figure.sources:
-                lines.append(f"{name}: figure {key} has no sources")
+            if not figure.is_there:
+                reasons = [source.reason for source in figure.sources]
+                lines.append(
+                    f"{name}: figure {key} is left out: {[*reasons, 'no sources'][0]}"
+                )
         for claim in chapter.section.claims:
             for number in claim.unread(columns):
                 lines.append(

@@ -145,12 +145,13 @@ class Templates:
                 "begin exactly one line with a single #"
             )
         top = markdown.toc_tokens[0]
-        headings = [
-            (heading["id"], put_back(heading["name"], printed))
-            for heading in top["children"]
-        ]
-        title = put_back(top["name"], printed)
-        return Prose(title, put_back(body, printed), printed, anchor, headings)
+        with _named(name):
+            headings = [
+                (heading["id"], put_back(heading["name"], printed))
+                for heading in top["children"]
+            ]
+            title = put_back(top["name"], printed)
+            return Prose(title, put_back(body, printed), printed, anchor, headings)
 
     def layout(self, template: str, names: Mapping[str, Any]) -> str:
         with _named(template):

@@ -23,9 +23,12 @@ may stand for a block.
 """
 UNIT = rf"(?:(?!1)(?:{SYMBOL.pattern})|\w*seconds|percent)"
 TYPED_UNIT = re.compile(
-    rf"</data>(?:&nbsp;{UNIT})?[\s\xa0]+({UNIT})(?![\w/])", re.VERBOSE
+    rf"</data>(?:&nbsp;{UNIT}[\s\xa0]+({UNIT})|[\s\xa0]+(%|percent))(?![\w/])",
+    re.VERBOSE,
 )
-"""Matches a unit after a printed number, which has its own unit."""
+"""Matches a unit after a number that prints its own, and a percent sign after a plain
+number.
+"""
 PARAGRAPH = re.compile(r'<p(?: (?!class="left-out")[^>]*)?>(.+?)</p>', re.DOTALL)
 BLOCK = ("<figure", "<p", "<div", "</div")
 
@@ -64,7 +67,7 @@ def put_back(text: str, printed: list[Any]) -> Markup:
     page = TOKEN.sub(html, text)
     if unit := TYPED_UNIT.search(page):
         raise ReportError(
-            f"the unit {unit[1]} is typed after a number, which is printed with its own "
-            "unit: leave it out"
+            f"the unit {unit[1] or unit[2]} is typed after a number, which is printed "
+            "with its own unit: leave it out"
         )
     return Markup(page)

@@ -159,7 +159,15 @@ def test_a_number_that_a_claim_prints_and_its_test_has_not_read_is_said_when_the
     assert gaps_of(toy) == ["toy.helps is given gain, which its test does not read"]
 
 
-def test_a_figure_without_sources_is_said_when_the_site_is_built(toy):
-    module = MODULE.replace("draw(trace), [trace]", "draw(trace), []")
+@pytest.mark.parametrize(
+    ("sources", "reason"),
+    [
+        ("[]", "no sources"),
+        ("[results.trace('stif')]", "there is no toy.stif.csv.gz"),
+        ("[results.row['stif'].slip_mm]", "there is no single row of case stif"),
+    ],
+)
+def test_a_figure_without_data_is_said_when_the_site_is_built(toy, sources, reason):
+    module = MODULE.replace("draw(trace), [trace]", f"draw(trace), {sources}")
     toy.write("report/sections/toy.py", module)
-    assert gaps_of(toy) == ["toy: figure way has no sources"]
+    assert gaps_of(toy) == [f"toy: figure way is left out: {reason}"]

@@ -137,6 +137,11 @@ ASKS = "{% asks %} whether it helps\n"
             r"toy.md.j2: the unit % is typed after a number, which is printed with",
         ),
         (
+            "slip_mm }}.",
+            "slip_mm }} mm.",
+            r"toy.md.j2: the unit mm is typed after a number, which is printed with",
+        ),
+        (
             '{"gain": gain})]',
             '{"gain": "20.3 mm"})]',
             r"it prints '20.3 mm', which does not have a source: use a Quantity",
