@@ -23,9 +23,11 @@ from number_audit.sources import Repeats
 
 MINUS = "\u2212"
 NUMBER = r"""
-    # The number is not part of a word, of a decimal, of a number such as 1 000 or of a
-    # power.
-    (?<![^\W_])(?<!\w_)(?<![.,/:])(?<!\d[ \xa0\u2009\u202f])(?<!\^)(?<!\^\{)(?<!<sup>)
+    # The number is not part of a word, of a decimal, of a number such as 1 000 or
+    # 1.5(2), or of a power.
+    (?<![^\W_])(?<!\w_)(?<![.,/:])(?<!\d\()(?<!\^)(?<!\^\{)(?<!<sup>)
+    (?<!\b\d[ \xa0\u2009\u202f])(?<!\b\d\d[ \xa0\u2009\u202f])
+    (?<!\b\d\d\d[ \xa0\u2009\u202f])
     (?P<digits>
         [−-]?
         (\d{1,3}(?P<group>[,_'\u202f\u2009\xa0])\d{3}((?P=group)\d{3})*(?!\d)|\d+)
@@ -44,11 +46,14 @@ BOUND_BEFORE = re.compile(
     (?P<negation>\bnot?\s+)?
     ((?P<upper>
         <|&lt;|≤|&le;|\\leq?\b|\\lt\b
-        |\b(at\ most|below|less\ than|fewer\ than|under|within)
+        |\bsub-
+        |\b(at\ most|up\ to|max(imum)?(\ of)?|below|under|within
+            |(less|fewer|shorter|smaller|lower)\ than)
     )|(?P<lower>
         ((?<=[^\s>][\ (])|(?<=[(|]))>|&gt;|≥|&ge;|\\geq?\b|\\gt\b
-        |\b(at\ least|above|(more|longer|later)\ than|over|exceed(s|ing)?)
-    ))
+        |\b(at\ least|min(imum)?(\ of)?|above|over|exceed(s|ing)?
+            |(more|longer|later|larger|greater|higher)\ than)
+    )|\b(faster|slower|better|worse)\ than)
     [\s$*_(~]{0,9}\Z
     """,
     re.VERBOSE | re.IGNORECASE,
@@ -317,6 +322,9 @@ def _printed_range(before: str, printed: float) -> tuple[float, float, str]:
     is empty for other numbers. ``before`` is the text before the number.
     """
     if match := BOUND_BEFORE.search(before):
+        # Whether 3 ms is "faster than" 4 depends on what is measured.
+        if not (match["upper"] or match["lower"]):
+            return printed, printed, "a bound"
         # "not more than 5" is an upper bound, although "more than 5" is a lower one.
         if bool(match["upper"]) != bool(match["negation"]):
             return -math.inf, printed, "a bound"

@@ -51,7 +51,14 @@ UNITS = {
 UNITS |= {"min": (60.0, "s"), "sec": (1.0, "s"), "seconds": (1.0, "s")}
 UNITS |= {"bytes": (1.0, "B")}
 SUFFIXES = "|".join(UNITS.keys() - {"min"})
-COUNTS = {"count": 1.0, "ratio": 1.0, "%": 0.01, "k": 1e3, "thousand": 1e3}
+COUNTS = {
+    "count": 1.0,
+    "ratio": 1.0,
+    "%": 0.01,
+    "percent": 0.01,
+    "k": 1e3,
+    "thousand": 1e3,
+}
 COUNTS |= {"M": 1e6, "million": 1e6, "billion": 1e9}
 UNITS |= {name: (factor, "count") for name, factor in COUNTS.items()}
 

@@ -51,6 +51,8 @@ UNITS_OF_FORMATS = (
     ("result_columns", ASV_BENCHMARK.format("time"), "s"),
     ("result_columns", ASV_BENCHMARK.format("(peak)?mem"), "B"),
     ("root_group", r"/metrics/(http_req_(?!failed)\w+|\w+_duration)\b.*", "ms"),  # k6
+    ("root_group", r"/metrics/data_(received|sent)/count", "B"),
+    ("root_group", r"/metrics/data_(received|sent)/rate", "B/s"),
     ("testsuite", ".*/time", "s"),  # JUnit
     ("testcase", ".*/time", "s"),
 )
@@ -151,6 +153,8 @@ class Source:
             return "s"
         if key in ("real_time", "cpu_time", "point_estimate"):
             return str(beside.get("time_unit", "ns"))  # Google Benchmark, criterion
+        if key == "bytes_per_second":  # Google Benchmark
+            return "B/s"
         if key == "value":
             return str(beside.get("unit", NO_UNIT))
         units = self._data.get("units")

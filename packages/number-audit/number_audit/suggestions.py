@@ -15,7 +15,7 @@ from number_audit.marks import (
     regions,
     source_of_cell,
 )
-from number_audit.quantities import in_unit, is_known, split_unit
+from number_audit.quantities import NO_UNIT, in_unit, is_known, scale_of, split_unit
 from number_audit.sources import SAMPLES, Repeats, simplified
 from number_audit.tables import Table, read_tables
 
@@ -52,15 +52,21 @@ class Results:
         self.source = source
         self._values_in = cache(lambda unit: list(self._values(unit)))
 
-    def near(self, number: re.Match[str]) -> list[str]:
-        """Return the sources that agree with a number after rounding."""
+    def near(self, number: re.Match[str], unit: str) -> list[str]:
+        """Return the sources that agree with a number after rounding.
+
+        ``unit`` is the unit of a number that does not state one.
+        """
         printed, last_digit = printed_value(number)
         limit = ROUNDED * 10.0**last_digit
-        return [
+        sources = [
             source
-            for source, value in self._values_in(number["unit"] or "")
+            for source, value in self._values_in(number["unit"] or unit)
             if abs(value - printed) <= limit
         ]
+        if number["unit"] or not unit:
+            return sources
+        return [f"{source.removesuffix(f' {unit}')} {unit}" for source in sources]
 
     def _values(self, unit: str) -> Iterator[tuple[str, float]]:
         """Yield the value of each place in a unit, which the mark states if needed."""
@@ -78,8 +84,10 @@ class Results:
                 yield source, measured.value
                 continue
             yield f"{source} {unit}", measured.value
-            if unit == "%":
-                yield f"{source} ratio", 100 * measured.value
+            factor, base = scale_of(unit)
+            if base == "count" and factor != 1.0:
+                name = "ratio" if factor < 1.0 else base
+                yield f"{source} {name}", measured.value / factor
 
     def source_of(self, table: Table) -> str:
         """Return the source of a table whose rows and columns are named in the file."""
@@ -117,7 +125,12 @@ def suggestions(
     line_of = line_counter(text)
     findings = []
     marked_tables = []
+    units: dict[int, str] = {}
     for table in read_tables(text):
+        for cell in table.cells:
+            unit = split_unit(cell.column)[1]
+            places = range(cell.start, cell.start + len(cell.text))
+            units |= dict.fromkeys(places, "" if unit == NO_UNIT else unit)
         end = table.end
         is_marked = MARKED_TABLE.match(text, end)
         source = current.source_of(table)
@@ -136,7 +149,8 @@ def suggestions(
         has_unit = is_known(unit) or unit in ("", "×", "°")
         number = text[start : match.end() if has_unit else match.start("unit")].rstrip()
         end = start + len(number)
-        kind, message, place = _suggestion(number, match, editions)
+        head = units.get(start, "")
+        kind, message, place = _suggestion(number, match, head, editions)
         mark = ""
         if place:
             form = FORMS.get(suffix, "{}<!-- = {} -->")
@@ -149,12 +163,18 @@ def suggestions(
 
 
 def _suggestion(
-    number: str, match: re.Match[str], editions: Sequence[tuple[str, Results]]
+    number: str,
+    match: re.Match[str],
+    head: str,
+    editions: Sequence[tuple[str, Results]],
 ) -> tuple[str, str, str]:
-    """Return the kind of a suggestion, its message and the only place of a number."""
+    """Return the kind of a suggestion, its message and the only place of a number.
+
+    ``head`` is the unit in the head of the column.
+    """
     # The results now come first, so a number that agrees with them is not stale.
     for commit, results in editions:
-        places = results.near(match)
+        places = results.near(match, head)
         if len(places) > 1:
             choice = " or ".join(places[:CHOICE_LIMIT])
             return "unclear", f"{number} may be {choice}", ""

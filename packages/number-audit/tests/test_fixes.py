@@ -46,6 +46,11 @@ REFUSED = [
     ("upper bound in bold", "at most **3 ms**", "wait_ms"),
     ("negated lower bound", "no more than 3 ms", "wait_ms"),
     ("negated upper bound", "not below 4 ms", "wait_ms"),
+    ("upper bound before a unit", "up to 3 ms", "wait_ms"),
+    ("largest number", "a maximum of 3 ms", "wait_ms"),
+    ("smallest number", "a minimum of 4 ms", "wait_ms"),
+    ("prefix", "sub-3 ms", "wait_ms"),
+    ("bound without a direction", "faster than 4 ms", "wait_ms"),
     ("choice", "2 or 4 ms", "wait_ms"),
     ("lower bound", "it takes > 4 ms", "wait_ms"),
     ("lower bound in brackets", "(≥ 4 ms", "wait_ms"),
@@ -103,6 +108,7 @@ def test_a_bound_or_range_is_fresh_if_it_contains_the_number(audit, text, place)
         "<b>{} ms",
         "3 and {} ms",
         "step 1: {} ms",
+        "p90 {} ms",
         "~{} ms",
     ],
 )
@@ -114,7 +120,7 @@ def test_a_quote_or_tag_is_not_a_bound(audit, text):
 
 
 @pytest.mark.parametrize(
-    "text", ["case_3", "5/3", "v3", "12:03", "1.2.3", "a-b", "10^3"]
+    "text", ["case_3", "5/3", "v3", "12:03", "1.2.3", "a-b", "10^3", "14.3(4)"]
 )
 def test_digits_that_are_no_number_of_their_own_are_not_replaced(audit, text):
     marked = f"{text}<!-- = r.json#/plain -->"

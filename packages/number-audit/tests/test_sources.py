@@ -29,7 +29,7 @@ GOOGLE = {
     "context": {},
     "benchmarks": [
         {"name": f"BM/8_{kind}", "aggregate_name": kind, "repetitions": 4}
-        | {"real_time": time, "time_unit": "us"}
+        | {"real_time": time, "time_unit": "us", "bytes_per_second": 8.0}
         for kind, time in (("mean", 10.0), ("stddev", 2.0))
     ],
 }
@@ -43,6 +43,7 @@ K6 = {
     "metrics": {
         "http_req_duration": {"avg": 144.5, "p(95)": 215.9},
         "http_req_failed": {"rate": 0.25},
+        "data_sent": {"count": 64, "rate": 8.0},
     },
 }
 LM_EVAL = {
@@ -65,6 +66,16 @@ CASES = [
     ("asv.json", ASV, "/results/sort.T.peakmem_x/0/0", 4096.0, "B", 0.0),
     ("k6.json", K6, "/metrics/http_req_duration/p(95)", 215.9, "ms", 0.0),
     ("k6.json", K6, "/metrics/http_req_failed/rate", 0.25, "1", 0.0),
+    ("k6.json", K6, "/metrics/data_sent/count", 64.0, "B", 0.0),
+    ("k6.json", K6, "/metrics/data_sent/rate", 8.0, "B/s", 0.0),
+    (
+        "google.json",
+        GOOGLE,
+        "/benchmarks/BM/8_mean/bytes_per_second",
+        8.0,
+        "B/s",
+        4 * T_OF_3,
+    ),
     ("lm_eval.json", LM_EVAL, "/results/hellaswag/acc,none", 0.5, "1", 0.0196),
     ("j.xml", JUNIT, "/testsuite/pytest/testcase/test_b/time", 1.5, "s", 0.0),
     ("t.md", MARKDOWN, "/0/new/mean%20[ms]", 12.5, "ms", 0.0),

@@ -157,6 +157,13 @@ def test_a_number_of_earlier_results_is_marked_and_stale(audit, folder):
         ({"a": 12.34}, "12.34 ms", "12.34 ms<!-- = r.json#/a ms -->"),
         ({"a": 0.913}, "91.3 %", "91.3 %<!-- = r.json#/a ratio -->"),
         ({"a": 91.3}, "91.3 %", "91.3 %<!-- = r.json#/a % -->"),
+        ({"a": 0.913}, "91.3 percent", "91.3 percent<!-- = r.json#/a ratio -->"),
+        ({"a": 1234567}, "1.23M", "1.23M<!-- = r.json#/a count -->"),
+        (
+            {"a_s": 0.01234},
+            "| x | time [ms] |\n|---|---|\n| y | 12.34 |",
+            "| x | time [ms] |\n|---|---|\n| y | 12.34<!-- = r.json#/a_s ms --> |",
+        ),
         ({"a_ms": 12.34}, "12.34 ms", "12.34 ms<!-- = r.json#/a_ms -->"),
         ({"a": 12.34}, "12.34×", "12.34×<!-- = r.json#/a -->"),
     ],

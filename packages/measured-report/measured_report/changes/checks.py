@@ -11,7 +11,7 @@ from measured_report.files.errors import ReportError, suggestion
 from measured_report.findings.editions import Edition
 from measured_report.parts.claim import WITHIN
 from measured_report.records.identity import sections
-from measured_report.values.evidence import split_repeats
+from measured_report.values.evidence import key_of, split_repeats
 from measured_report.values.quantities import Quantity
 
 
@@ -105,30 +105,35 @@ def gaps(edition: Edition) -> list[str]:
     lines = []
     for name, chapter in edition.chapters.items():
         columns = edition.report.columns
-        rows, _ = split_repeats(chapter.results.record.rows, name, columns)
-        exact_cells = [
-            tuple(cell for cell in row.items() if not isinstance(cell[1], float))
-            for row in rows
-        ]
-        duplicate_cases = [
-            dict(cells)["case"]
-            for cells, count in Counter(exact_cells).items()
-            if count > 1
-        ]
-        for case in dict.fromkeys(duplicate_cases):
-            lines.append(
-                f"{name}: case {case} has several rows that cannot be distinguished"
-            )
+        rows, repeats = split_repeats(chapter.results.record.rows, name, columns)
+        keys = Counter(key_of(row, columns) for row in rows)
+        for row in rows:
+            if keys.pop(key_of(row, columns), 1) > 1:
+                lines.append(
+                    f"{name}: case {row['case']} has several rows that cannot be "
+                    "distinguished"
+                )
+        cases = {row["case"] for row in rows if "of" not in row}
+        is_noise = name == columns.settings.noise_section
+        for row in [] if is_noise or not repeats else [*rows, *repeats]:
+            if row.get("of", row["case"]) not in cases:
+                lines.append(
+                    f"{name}: case {row['case']} repeats {row['of']}, which is not a "
+                    "case, or repeats another one"
+                )
         for row in rows:
             for column, reason in implausible_cells(row).items():
                 lines.append(f"{name}: {row['case']} has no {column}: {reason}")
         for key, figure in chapter.section.figures.items():
-            if not figure.sources:
-                lines.append(f"{name}: figure {key} has no sources")
+            if not figure.is_there:
+                reasons = [source.reason for source in figure.sources]
+                lines.append(
+                    f"{name}: figure {key} is left out: {[*reasons, 'no sources'][0]}"
+                )
         for claim in chapter.section.claims:
             for number in claim.unread(columns):
                 lines.append(
-                    f"{name}.{claim.name} prints {number}, which its test does not read"
+                    f"{name}.{claim.name} is given {number}, which its test does not read"
                 )
             outcome = claim.outcome
             is_near = outcome.is_inconclusive or outcome == WITHIN

@@ -24,6 +24,8 @@ _LENGTHS = {
 _TIMES = {
     "s": "s",
     "ms": "ms",
+    "us": "µs",
+    "ns": "ns",
     "ms_per_s": "ms/s",
     "per_s": "1/s",
     "hz": "Hz",
@@ -35,6 +37,9 @@ _OTHERS = {
     "kg": "kg",
     "kg_m3": "kg/m³",
     "bytes": "B",
+    "mb": "MB",
+    "gb": "GB",
+    "percent": "%",
     "count": "1",
 }
 SYMBOL = re.compile(
@@ -50,6 +55,10 @@ SYMBOL = re.compile(
 
 Units can combine them with ``/`` and ``·``. Numbers are never converted between units.
 """
+TYPED = re.compile(
+    rf"(?<![\w.]) \d+ (?:\.\d+)? [\s\xa0]* (?!1) {SYMBOL.pattern} (?!\w)", re.VERBOSE
+)
+"""A number with a unit in a text, which should be a quantity."""
 PLAIN = "1"  # the unit of a number whose column does not name one
 LARGEST = {
     "mm": 1e10,

@@ -45,7 +45,13 @@ def measurement_of(returned: Any) -> Any:
     # By its methods, because pandas need not be installed.
     if hasattr(returned, "reset_index"):
         table = returned if "case" in returned else returned.rename_axis("case")
-        returned = table.reset_index(drop="case" in returned).to_dict("records")
+        table = table.reset_index(drop="case" in returned)
+        texts = {*table.select_dtypes(exclude="number")}
+        returned = [
+            # A data frame contains NaN, which differs from itself, for a missing text.
+            {key: cell for key, cell in row.items() if key not in texts or cell == cell}
+            for row in table.to_dict("records")
+        ]
     if isinstance(returned, Mapping | str):
         raise TypeError(f"it is a {type(returned).__name__}")
     return Measurement(

@@ -25,6 +25,7 @@ from measured_report.parts.macros import environment
 from measured_report.parts.prose import NUMBER, OPEN, Prose, put_back, token
 from measured_report.parts.words import (
     PARTS,
+    TYPED,
     Wording,
     parse_words,
     refuse_numbers,
@@ -144,12 +145,13 @@ class Templates:
                 "begin exactly one line with a single #"
             )
         top = markdown.toc_tokens[0]
-        headings = [
-            (heading["id"], put_back(heading["name"], printed))
-            for heading in top["children"]
-        ]
-        title = put_back(top["name"], printed)
-        return Prose(title, put_back(body, printed), printed, anchor, headings)
+        with _named(name):
+            headings = [
+                (heading["id"], put_back(heading["name"], printed))
+                for heading in top["children"]
+            ]
+            title = put_back(top["name"], printed)
+            return Prose(title, put_back(body, printed), printed, anchor, headings)
 
     def layout(self, template: str, names: Mapping[str, Any]) -> str:
         with _named(template):
@@ -165,7 +167,7 @@ class Templates:
             context = template.new_context({**numbers, "printed": printed})
             with _named(name, template):
                 text = "".join(template.blocks[block](context))
-            return put_back(" ".join(text.split()), printed)
+                return put_back(" ".join(text.split()), printed)
 
         return wordings_of(template.blocks, render)
 
@@ -225,6 +227,10 @@ def _as_token(context: Context, value: Any) -> Markup:
     if isinstance(value, int | float):
         raise ReportError(
             f"it prints {value}, which does not have a source: use a Quantity"
+        )
+    if not hasattr(value, "__html__") and (typed := TYPED.search(str(value))):
+        raise ReportError(
+            f"it prints {typed[0]!r}, which does not have a source: use a Quantity"
         )
     html = value.__html__() if hasattr(value, "__html__") else escape(value)
     return token(context["printed"], html)

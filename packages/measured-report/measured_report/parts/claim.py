@@ -88,6 +88,12 @@ class Claim:
     shared_wording: str = ""
     """The name of its wording in the template, if several claims share one."""
 
+    def __post_init__(self) -> None:
+        assert isinstance(self.outcome, Outcome), (
+            f"the outcome of {self.name} is {self.outcome!r}: use a test, such as "
+            "greater(a, b)"
+        )
+
     @property
     def wording_name(self) -> str:
         return self.shared_wording or self.name

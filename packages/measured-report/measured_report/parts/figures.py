@@ -15,6 +15,7 @@ from matplotlib.backends.backend_svg import FigureCanvasSVG
 from matplotlib.figure import Figure as Drawing
 from matplotlib.text import Text
 
+from measured_report.files.errors import ReportError
 from measured_report.values.format import format_number, format_power
 
 INK = "#1b1f24"
@@ -177,6 +178,8 @@ def _svg(draw: Callable[[], Drawing], kind: str, name: str) -> str:
     # "default" removes the settings of the user's matplotlibrc.
     with style.context(["default", {**STYLE, "svg.hashsalt": name}]):
         drawing = draw()
+        if not any(axes.has_data() for axes in getattr(drawing, "axes", ())):
+            raise ReportError("its function does not return a drawing with data")
         for axes in drawing.axes:
             for line in axes.lines:
                 is_long = len(line.get_xdata()) > LONG_LINE

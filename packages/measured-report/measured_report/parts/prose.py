@@ -11,12 +11,23 @@ from typing import Any
 
 from markupsafe import Markup, escape
 
+from measured_report.files.columns import SYMBOL
+from measured_report.files.errors import ReportError
+
 # The token contains a random number, so that a text in a record cannot imitate it.
 OPEN, CLOSE = f"\ue000{secrets.token_hex(16)}n", "\ue001"
 NUMBER = re.compile(f"{OPEN}([0-9]+){CLOSE}")
 TOKEN = re.compile(f"(<p>)?{NUMBER.pattern}(?(1)</p>)")
 """Matches a token, or a whole paragraph that consists of one token, because the token
 may stand for a block.
+"""
+UNIT = rf"(?:(?!1)(?:{SYMBOL.pattern})|\w*seconds|percent)"
+TYPED_UNIT = re.compile(
+    rf"</data>(?:&nbsp;{UNIT}[\s\xa0]+({UNIT})|[\s\xa0]+(%|percent))(?![\w/])",
+    re.VERBOSE,
+)
+"""Matches a unit after a number that prints its own, and a percent sign after a plain
+number.
 """
 PARAGRAPH = re.compile(r'<p(?: (?!class="left-out")[^>]*)?>(.+?)</p>', re.DOTALL)
 BLOCK = ("<figure", "<p", "<div", "</div")
@@ -53,4 +64,10 @@ def put_back(text: str, printed: list[Any]) -> Markup:
         is_paragraph = token[1] and not content.startswith(BLOCK)
         return f"<p>{content}</p>" if is_paragraph else content
 
-    return Markup(TOKEN.sub(html, text))
+    page = TOKEN.sub(html, text)
+    if unit := TYPED_UNIT.search(page):
+        raise ReportError(
+            f"the unit {unit[1] or unit[2]} is typed after a number, which is printed "
+            "with its own unit: leave it out"
+        )
+    return Markup(page)

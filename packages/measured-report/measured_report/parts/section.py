@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from markupsafe import Markup
 
-from measured_report.files.columns import PLAIN, SYMBOL
+from measured_report.files.columns import PLAIN, TYPED
 from measured_report.files.errors import ReportError, bug_of
 from measured_report.parts.claim import Claim
 from measured_report.parts.macros import macros
@@ -29,10 +29,6 @@ UNDRAWN = (
 )
 FIGURE_SPACE, POINT_SPACE = "\u2007", "\u2008"
 """Spaces as wide as a digit and a point, with which the style sheet aligns numbers."""
-TYPED = re.compile(
-    rf"(?<![\w.]) \d+ (?:\.\d+)? [\s\xa0]* (?!1) {SYMBOL.pattern} (?!\w)", re.VERBOSE
-)
-"""A number with a unit in a text, which should be a quantity."""
 SIZE = re.compile(r'viewBox="0 0 ([\d.]+) ([\d.]+)"')
 """The width and the height of a drawing in SVG."""
 
@@ -121,6 +117,11 @@ class Figure:
     root: str = ""  # the relative path from the page to the root of the site
     pictures: Sequence[str] = ()  # SVG for broad and for narrow screens
     fault: str = ""  # why it could not be drawn although some of its sources exist
+
+    def __post_init__(self) -> None:
+        assert all(isinstance(part, Quantity | Series) for part in self.sources), (
+            "a source of a figure is not a quantity or a trace: leave out .number"
+        )
 
     @property
     def is_there(self) -> bool:
@@ -213,6 +214,9 @@ class Section:
         names = [claim.name for claim in self.claims]
         assert len(set(names)) == len(names), (
             f"two claims have the same name: {', '.join(names)}"
+        )
+        assert all(isinstance(part, Figure) for part in dict(self.figures).values()), (
+            "figures contains something other than a Figure: use Figure(draw, sources)"
         )
 
     @property

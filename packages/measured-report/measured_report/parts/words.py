@@ -45,12 +45,14 @@ TYPED = re.compile(
     (?<![\w.])\d[\d.,]*(?:e[+-]?\d+)?(?:\s|&nbsp;)?
     (?:
         [nµmkMGT]?(?:[msgNJWB]|Pa|Hz|rad|bit)[²³]?(?:/\w+)?
-        |[mk][AV]|min|times|[%°×x]
+        |[mk][AV]|min|times|percent|[%°×x]
     )(?!\w)
+    | (?<=\|)\s*\d[\d.,]*\s*(?=\|)  # a cell of a table
     | \b(?i:
-        (?:two|three|four|five|six|seven|eight|nine|ten|twenty|hundred|thousand)
-        (?:\s+times|-?fold)
-        | twice\s+(?:as|the) | thrice | half\s+as
+        (?:two|three|four|five|six|seven|eight|nine|ten|twenty|fifty|hundred|thousand)
+        (?:\s+(?:times|per\s?cent)|-?fold)
+        | twice\s+(?:as|the) | thrice | half\s+as | orders?\s+of\s+magnitude
+        | (?:nearly|almost|about|more\s+than)\s+(?:twice|double|half)
         | (?:an?|one|two|three)[\s-](?:third|quarter|fifth|eighth|tenth)s?\s+of
     )\b
     """,
@@ -123,6 +125,8 @@ def _parse_parts(
                 f"{kind} {name} has two texts for {part}: remove one of them", line
             )
         if part in parts:
+            if part != "caption" and _is_blank(body):
+                parser.fail(f"{kind} {name} has no text for {part}: add it", line)
             block = f"{kind}__{name}__{part}"
             blocks[part] = nodes.Block(block, body, False, False, lineno=line)
         elif not _is_blank(body):

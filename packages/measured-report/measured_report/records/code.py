@@ -14,6 +14,7 @@ from pathlib import Path, PurePosixPath
 from typing import Any
 
 from measured_report.files.cache import Cache
+from measured_report.files.columns import TYPED
 from measured_report.files.errors import ReportError
 
 # Identities leave out the files of this package, because it only passes calls on and
@@ -23,10 +24,13 @@ HERE = str(Path(__file__).resolve().parents[2])
 ASSETS = ("assets/", "experiments/", "packages/")
 """Folders of files that a program opens or starts by path."""
 DRAWING = (
+    *("axhline", "axvline"),
     *("bar", "barh", "errorbar", "fill_between", "hist", "loglog", "pie", "plot"),
     *("scatter", "semilogx", "semilogy", "stairs", "stem", "step"),
 )
 """Methods of Matplotlib and pandas that draw their arguments."""
+WRITING = ("annotate", "set", "set_title", "suptitle", "text")
+"""Methods of Matplotlib that write their arguments."""
 LISTS = (ast.Dict, ast.List, ast.Tuple)
 COMPUTED = ...  # stands for a value that is computed at import
 LAYOUT = ("ctx", "kind", "type_comment")
@@ -190,7 +194,8 @@ def _source_of(tree: ast.Module, package: tuple[str, ...]) -> Source:
 
 
 def _typed(nodes: Sequence[ast.AST]) -> Iterator[int]:
-    """Yield the lines of calls that draw a literal list, directly or by its name.
+    """Yield the lines of calls that draw a literal list, directly or by its name, or
+    that write a number with its unit.
 
     Positions such as ``[0, 1, 2]`` are not data.
     """
@@ -204,12 +209,22 @@ def _typed(nodes: Sequence[ast.AST]) -> Iterator[int]:
     for node in nodes:
         if not (isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute)):
             continue
+        if node.func.attr in WRITING:
+            texts = [node.args, [option.value for option in node.keywords]]
+            values = [getattr(text, "value", "") for text in chain(*texts)]
+            if any(isinstance(text, str) and TYPED.search(text) for text in values):
+                yield node.lineno
         if node.func.attr not in DRAWING:
             continue
-        for part in chain.from_iterable(map(ast.walk, [node.func.value, *node.args])):
-            if isinstance(part, ast.Name):
-                # A name assigned in the same file, as in ``sizes = [3, 7]``.
-                part = named.get(part.id, part)
+        is_line = node.func.attr in ("axhline", "axvline")
+        drawn = [node.func.value, *([ast.List(node.args)] if is_line else node.args)]
+        # Names assigned in the same file, as in ``sizes = [3, 7]``.
+        drawn += [
+            named[part.id]
+            for part in chain.from_iterable(map(ast.walk, drawn))
+            if isinstance(part, ast.Name) and part.id in named
+        ]
+        for part in chain.from_iterable(map(ast.walk, drawn)):
             if not isinstance(part, LISTS):
                 continue
             with suppress(ValueError):
@@ -218,7 +233,8 @@ def _typed(nodes: Sequence[ast.AST]) -> Iterator[int]:
                 numbers = [cell for cell in cells if type(cell) in (int, float)]
                 # Positions count from 0 or from 1.
                 start = int(0 not in numbers)
-                if numbers[1:] and numbers != [*range(start, start + len(numbers))]:
+                is_data = numbers[1:] or float in map(type, numbers)
+                if is_data and numbers != [*range(start, start + len(numbers))]:
                     yield node.lineno
                     break
 

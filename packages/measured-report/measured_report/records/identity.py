@@ -133,7 +133,10 @@ def sections(root: Path | None = None) -> list[str]:
         path.parent.name for path in folder.glob("*/__init__.py")
     }
     finished = sorted(name for name in names if not name.startswith(("_", ".")))
-    if invalid := [name for name in finished if not name.isidentifier()]:
+    invalid = [
+        name for name in finished if not (name.isascii() and name.isidentifier())
+    ]
+    if invalid:
         raise UsageError(
             f"report/sections/{invalid[0]}.py has an invalid name: use a Python name "
             "such as my_ball"

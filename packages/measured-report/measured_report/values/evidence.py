@@ -56,7 +56,9 @@ def is_lost(row: Cells, columns: Schema) -> bool:
 
 def is_absolute(column: Column) -> bool:
     """Return whether a column has times or rates, which depend on the host and card."""
-    return column.is_cost and (column.unit not in ("1", "B") or bool(column.rate_of))
+    return column.is_cost and (
+        not column.unit.endswith(("1", "B")) or bool(column.rate_of)
+    )
 
 
 def scatters(column: Column) -> bool:

@@ -108,6 +108,14 @@ class Quantity:
     is_shared: bool = field(default=False, compare=False, repr=False)
     """Whether all numbers of one measurement share a part of their error, as times do."""
 
+    def __lt__(self, other: object) -> bool:
+        raise ReportError(
+            "numbers are compared by a test that considers their noise: use "
+            "greater(a, b), or .value to compare the numbers themselves"
+        )
+
+    __gt__ = __le__ = __ge__ = __lt__
+
     def _with(
         self, function: Callable[..., Any], *operands: "Quantity | float"
     ) -> "Term":

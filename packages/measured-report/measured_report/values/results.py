@@ -280,6 +280,11 @@ class Results:
                 f"{self.record.section}: the value {name} is derived twice: rename one "
                 "of them"
             )
+        if not (isinstance(function, Quantity) or callable(function)):
+            raise ResultsError(
+                f"the value {name} = {function!r} was not measured: use "
+                "results.chosen(…)"
+            )
         if isinstance(function, Quantity):
             unit = function.unit
             sources = (function,)

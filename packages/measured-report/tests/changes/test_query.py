@@ -131,6 +131,24 @@ def test_what_is_no_number_and_rows_that_nothing_tells_apart_are_said_when_the_s
     ]
 
 
+def test_rows_that_repeat_no_case_or_differ_only_in_numbers_are_said(toy):
+    toy.measure(
+        (
+            *ROWS,
+            {**ROWS[1], "case": "firm"},
+            {**ROWS[1], "case": "firm", "dropped": True},
+            *({**ROWS[1], "case": name, "of": "stiff"} for name in "ab"),
+            {**ROWS[1], "case": "c", "of": "stif"},
+            {**ROWS[1], "case": "d", "of": "a"},
+        )
+    )
+    assert gaps_of(toy)[:3] == [
+        "toy: case firm has several rows that cannot be distinguished",
+        "toy: case c repeats stif, which is not a case, or repeats another one",
+        "toy: case d repeats a, which is not a case, or repeats another one",
+    ]
+
+
 def test_a_number_that_a_claim_prints_and_its_test_has_not_read_is_said_when_the_site_is_built(
     toy,
 ):
@@ -138,10 +156,18 @@ def test_a_number_that_a_claim_prints_and_its_test_has_not_read_is_said_when_the
         "report/sections/toy.py",
         MODULE.replace("at_least(gain, bound)", "at_least(bound, bound)"),
     )
-    assert gaps_of(toy) == ["toy.helps prints gain, which its test does not read"]
+    assert gaps_of(toy) == ["toy.helps is given gain, which its test does not read"]
 
 
-def test_a_figure_without_sources_is_said_when_the_site_is_built(toy):
-    module = MODULE.replace("draw(trace), [trace]", "draw(trace), []")
+@pytest.mark.parametrize(
+    ("sources", "reason"),
+    [
+        ("[]", "no sources"),
+        ("[results.trace('stif')]", "there is no toy.stif.csv.gz"),
+        ("[results.row['stif'].slip_mm]", "there is no single row of case stif"),
+    ],
+)
+def test_a_figure_without_data_is_said_when_the_site_is_built(toy, sources, reason):
+    module = MODULE.replace("draw(trace), [trace]", f"draw(trace), {sources}")
     toy.write("report/sections/toy.py", module)
-    assert gaps_of(toy) == ["toy: figure way has no sources"]
+    assert gaps_of(toy) == [f"toy: figure way is left out: {reason}"]

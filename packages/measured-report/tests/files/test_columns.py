@@ -35,7 +35,9 @@ SIGNED |= {
     "pull_n": ("N", 1e12),
     "ratio": ("1", 1e18),
 }
-SIGNED |= {"spring_n_m": ("N/m", 1e18)}
+SIGNED |= {"spring_n_m": ("N/m", 1e18), "share_percent": ("%", 1e18)}
+SIGNED |= {"pause_us": ("µs", 1e18), "pause_ns": ("ns", 1e18)}
+SIGNED |= {"heap_mb": ("MB", 1e18), "heap_gb": ("GB", 1e18)}
 UNSIGNED = {
     "way_mm_per_cycle": ("mm/cycle", 1e18),
     "pause_s": ("s", 1e8),

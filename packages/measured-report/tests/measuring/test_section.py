@@ -241,6 +241,15 @@ def test_rows_alone_are_a_measurement(toy, returned):
     ]
 
 
+def test_a_text_that_a_row_of_a_frame_lacks_is_left_out(toy):
+    frame = pd.DataFrame({"slip_mm": [1.5, 2.5], "of": [None, "a"]}, index=["a", "b"])
+    assert not fails(section_of(toy, handed(frame)))
+    assert rows_of(toy) == [
+        {"case": "a", "slip_mm": 1.5},
+        {"case": "b", "slip_mm": 2.5, "of": "a"},
+    ]
+
+
 def test_rows_that_are_yielded_are_no_batches(toy, capsys):
     assert (
         fails(section_of(toy, (rows for rows in [[{"case": "a"}]])))

@@ -100,6 +100,10 @@ ASKS = "{% asks %} whether it helps\n"
                 ("half as much", "half as"),
                 ("by a third of it", "a third of"),
                 ("`6.3 mm` of {{ gain }}", "6.3 mm"),
+                ("fifty per cent", "fifty per cent"),
+                ("an order of magnitude", "order of magnitude"),
+                ("nearly double", "nearly double"),
+                ("| by | 3.5 |", "3.5"),
             )
         ),
         (
@@ -111,6 +115,41 @@ ASKS = "{% asks %} whether it helps\n"
             'axes.plot(trace.value["time_s"], trace.value["x_mm"]',
             "data = {'a': -3.1, 'b': 2}; axes.bar(data.keys(), data.values()",
             "toy.py:11 draws numbers that are typed in the code: draw numbers of",
+        ),
+        (
+            'axes.plot(trace.value["time_s"], trace.value["x_mm"]',
+            "frame = pd.DataFrame({'a': [0.1, 0.5]}); frame.plot(ax=axes",
+            "toy.py:11 draws numbers that are typed in the code: draw numbers of",
+        ),
+        (
+            "axes.legend()",
+            'axes.set(title="it moves 2.5 mm")',
+            "toy.py:12 draws numbers that are typed in the code: draw numbers of",
+        ),
+        (
+            'axes.plot(trace.value["time_s"], trace.value["x_mm"]',
+            "axes.axhline(1.1); axes.plot(trace.value, trace.value",
+            "toy.py:11 draws numbers that are typed in the code: draw numbers of",
+        ),
+        (
+            "{{ gain }}",
+            "{{ gain }} %",
+            r"toy.md.j2: the unit % is typed after a number, which is printed with",
+        ),
+        (
+            "slip_mm }}.",
+            "slip_mm }} mm.",
+            r"toy.md.j2: the unit mm is typed after a number, which is printed with",
+        ),
+        (
+            '{"gain": gain})]',
+            '{"gain": "20.3 mm"})]',
+            r"it prints '20.3 mm', which does not have a source: use a Quantity",
+        ),
+        (
+            "{% holds %} It helps {{ gain }} times.",
+            "{% holds %}",
+            r"toy.md.j2:\d: claim helps has no text for holds: add it",
         ),
         (
             "claims=[",

@@ -237,6 +237,12 @@ def test_links_to_no_page_are_named(toy):
     ]
 
 
+def test_a_section_whose_name_is_not_ascii_is_refused(toy):
+    toy.write("report/sections/größe.py", MODULE)
+    with pytest.raises(ReportError, match=r"größe.py has an invalid name: use a Pyth"):
+        toy.build()
+
+
 def test_sections_without_an_order_follow_by_name_and_equal_orders_are_refused(toy):
     for name in ("b", "a"):
         module = MODULE.replace(
@@ -395,6 +401,37 @@ def test_what_one_edition_cannot_derive_costs_itself_and_names_its_command(
     pages = (toy.project.site / "newton-1.8.0").glob("*.html")
     assert said in "".join(page.read_text() for page in pages)
     assert 'data-claim="toy.helps" data-outcome="holds"' in toy.page
+
+
+FIGURE = (
+    'figures={"way": Figure(lambda: draw(trace), [trace], {"slip": stiff.slip_mm})}'
+)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "said"),
+    [
+        ("at_least(gain, bound)", "True", "the outcome of helps is True: use a test"),
+        ("at_least(gain, bound)", "gain > bound", "compared by a test that considers"),
+        ("[trace], {", "[stiff.slip_mm.number], {", "a source of a figure is not a"),
+        (FIGURE, "figures={'way': draw}", "something other than a Figure: use Figure"),
+        ("lambda: 10.0", "10.0", "bound = 10.0 was not measured: use results.chosen"),
+    ],
+)
+def test_a_part_of_the_wrong_type_is_named_with_its_line(toy, old, new, said):
+    assert old in MODULE
+    toy.write("report/sections/toy.py", MODULE.replace(old, new))
+    states, _ = build(toy.project)
+    [state] = states[toy.project.release]
+    assert re.search(rf"report/sections/toy.py:\d+: .*{said}", state.words)
+
+
+@pytest.mark.parametrize("body", ["return None", "return new_figure()[0]"])
+def test_a_figure_without_data_stops_the_build(toy, body):
+    module = MODULE.replace("def draw(trace):", f"def draw(trace):\n    {body}")
+    toy.write("report/sections/toy.py", module)
+    with pytest.raises(ReportError, match=r"toy-way cannot be drawn: .* with data"):
+        toy.build()
 
 
 @pytest.mark.parametrize(

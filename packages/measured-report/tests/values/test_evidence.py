@@ -9,7 +9,9 @@ import pytest
 from scipy import stats
 from toys import BY_HAND, lay_out
 
-from measured_report.files.config import report, report_in
+from measured_report.files.columns import Schema
+from measured_report.files.config import Config, report, report_in
+from measured_report.files.settings import Columns
 from measured_report.records.record import Record
 from measured_report.values import evidence
 from measured_report.values.body import Body, _changed, body_of
@@ -702,3 +704,10 @@ def test_times_of_another_kind_of_machine_say_nothing_of_a_time():
     ]
     slips[1:] = [record(each.rows, cpu="another") for each in slips[1:]]
     assert estimate(evidence_of(slips), DRIFT, slips[0].rows[0]).count == 3
+
+
+def test_only_costs_in_time_depend_on_the_host():
+    names = ("run_us", "run_ms", "heap_bytes", "heap_mb", "step_count")
+    schema = Schema(Config(columns=[Columns(names=names, kind="cost")]), {})
+    absolute = [evidence.is_absolute(schema[name]) for name in names]
+    assert absolute == [True, True, False, False, False]
