@@ -12,6 +12,7 @@ from typing import Any, TypeGuard
 
 from measured_report.files.errors import UNPRINTABLE, ReportError
 from measured_report.files.settings import FILE, Columns, Config, module_named
+from measured_report.files.units import SYMBOL
 
 _LENGTHS = {
     "mm": "mm",
@@ -42,23 +43,6 @@ _OTHERS = {
     "percent": "%",
     "count": "1",
 }
-SYMBOL = re.compile(
-    r"""
-    (?: [nµmkMGT]? (?:m|s|g|N|J|W|V|A|K|B|bit|Pa|Hz|rad|mol)  # with a prefix
-      | cm | min | h | °C? | % | 1 | dB
-    )
-    [²³]?
-    """,
-    re.VERBOSE,
-)
-"""The factors of units that are known without a declaration.
-
-Units can combine them with ``/`` and ``·``. Numbers are never converted between units.
-"""
-TYPED = re.compile(
-    rf"(?<![\w.]) \d+ (?:\.\d+)? [\s\xa0]* (?!1) {SYMBOL.pattern} (?!\w)", re.VERBOSE
-)
-"""A number with a unit in a text, which should be a quantity."""
 PLAIN = "1"  # the unit of a number whose column does not name one
 LARGEST = {
     "mm": 1e10,

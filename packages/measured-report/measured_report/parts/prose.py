@@ -11,8 +11,8 @@ from typing import Any
 
 from markupsafe import Markup, escape
 
-from measured_report.files.columns import SYMBOL
 from measured_report.files.errors import ReportError
+from measured_report.files.units import SYMBOL
 
 # The token contains a random number, so that a text in a record cannot imitate it.
 OPEN, CLOSE = f"\ue000{secrets.token_hex(16)}n", "\ue001"

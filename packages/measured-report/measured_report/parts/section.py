@@ -10,8 +10,9 @@ from typing import TYPE_CHECKING, Any
 
 from markupsafe import Markup
 
-from measured_report.files.columns import PLAIN, TYPED
+from measured_report.files.columns import PLAIN
 from measured_report.files.errors import ReportError, bug_of
+from measured_report.files.units import TYPED
 from measured_report.parts.claim import Claim
 from measured_report.parts.macros import macros
 from measured_report.parts.words import Wording

@@ -14,8 +14,8 @@ from pathlib import Path, PurePosixPath
 from typing import Any
 
 from measured_report.files.cache import Cache
-from measured_report.files.columns import TYPED
 from measured_report.files.errors import ReportError
+from measured_report.files.units import TYPED
 
 # Identities leave out the files of this package, because it only passes calls on and
 # does not change the rows that they return.
