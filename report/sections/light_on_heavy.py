@@ -68,7 +68,7 @@ def derive(results: Results) -> Section:
         "largest difference in the oldest release or with another setting",
         extreme(max, right),
     )
-    given = {
+    settings = {
         name: results.chosen(name, f"given: {words}", number, unit)
         for name, words, number, unit in (
             ("mass", "mass of the box", 10.0, "g"),
@@ -83,8 +83,8 @@ def derive(results: Results) -> Section:
             at_least(least, 5.0, "clearly different"),
             at_most(cured, 1.0, "the same rate"),
         ),
-        {"least": least, "most": most, "cured": cured, "old": OLD, **given},
+        {"least": least, "most": most, "cured": cured, "old": OLD, **settings},
     )
     columns = {words: rates[name] for name, words in SETTINGS.items()}
-    table = table_of("MuJoCo C", releases, columns, tolerance=given["tolerance"])
+    table = table_of("MuJoCo C", releases, columns, tolerance=settings["tolerance"])
     return Section(tables={"rates": table}, claims=[claim])

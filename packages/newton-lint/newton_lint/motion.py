@@ -51,15 +51,17 @@ def symptoms(
         wandering,
         fallen,
     )
-    found = []
+    symptoms = []
     for index, run in enumerate(runs):
         # The scene is probably never used from such a start.
         is_idle = run.start.name == "the start" and (
             scene.model.nkey > 0 or ill_posed(scene, run)
         )
         for rule in always if run.bad else (*always, *settled):
-            found += [(index, _noted(symptom, is_idle)) for symptom in rule(scene, run)]
-    return found
+            symptoms += [
+                (index, _noted(symptom, is_idle)) for symptom in rule(scene, run)
+            ]
+    return symptoms
 
 
 def motions(trials: Trials) -> list[Finding]:

@@ -49,9 +49,9 @@ def written(reports: Sequence[Report], form: str, detail: Detail = Detail()) -> 
     """
     if form == "json":
         objects = [as_json(report) for report in reports]
-        found = objects[0] if len(objects) == 1 else objects
+        answer = objects[0] if len(objects) == 1 else objects
         # Numbers of NumPy become those of Python.
-        return json.dumps(found, indent=1, default=lambda number: number.item())
+        return json.dumps(answer, indent=1, default=lambda number: number.item())
     lines_of = _github if form == "github" else text_of
     lines = [line for report in reports for line in lines_of(report, detail)]
     return "\n".join(map(printable, lines))

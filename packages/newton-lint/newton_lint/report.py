@@ -113,8 +113,8 @@ def report_on(
     runs = runs_of(model, target.data) if request.step else []
 
     def judge(scene: Scene, runs: Sequence[Run]):
-        found = [finding for group, _ in faults(scene, runs) for finding in group]
-        return found, symptoms(scene, runs, request.load.acceleration_m_s2)
+        findings = [finding for group, _ in faults(scene, runs) for finding in group]
+        return findings, symptoms(scene, runs, request.load.acceleration_m_s2)
 
     trials = Trials(scene, runs, judge)
     findings = [*more, *lint(trials)]
@@ -142,9 +142,9 @@ def report_on(
             findings += [creep] if creep else []
     motion = motions(trials)
     # The finding of --hold on the same body replaces its finding on slip.
-    known = [hold.body] if hold else []
+    held_bodies = [hold.body] if hold else []
     findings += [
-        item for item in motion if item.rule != "slip" or item.shape not in known
+        item for item in motion if item.rule != "slip" or item.shape not in held_bodies
     ]
     if request.step and model.nv > MOST_DOFS:
         message = (

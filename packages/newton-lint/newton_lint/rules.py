@@ -34,10 +34,10 @@ def lint(trials: Trials) -> list[Finding]:
     A change is recommended if it does no harm within 2 s from all starts.
     """
     scene = trials.scene
-    found = list(faults(scene, trials.runs))
-    found += [([finding], remedy) for finding, remedy in engine(scene)]
+    groups = list(faults(scene, trials.runs))
+    groups += [([finding], remedy) for finding, remedy in engine(scene)]
     return [
-        finding for group, remedy in found for finding in trials.advised(group, remedy)
+        finding for group, remedy in groups for finding in trials.advised(group, remedy)
     ]
 
 

@@ -1,9 +1,12 @@
 """Check ``report.toml`` against the results, and list gaps in the results."""
 
+import math
+import re
 from collections import Counter
 from collections.abc import Collection, Iterable, Mapping
 from itertools import chain
 
+from measured_report.changes.moves import CHOSEN_SHARE
 from measured_report.changes.query import Query
 from measured_report.files.columns import columns_of, implausible_cells
 from measured_report.files.config import FILE
@@ -12,6 +15,7 @@ from measured_report.findings.editions import Edition
 from measured_report.parts.claim import WITHIN
 from measured_report.records.identity import sections
 from measured_report.values.evidence import key_of, split_repeats
+from measured_report.values.format import format_share
 from measured_report.values.quantities import Quantity
 
 
@@ -140,3 +144,51 @@ def gaps(edition: Edition) -> list[str]:
             if outcome.name == "unknown" and not is_near:
                 lines.append(f"{name}.{claim.name} cannot tell: {outcome.reason}")
     return lines
+
+
+def blind_spots(edition: Edition) -> list[str]:
+    """Return a line for each threshold below the noise or with a missing number."""
+    lines = []
+    for name, threshold in edition.project.report.settings.changes.thresholds.items():
+        query = Query(name)
+        number = query.quantity(edition.chapters)
+        if not isinstance(number, Quantity) or query.section not in edition.chapters:
+            continue
+        if number.value is None:
+            lines.append(f"{name} cannot raise an alarm: {number.reason}")
+        elif number.value:
+            least = CHOSEN_SHARE
+            if number.noise is not None:
+                least = math.sqrt(2) * number.noise / abs(number.value)
+            if least > threshold:
+                hidden = f"noise hides changes below {format_share(least)}"
+                lines.append(
+                    f"{name} has the threshold {format_share(threshold)}, but {hidden}"
+                )
+    return lines
+
+
+def idle_settings(edition: Edition) -> list[str]:
+    """Return a line for each setting that names a column or cell which does not exist
+    in any row. The cause may be a typing error in a pattern.
+    """
+    if edition.left_out:
+        return []
+    schema = edition.project.report.columns
+    settings = schema.settings
+    columns = {*_columns_of(edition), *schema.parameters, ""}
+    patterns = [table.pattern for table in settings.columns]
+    patterns += [settings.changes.endings, *settings.changes.keys]
+    idle = [
+        pattern
+        for pattern in patterns
+        if not any(re.fullmatch(pattern, column) for column in columns)
+    ]
+    for name, cells in settings.repeating.items():
+        present = {
+            str(row.get(name, schema.parameters.get(name)))
+            for chapter in edition.chapters.values()
+            for row in chapter.results.record.rows
+        }
+        idle += [f"{name} = {cell}" for cell in cells if str(cell) not in present]
+    return [f"{FILE}: no row has {name}" for name in idle]

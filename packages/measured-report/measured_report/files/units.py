@@ -1,10 +1,12 @@
 """Find units in texts. This module has no dependencies, because identities need it."""
 
 import re
+from collections.abc import Iterable
 
+BASE = "(?:m|s|g|N|J|W|V|A|K|B|bit|Pa|Hz|rad|mol)"
 SYMBOL = re.compile(
-    r"""
-    (?: [nµmkMGT]? (?:m|s|g|N|J|W|V|A|K|B|bit|Pa|Hz|rad|mol)  # with a prefix
+    rf"""
+    (?: [nµmkMGT]? {BASE}  # with a prefix
       | cm | min | h | °C? | % | 1 | dB
     )
     [²³]?
@@ -19,3 +21,20 @@ TYPED = re.compile(
     rf"(?<![\w.]) \d+ (?:\.\d+)? [\s\xa0]* (?!1) {SYMBOL.pattern} (?!\w)", re.VERBOSE
 )
 """A number with a unit in a text, which should be a quantity."""
+PREFIX = re.compile(
+    rf"""
+    (?<! [^/·] ) [nµmkMGT]  # at the start of a factor
+    (?= {BASE} (?![a-zA-Z]) )
+    """,
+    re.VERBOSE,
+)
+
+
+def unlike(units: Iterable[str]) -> list[str]:
+    """Return two different units of one quantity, such as ms and s, if there are any."""
+    kinds: dict[str, str] = {}
+    for unit in units:
+        kind = PREFIX.sub("", unit)
+        if kinds.setdefault(kind, unit) != unit:
+            return [kinds[kind], unit]
+    return []

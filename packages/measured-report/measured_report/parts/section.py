@@ -12,7 +12,7 @@ from markupsafe import Markup
 
 from measured_report.files.columns import PLAIN
 from measured_report.files.errors import ReportError, bug_of
-from measured_report.files.units import TYPED
+from measured_report.files.units import TYPED, unlike
 from measured_report.parts.claim import Claim
 from measured_report.parts.macros import macros
 from measured_report.parts.words import Wording
@@ -63,6 +63,11 @@ def _column(name: str, values: "pd.Series") -> dict[str, Any]:
     """Return the name and unit of a column, and the text and padding of its cells."""
     numbers = [cell for cell in values if isinstance(cell, Quantity)]
     units = {cell.unit for cell in numbers}
+    if clash := unlike(sorted(units)):
+        clashing = " and ".join(clash)
+        raise ResultsError(
+            f"the column {name} of a table has {clashing}: give it one unit"
+        )
     unit = units.pop() if len(units) == 1 else ""
     places = max(map(_place_count, numbers), default=0)
 

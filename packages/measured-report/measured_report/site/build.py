@@ -3,15 +3,19 @@
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
+from itertools import chain
 from pathlib import Path
 
 from measured_report.changes.checks import (
+    blind_spots,
     gaps,
+    idle_settings,
     refuse_unknown_names,
 )
 from measured_report.editions.project import INPUTS, Project
 from measured_report.editions.status import Kind, State
 from measured_report.files import atomic
+from measured_report.files.atomic import files_in, short_path
 from measured_report.files.cache import Cache
 from measured_report.files.config import FILE
 from measured_report.files.errors import ReportError
@@ -23,7 +27,9 @@ from measured_report.records.code import digest_of, read_source
 from measured_report.records.identity import (
     files_digest,
     package_versions,
+    sections,
 )
+from measured_report.records.record import trace_path
 from measured_report.records.replicas import SUMS
 from measured_report.site.check import broken_links
 from measured_report.site.pages import site_files
@@ -102,14 +108,60 @@ def _not_fresh(edition: Edition) -> Iterator[State]:
 
 
 def _notes(edition: Edition) -> list[str]:
-    """Return notes on missing numbers and claims."""
+    """Return notes on missing numbers and claims, blind spots and unused settings."""
     missing = [
         f"{name}: its text prints a missing number: {reason}"
         for name, chapter in edition.chapters.items()
         for value in (chapter.prose.printed if chapter.prose else ())
         if (reason := lost_reason(value))
     ]
-    return gaps(edition) + missing
+    unused = idle_settings(edition) + _stray_results(edition)
+    return gaps(edition) + missing + blind_spots(edition) + unused
+
+
+def _stray_results(edition: Edition) -> list[str]:
+    """Return a line for each folder, record and trace in results/ that no code reads.
+
+    For example, a section was renamed, or the name of a folder has a typing error.
+    """
+    results = edition.project.results
+    settings = edition.report.settings
+    folders = {path.parent for path in files_in(results.parent, "*/*.json")}
+    edition_folders = set(map(settings.edition_folder, edition.project.releases))
+    lines = [
+        f"{short_path(folder)} is not an edition: rename or remove it"
+        for folder in sorted(folders)
+        if folder.name not in edition_folders
+    ]
+    names = sections(edition.project.root)
+    for path in files_in(results, "*.json"):
+        if path.stem not in names and path not in edition.plugins.data:
+            lines.append(
+                f"{short_path(path)} does not belong to a section: rename or remove it"
+            )
+    for name, chapter in edition.chapters.items():
+        record = chapter.results.record
+        cases = [f"{row['case']}-" for row in record.rows]
+        section = chapter.section
+        drawn = chain(*(figure.sources for figure in section.figures.values()))
+        read_files = {source.source for source in drawn}
+        read_files.update(*(claim.outcome.reads for claim in section.claims))
+        for case in record.traces:
+            path = trace_path(chapter.results.path, case)
+            # A trace can belong to all cases that begin with its name.
+            is_of_case = any(name.startswith(f"{case}-") for name in cases)
+            if not is_of_case and f"{results.name}/{path.name}" not in read_files:
+                lines.append(
+                    f"{short_path(path)} is a trace of {case}, which is not a case of "
+                    f"{name}: correct its name in measure"
+                )
+        traces = {trace_path(chapter.results.path, case) for case in record.traces}
+        lines += [
+            f"{short_path(path)} is not a trace of {name}: remove it"
+            for path in files_in(results, f"{name}.*.csv.gz")
+            if path not in traces
+        ]
+    return lines
 
 
 def inputs_digest(project: Project, address: str = "") -> str:

@@ -9,8 +9,10 @@ import pytest
 
 from measured_report.changes import query
 from measured_report.changes.bisect import answer_text, first_change
+from measured_report.changes.checks import blind_spots
 from measured_report.changes.query import Query, history, points
 from measured_report.files.config import report
+from measured_report.files.settings import Changes, Config
 from measured_report.parts.claim import FAILS, HOLDS, OPPOSITE, Claim, Outcome
 from measured_report.values.quantities import Quantity
 
@@ -144,6 +146,30 @@ def test_a_history_says_numbers_in_four_digits_with_their_noise_and_why_there_is
         "holds",
         "6.362",
     ]
+
+
+HIDDEN = "s.slip_mm has the threshold {} %, but noise hides changes below {} %"
+LATE = [
+    (4.0, 0.5, 0.18, ""),
+    (-4.0, 0.5, 0.17, HIDDEN.format(17, 18)),
+]  # √2 · 0.5 relative to 4
+LATE += [
+    (4.0, None, 0.09, HIDDEN.format(9, 10)),
+    (4.0, None, 0.1, ""),
+    (None, None, 0.2, "s.slip_mm cannot raise an alarm: it fell"),
+]
+
+
+@pytest.mark.parametrize(("value", "noise", "threshold", "late"), LATE)
+def test_a_threshold_rings_late_where_the_noise_of_two_is_a_larger_share(
+    value, noise, threshold, late
+):
+    settings = Config(changes=Changes(thresholds={"s.slip_mm": threshold}))
+    project = SimpleNamespace(report=SimpleNamespace(settings=settings))
+    spots = blind_spots(
+        SimpleNamespace(chapters=chapters(value, noise), project=project)
+    )
+    assert spots == ([late] if late else [])
 
 
 def test_a_search_halves_what_is_left_and_passes_over_what_cannot_tell():

@@ -171,3 +171,13 @@ def test_a_figure_without_data_is_said_when_the_site_is_built(toy, sources, reas
     module = MODULE.replace("draw(trace), [trace]", f"draw(trace), {sources}")
     toy.write("report/sections/toy.py", module)
     assert gaps_of(toy) == [f"toy: figure way is left out: {reason}"]
+
+
+def test_a_setting_that_matches_no_row_is_named_when_the_site_is_built(toy):
+    _, notes = build(toy.project)
+    idle = [
+        f"report.toml: no row has {name}"
+        for name in ("growth_per_s", "classes", "worlds", "case = c")
+    ]
+    assert {*idle} < {*notes}
+    assert "report.toml: no row has slip_mm" not in notes

@@ -33,7 +33,7 @@ MISTAKES = [
         X,
         "= max(map(abs, changes))",
         '= float("nan")',
-        "euler has no energy_error_mj: the measurement gave nan",
+        "cannot raise an alarm: euler: the measurement gave nan",
     ),
     ("report.toml", 'edition = "numpy"', "", 'add edition = "NAME"'),
     ("results/quick/*/pendulum.json", '"rows"', '"row"', "pendulum: 10 rows in"),

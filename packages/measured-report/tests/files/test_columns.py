@@ -20,6 +20,7 @@ from measured_report.files.atomic import RecordError
 from measured_report.files.config import Config
 from measured_report.files.errors import ReportError
 from measured_report.files.settings import Columns
+from measured_report.files.units import unlike
 from measured_report.records.record import read_record, record_text
 from measured_report.records.replicas import mismatch
 
@@ -68,6 +69,22 @@ def test_a_unit_says_the_range_that_is_believed_and_whether_there_is_less_than_n
     assert (number_problem(name, -largest) == "") == (
         name in SIGNED
     ) and number_problem(name, -largest * 1.001)
+
+
+def test_units_that_differ_by_a_prefix_are_of_one_kind():
+    for pair in (["ms", "s"], ["mm/s", "m/s"], ["N/m", "N/mm"], ["kPa", "MPa"]):
+        assert unlike([pair[0], "K", pair[1]]) == pair
+    for units in (
+        ["ms", "m"],
+        ["m/s", "m/s²"],
+        ["min", "h"],
+        ["mol", "m"],
+        ["mm", "mm"],
+        ["kg", "K"],
+        ["1", "mm"],
+        [],
+    ):
+        assert unlike(units) == [], units
 
 
 def test_units_are_combined_from_known_symbols():

@@ -4,6 +4,7 @@ import gzip
 import json
 import os
 import re
+import shutil
 from dataclasses import replace
 from itertools import combinations, pairwise
 from types import SimpleNamespace
@@ -22,6 +23,7 @@ from measured_report.parts.prose import Prose
 from measured_report.parts.section import Table
 from measured_report.records.identity import identity_of
 from measured_report.records.record import write_record
+from measured_report.records.traces import packed
 from measured_report.site import compare as compare_module
 from measured_report.site.build import build
 from measured_report.site.check import check_site
@@ -243,6 +245,19 @@ def test_a_section_whose_name_is_not_ascii_is_refused(toy):
         toy.build()
 
 
+def test_a_trace_of_no_case_is_named(toy):
+    table = {"time_s": [0.0, 1.0], "x_mm": [0.0, 0.3]}
+    cases = ("stiff", "stif", "so")
+    traces = {case: packed(toy.record_path, case, table) for case in cases}
+    write_record(
+        toy.record_path, toy.record([*ROWS, {**ROWS[0], "case": "so-1"}]), traces
+    )
+    assert [note for note in build(toy.project)[1] if "is a trace" in note] == [
+        "newton-1.4.0/toy.stif.csv.gz is a trace of stif, which is not a case of toy: "
+        "correct its name in measure"
+    ]
+
+
 def test_sections_without_an_order_follow_by_name_and_equal_orders_are_refused(toy):
     for name in ("b", "a"):
         module = MODULE.replace(
@@ -261,6 +276,22 @@ def test_sections_without_an_order_follow_by_name_and_equal_orders_are_refused(t
     toy.write("report/sections/b.py", MODULE)
     with pytest.raises(ReportError, match=r"b.py and .*toy.py both have the order 1"):
         toy.build()
+
+
+def test_results_that_nothing_reads_are_named(toy):
+    """Test a renamed section and a misspelt folder."""
+    toy.build()
+    results = toy.project.results
+    shutil.copy(toy.record_path, results / "toyy.json")
+    shutil.copytree(results, results.with_name("newtn-1.4.0"))
+    shutil.copy(results / "toy.stiff.csv.gz", results / "toy.soft.csv.gz")
+    _, notes = build(toy.project)
+    strays = [note for note in notes if note.endswith("remove it")]
+    assert strays == [
+        "results/newtn-1.4.0 is not an edition: rename or remove it",
+        "newton-1.4.0/toyy.json does not belong to a section: rename or remove it",
+        "newton-1.4.0/toy.soft.csv.gz is not a trace of toy: remove it",
+    ]
 
 
 @pytest.mark.parametrize("text", ["5.3 mm", "about 7 m/s", "to 12\xa0%"])
