@@ -70,6 +70,9 @@ def derive(results: Results) -> Section:
     still = results.chosen(
         "still", "an object that moves less counts as held", STILL_MM, "mm"
     )
+    far = results.chosen(
+        "far", "an object that moves this far counts as dropped", LOST_MM, "mm"
+    )
 
     def cells(*settings: str) -> list[Quantity]:
         return [moved[f"{grasp}-{name}"] for grasp in grasps for name in settings]
@@ -162,7 +165,9 @@ def derive(results: Results) -> Section:
     figure = Figure(lambda: _draw(moved), [*moved.values()], {"bound": still})
     return Section(
         tables={
-            "verdicts": table_of("hand", HANDS.values(), verdicts, bound=still),
+            "verdicts": table_of(
+                "hand", HANDS.values(), verdicts, bound=still, far=far
+            ),
             "moved": table_of("grasp", grasps, rows),
         },
         figures={"moved": figure},

@@ -148,7 +148,9 @@ def _slip_claims(results: Results) -> list[Claim]:
         PERCENT * (most / least - 1),
     )
     matters = at_least(span, results.chosen("kh_bound", "a tenth", 10.0, "%"))
-    numbers = {"least": least, "most": most}
+    lost = [row.kh_n_m3 for row in swept if row.plain.get("dropped")]
+    softest = max(lost, key=lambda kh: kh.number, default="")
+    numbers = {"least": least, "most": most, "lost": softest}
     claims.append(Claim("depends_on_kh", matters, numbers))
     return claims
 
