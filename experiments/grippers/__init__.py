@@ -4,7 +4,7 @@ The hand closes in MuJoCo's C engine without gravity. Both engines start from th
 hold the object still with gravity, shake the hand, and let it rest again.
 """
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass
 from functools import partial
 from itertools import product
@@ -12,14 +12,20 @@ from itertools import product
 import mujoco
 import mujoco_warp as mjw
 import numpy as np
+import warp as wp
 
 from experiments.drivers.mjcf import ENGINES, columns_of, numbers, run
 from experiments.drivers.mujoco_c import STEPS, start
 from experiments.drivers.mujoco_warp import InWarp
 from experiments.drivers.scene import Scene
 from experiments.grippers.hands import HANDS, Hand
+from experiments.simulation.c_warnings import RunFailed
+from experiments.simulation.frame_benchmark import untimed
+from experiments.simulation.paired_timing import PairedTimes, time_in_turn
+from experiments.simulation.timing import elapsed_ms, spread
 from measured_report.files.errors import UsageError
-from measured_report.measuring.measurement import Conditions, absent
+from measured_report.measuring.batch import Batch, Plan
+from measured_report.measuring.measurement import Conditions, Measurement, absent
 from measured_report.measuring.pool import gather, processes
 
 OBJECTS = {
@@ -52,6 +58,8 @@ impratio 50, as in the shake test.
 """
 IMPRATIO = 50.0
 COLUMNS = ("moved_mm", "creep_mm_s", "penetration_mm", "contact_count")
+BLOCK_STEPS = 50  # steps that are timed together, with the object held still
+TIMES = ("ms_per_s", "ms_per_s_p5", "ms_per_s_p95")
 
 
 class RoomyInWarp(InWarp):
@@ -79,8 +87,19 @@ class Grasp:
         return "-".join((self.hand, self.object, self.pads, self.backend))
 
 
-def measure(conditions: Conditions) -> list[dict[str, object]]:
+def measure(conditions: Conditions) -> Plan:
+    """Return rows for each grasp, and for the run times with the cube in each hand."""
     hands = HANDS[:1] if conditions.quick else HANDS
+    found = yield [
+        Batch("grasps", measure_grasps, (conditions, hands)),
+        Batch("times", measure_times, (conditions, hands), exclusive=True),
+    ]
+    return Measurement([row for rows in found for row in rows])
+
+
+def measure_grasps(
+    conditions: Conditions, hands: Sequence[Hand]
+) -> list[dict[str, object]]:
     objects = ["cube"] if conditions.quick else OBJECTS
     calls = [(*call, conditions) for call in product(hands, objects, ENGINES_OF)]
     with processes(len(calls)) as pool:
@@ -203,3 +222,67 @@ def hold(scene: Scene, backend: str, device: str) -> Mapping[str, object]:
         "penetration_mm": 1e3 * trace.contacts.depth_m,
         "contact_count": trace.contacts.count,
     }
+
+
+def measure_times(
+    conditions: Conditions, hands: Sequence[Hand]
+) -> list[dict[str, object]]:
+    """Return a row for each hand, engine and kind of pads that both engines run.
+
+    The four runs of a hand are timed in turn.
+    """
+    rows: list[dict[str, object]] = []
+    columns: list[dict[str, object]]
+    for hand in hands:
+        grasps = [
+            Grasp(hand.name, "cube", pads, backend)
+            for pads, backends in ENGINES_OF.items()
+            for backend in backends
+            if "warp" in backends
+        ]
+        try:
+            blocks = [Steps(hand, grasp, conditions.device) for grasp in grasps]
+            columns = [
+                block.columns(times)
+                for block, times in zip(blocks, time_in_turn(blocks), strict=True)
+            ]
+        except (UsageError, RunFailed) as error:
+            columns = [untimed(TIMES, str(error))] * len(grasps)
+        rows += [
+            {"case": f"{grasp.case}/time"} | asdict(grasp) | found
+            for grasp, found in zip(grasps, columns, strict=True)
+        ]
+    return rows
+
+
+class Steps:
+    """Run blocks of steps in which a hand holds the cube still."""
+
+    def __init__(self, hand: Hand, grasp: Grasp, device: str):
+        mjcf = scene_of(hand, grasp.object, grasp.pads, 0.0).mjcf
+        is_warp = grasp.backend == "warp"
+        self.world = ENGINES["roomy-warp" if is_warp else "c"](mjcf, 1, device)
+        self.device = wp.get_device(device if is_warp else "cpu")
+        self.start_m = self.world.body()[0]
+        self.world.advance()
+        graph = self.world.graph if is_warp else None
+        self.advance = (
+            partial(wp.capture_launch, graph) if graph else self.world.advance
+        )
+        self(0)
+
+    def __call__(self, _: int) -> float:
+        """Return the run time of a simulated second [ms]."""
+        simulated_s = BLOCK_STEPS * self.world.model.opt.timestep
+        return elapsed_ms(self.device, self._run) / simulated_s
+
+    def _run(self) -> None:
+        for _ in range(BLOCK_STEPS // STEPS):
+            self.advance()
+
+    def columns(self, times: PairedTimes) -> dict[str, object]:
+        """Return the times, or the reason if the cube is not in the hand at the end."""
+        moved_m = np.linalg.norm(self.world.body()[0] - self.start_m)
+        if not moved_m < LOST_M:
+            return untimed(TIMES, "the hand does not hold the cube still")
+        return dict(spread("ms_per_s", times.times))

@@ -1,0 +1,86 @@
+"""Test whether repeated runs are identical with each setting that promises it."""
+
+from report.shared import (
+    PERCENT,
+    Claim,
+    Results,
+    RowsBy,
+    Section,
+    cell_or_absent,
+    decided,
+    greater,
+    resolution,
+    table_of,
+)
+
+order = 172
+page = "error"
+label = "identical runs"
+
+SETTINGS = {
+    "default": "nothing",
+    "contacts": "Newton's list of contacts",
+    "engine": "the list of contacts and MuJoCo Warp",
+    "solver": "the list of contacts, and SolverMuJoCo by its option",
+}
+WORLDS = 1
+ENGINE_CLAIMS = ("engine_repeats", "engine_costs")
+
+
+def derive(results: Results) -> Section:
+    """Derive the section. Releases without an option lack the claims about it."""
+    timed = RowsBy(results, results.rows, "setting", "worlds")
+    settings = [name for name in SETTINGS if name in results.row]
+    rows = [results.row[name] for name in settings]
+    columns: dict[str, list] = {
+        "runs equal to the first": [row.identical_count for row in rows],
+        "range of the slip": [row.slip_range_mm for row in rows],
+    }
+    columns["time of a frame"] = [timed[name, WORLDS].frame_ratio for name in settings]
+    names = [SETTINGS[name] for name in settings]
+    default, contacts = results.row["default"], results.row["contacts"]
+    table = table_of(
+        "deterministic",
+        names,
+        columns,
+        runs=default.run_count,
+        resolution=resolution(results, "resolution", timed.values()),
+    )
+    numbers = {"runs": default.run_count, "range": default.slip_range_mm}
+    claims = [
+        Claim("runs_differ", _differ(default), numbers),
+        Claim("contacts_repeat", _repeat(contacts), {"runs": contacts.run_count}),
+    ]
+    if "engine" in settings:
+        engine, cost = results.row["engine"], timed["engine", WORLDS].frame_ratio
+        change = results.value(
+            "engine_cost",
+            "time of a frame if MuJoCo Warp is deterministic, divided by the time"
+            " otherwise, minus one",
+            PERCENT * (cost - 1),
+        )
+        claims += [
+            Claim("engine_repeats", _repeat(engine), {"runs": engine.run_count}),
+            Claim("engine_costs", greater(cost, 1.0), {"change": change}),
+        ]
+    if "solver" in settings:
+        solver = results.row["solver"]
+        is_compiled = solver.plain.get("identical_count") is not None
+        count = cell_or_absent(default, "identical_count")
+        reason = solver.plain.get("identical_count_reason") or ""
+        compiles = decided(is_compiled, count)
+        claims.append(Claim("option_compiles", compiles, {"reason": reason}))
+    missing = [] if "engine" in settings else [*ENGINE_CLAIMS]
+    missing += [] if "solver" in settings else ["option_compiles"]
+    return Section({"settings": table}, claims=claims, unmeasured=missing)
+
+
+def _repeat(row):
+    """Test whether all runs of a row equal the first one."""
+    is_equal = row.plain.get("identical_count") == row.plain.get("run_count", 0) - 1
+    return decided(is_equal, row.identical_count, row.run_count)
+
+
+def _differ(row):
+    is_equal = row.plain.get("identical_count") == row.plain.get("run_count", 0) - 1
+    return decided(not is_equal, row.identical_count, row.run_count)
