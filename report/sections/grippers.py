@@ -12,6 +12,7 @@ from report.shared import (
     Quantity,
     Results,
     Section,
+    Table,
     at_least,
     at_most,
     cell_count,
@@ -169,10 +170,26 @@ def derive(results: Results) -> Section:
                 "hand", HANDS.values(), verdicts, bound=still, far=far
             ),
             "moved": table_of("grasp", grasps, rows),
+            "costs": _costs(results),
         },
         figures={"moved": figure},
         claims=claims,
     )
+
+
+def _costs(results: Results) -> Table:
+    """Return a table of the run times with the cube in each hand."""
+    times = {row.case: row.ms_per_s for row in rows_with(results, "ms_per_s")}
+    settings = {
+        f"{pads}, {name}": f"{pads}-{engine}"
+        for engine, name in {"c": "C", "warp": "Warp"}.items()
+        for pads in PADS
+    }
+    columns = {
+        heading: [times.get(f"{hand}-cube-{name}/time", "not timed") for hand in HANDS]
+        for heading, name in settings.items()
+    }
+    return table_of("hand", HANDS.values(), columns)
 
 
 def _verdict(moved_mm: float) -> str:

@@ -122,23 +122,11 @@ def is_timed_once(chapter: Chapter, evidence: Evidence) -> bool:
     return evidence.count == 1 and all(columns[name].is_cost for name in numbers)
 
 
-def is_rarely_run(chapter: Chapter) -> bool:
-    """Return whether a section was measured on a CPU only, with a few runs.
-
-    The scatter of its slips is then unknown, and no change of them can be shown.
-    """
-    record = chapter.results.record
-    slips = [row for row in record.rows if isinstance(row.get("slip_mm"), float)]
-    return record.machine["device"] == "cpu" and len(slips) == 1
-
-
 @pytest.fixture(scope="module")
 def compared(chapters) -> list[Chapter]:
     """Return the sections that have numbers to compare."""
     sections = []
     for chapter in chapters.values():
-        if is_rarely_run(chapter):
-            continue
         record = chapter.results.record
         if scaled(record, 2.0, chapter.results.columns) != record:
             sections.append(chapter)

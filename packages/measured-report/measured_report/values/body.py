@@ -101,6 +101,12 @@ def body_of(
     gathered = {
         key: _Gathered(key[1], records, columns) for key, records in measured.items()
     }
+    # Times on a CPU that others use differ by more than times on an accelerator.
+    devices = {
+        section: records[0].machine["device"]
+        for (_, section), records in measured.items()
+        if records[0]
+    }
     samples: dict[tuple[str, ColumnKey], dict[NumberKey, list[float | None]]]
     samples = defaultdict(dict)
     for (edition, section), measurements in gathered.items():
@@ -110,7 +116,14 @@ def body_of(
     several, outliers = _several(samples, fits)
     odd_rows = _odd_rows(gathered, outliers)
     chances = _chances(samples, fits)
-    host = _host_scatter(samples, fits, columns)
+    hosts = {
+        device: _host_scatter(
+            {key: each for key, each in samples.items() if devices[key[0]] == device},
+            fits,
+            columns,
+        )
+        for device in set(devices.values())
+    }
     within = _within(gathered, columns, fits, several)
     repeats = {
         edition: repeats_of(measurements.rows, columns)
@@ -131,7 +144,7 @@ def body_of(
             repeats=repeats.get(edition, {}),
             edges=frozenset(measurements.edges),
             odd_rows=odd_rows.get(section),
-            host=host,
+            host=hosts[devices[section]],
             changed=_changed(
                 _row_chances(chances, edition, section), odd_rows.get(section, 0.0)
             ),

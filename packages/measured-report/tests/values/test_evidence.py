@@ -334,6 +334,28 @@ def test_the_scatter_between_hosts_is_that_of_all_times_together():
     assert evidence_of(slips).host == (HOST_SHARE**2, 4.0)
 
 
+def test_times_on_a_cpu_do_not_count_for_the_scatter_between_hosts_with_cards():
+    """Test a section on a CPU, whose times differ by a factor of 1.7."""
+
+    def section(device: str, *scales: float) -> list[Record]:
+        return [
+            record(
+                [{"case": f"c{row}", TIME: 10.0 * scale} for row in range(9)],
+                device=device,
+            )
+            for scale in scales
+        ]
+
+    cards = section("cuda", 0.97, 1.03)
+    alone = body_of({("a", "toy"): cards}, report().columns)
+    both = body_of(
+        {("a", "toy"): cards, ("a", "grasp"): section("cpu", 1.0, 1.7)},
+        report().columns,
+    )
+    assert both.sections["a", "toy"].host == alone.sections["a", "toy"].host
+    assert both.sections["a", "grasp"].host > both.sections["a", "toy"].host
+
+
 def test_columns_measured_more_often_elsewhere_count_for_the_scatter_of_hosts():
     """Test one column of four that was measured six times in another edition and never
     shifts.
