@@ -46,6 +46,67 @@ function nearest(steps, step) {
   return steps.findIndex((each) => Math.abs(step / each - 1) < 0.01);
 }
 
+/**
+ * Return a function that marks a point on the line of the rule in a figure: after so many of its runs, with fractions between two
+ * runs, or nowhere if the number is null. The axes are logarithmic, so a straight line between two runs is the interpolation of
+ * the table. `count` is the number of runs.
+ */
+function markOn(figure, count) {
+  const picture = figure.querySelector("img");
+  const mark = document.createElement("span");
+  mark.id = "step-mark";
+  mark.hidden = true;
+  Object.assign(mark.style, {
+    position: "absolute",
+    width: "1.1rem",
+    height: "1.1rem",
+    margin: "-0.55rem",
+    border: "2px solid currentColor",
+    borderRadius: "50%",
+    pointerEvents: "none",
+  });
+  const frame = picture.closest("a");
+  Object.assign(frame.style, { position: "relative", display: "inline-block" });
+  frame.append(mark);
+  let places = [];
+  let position = null;
+  const move = () => {
+    mark.hidden = position === null || places.length !== count;
+    if (mark.hidden) return;
+    const index = Math.min(Math.floor(position), count - 2);
+    const share = position - index;
+    const [left, top] = [0, 1].map((axis) => (1 - share) * places[index][axis] + share * places[index + 1][axis]);
+    mark.style.left = `${left}%`;
+    mark.style.top = `${top}%`;
+  };
+  const read = async () => {
+    const answer = await fetch(picture.currentSrc || picture.src).catch(() => null);
+    if (!answer?.ok) return;
+    // The policy of the page forbids inline styles, and each of them would be reported.
+    const text = (await answer.text()).replace(/<style[^]*?<\/style>| style="[^"]*"/g, "");
+    const drawing = new DOMParser().parseFromString(text, "image/svg+xml");
+    const [, , width, height] = drawing.documentElement.getAttribute("viewBox").split(" ").map(Number);
+    const runs = [...drawing.querySelectorAll("#line-by-rule use")];
+    places = runs.map((run) => [(100 * run.getAttribute("x")) / width, (100 * run.getAttribute("y")) / height]);
+    move();
+  };
+  picture.addEventListener("load", read);
+  read();
+  return (to) => {
+    position = to;
+    move();
+  };
+}
+
+/** Return the position of a step among descending steps, with fractions by the logarithm, or null outside of them. */
+function positionOf(steps, step) {
+  for (let index = 1; index < steps.length; index++) {
+    const share = Math.log(steps[index - 1] / step) / Math.log(steps[index - 1] / steps[index]);
+    if (share >= -1e-3 && share <= 1 + 1e-3) return index - 1 + share;
+  }
+  return null;
+}
+
 function begin(place, columns) {
   const [steps, kds, , , ...others] = columns;
   const time = others.pop();
@@ -57,8 +118,13 @@ function begin(place, columns) {
   const code = [...document.querySelectorAll("main pre code")].find((block) => block.textContent.includes("shape_material_kd"));
   const original = code?.textContent;
 
+  const figure = document.querySelector("#story-frontier");
+  const drawn = steps.cells.filter((_, row) => others[0].cells[row] !== null && time.cells[row] !== null);
+  const mark = figure ? markOn(figure, drawn.length) : () => {};
+
   const describe = () => {
     if (code) code.textContent = original;
+    mark(null);
     const step = Number(input.value.replace(",", "."));
     if (!(step > 0)) return "type the length of a step in ms.";
     const { name, cells, texts } = others[contacts.selectedIndex];
@@ -73,6 +139,7 @@ function begin(place, columns) {
         .replace(/(shape_material_ke\[shape\] = )\S+/, `$1${ke}`)
         .replace(/(shape_material_kd\[shape\] = )\S+/, `$1${kd}`);
     }
+    if (contacts.selectedIndex === 0) mark(positionOf(drawn, measured));
     const ratio = at(steps.cells, time.cells, measured);
     const cost = ratio === null ? "" : `; a frame takes about ${written(ratio)} times as long as with the scene's step`;
     return `kd ${kd}, ke ${ke}; the cube slips about ${written(slip)} mm${cost}.`;

@@ -80,6 +80,7 @@ LINES = (
     replace(BY_RULE, worlds=MANY),
     replace(ROOT_CURE, worlds=MANY),
 )
+RULE_ID = "line-by-rule"  # in the SVG; assets/step.js finds the line by it
 IN_C = Line("MuJoCo C", "c", RULE, "", SERIES[4], "v")
 
 
@@ -236,7 +237,7 @@ def _draw(
 
 
 def _draw_line(axes: Axes, times: list[float], points: list[Point], line: Line) -> None:
-    axes.plot(
+    [drawn] = axes.plot(
         times,
         [point.slip.number for point in points],
         color=line.colour,
@@ -246,6 +247,8 @@ def _draw_line(axes: Axes, times: list[float], points: list[Point], line: Line) 
         markevery=1,
         label=line.label,
     )
+    if line is BY_RULE:
+        drawn.set_gid(RULE_ID)
     look = {"color": line.colour, "fontsize": 8.5}
     if (line.pads, line.cost) == (RULE, step_cost.STIFF) and not is_narrow():
         place = (times[0], points[0].slip.number)

@@ -1,5 +1,10 @@
 """Test the field for the reader's own time step on the front page, in a real browser."""
 
+import re
+from functools import partial
+from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
+from threading import Thread
+
 import pytest
 
 sync_api = pytest.importorskip(
@@ -65,6 +70,48 @@ def test_a_step_that_was_not_measured_leaves_the_code_as_it_is(tab):
 def test_an_unusable_step_is_named(tab, text, said):
     tab.fill("#step-ms", text)
     assert said in tab.inner_text("#step-slip")
+
+
+class Quiet(SimpleHTTPRequestHandler):
+    def log_message(self, *_):
+        pass
+
+
+def test_the_circle_in_the_figure_follows_the_step(browser, site):
+    """Test the circle at a run, between two runs, and with other contacts."""
+    server = ThreadingHTTPServer(("localhost", 0), partial(Quiet, directory=site))
+    Thread(target=server.serve_forever, daemon=True).start()
+    tab = browser.new_page()
+    messages = []
+    tab.on("console", lambda message: messages.append(message.text))
+    tab.goto(f"http://localhost:{server.server_port}/index.html")
+    mark = tab.locator("#step-mark")
+    mark.wait_for(state="attached")
+    tab.locator("#story-frontier img").scroll_into_view_if_needed()
+
+    def place(step: float) -> list[float]:
+        tab.fill("#step-ms", str(step))
+        mark.wait_for(state="visible")
+        found = mark.evaluate("mark => [mark.style.left, mark.style.top]")
+        return [float(part.removesuffix("%")) for part in found]
+
+    (long, _), (short, _) = slips(tab, 4)[2:4]
+    drawing = (site / "figures" / "story-frontier.svg").read_text(encoding="utf-8")
+    width, height = map(float, re.search(r'viewBox="0 0 (\S+) (\S+)"', drawing).groups())
+    line = drawing.split('id="line-by-rule"')[1]
+    runs = [
+        [100 * float(x) / width, 100 * float(y) / height]
+        for x, y in re.findall(r'<use [^>]*x="(\S+)" y="(\S+)"', line)[2:4]
+    ]
+    assert place(long) == pytest.approx(runs[0], abs=0.05)
+    assert place(short) == pytest.approx(runs[1], abs=0.05)
+    between = place((long * short) ** 0.5)
+    assert between == pytest.approx([sum(pair) / 2 for pair in zip(*runs)], abs=0.05)
+    tab.select_option("#step-contacts", index=1)
+    mark.wait_for(state="hidden")
+    assert messages == []
+    server.shutdown()
+    tab.close()
 
 
 def test_without_script_the_note_and_the_table_remain(browser, site):
