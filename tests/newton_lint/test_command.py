@@ -127,7 +127,7 @@ def test_warnings_end_with_one_and_notes_do_not(scene, capsys):
     fail_on = {"note": 1, "warning": 0, "error": 0, "never": 0}
     assert {least: main([target, "--fail-on", least]) for least in fail_on} == fail_on
     assert capsys.readouterr().out.count("nothing found, 1 note") == 4
-    target = scene('solref="0.004 1" priority="1"', '<option timestep="0.007"/>')
+    target = scene('solref="0.004 1" priority="1"', '<option timestep="0.009"/>')
     assert (
         main([target]),
         main([target, "--dt", "0.002"]),

@@ -40,7 +40,7 @@ def scenes(tmp_path):
     (tmp_path / "common.xml").write_bytes(COMMON.encode())
     for name, body in (
         ("one.xml", BODY),
-        ("two.xml", BODY.replace("0.001 1", "0.002 1")),
+        ("two.xml", BODY.replace('0.001 1"', '0.0008 1" priority="1"')),
     ):
         (tmp_path / name).write_text(SCENE.format(body))
     return tmp_path

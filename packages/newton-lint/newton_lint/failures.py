@@ -287,12 +287,12 @@ def _separating(
         yield (Change("exclude", (), names, "<contact>"),)
         return
     touches = run.samples[0].touches
-    row = np.flatnonzero(touches.between(pair))
+    row = where(touches.between(pair))
     for body in sorted(bodies, reverse=True):
-        free = np.flatnonzero(
+        free = where(
             (model.jnt_bodyid == model.body_rootid[body]) & (model.jnt_type == FREE)
         )
-        if not len(free) or not len(row):
+        if not (free and row):
             continue
         # The normal of a contact points from its first geom to its second one.
         is_second = model.geom_bodyid[touches.geoms[row[0], 1]] == body
@@ -318,7 +318,6 @@ def jittering(scene: Scene, run: Run) -> Iterator[Symptom]:
     linear = model.jnt_type[joint] == 2 or (
         is_free and dof - model.jnt_dofadr[joint] < 3
     )
-    inertia = model.dof_M0[dof]
     ways = list(_calming(scene, run))
     # Joints that merely follow the vibrating one jump less, and need no armature.
     jumping = run.jitter > 0.1 * run.jitter[dof]
@@ -336,8 +335,7 @@ def jittering(scene: Scene, run: Run) -> Iterator[Symptom]:
         "speed",
         run.jitter[dof],
         "$shape vibrates by $value from one time step to the next"
-        f"{origin(run)} because the time step is too long for the forces on its inertia"
-        f" of {inertia:.2g} {'kg' if linear else 'kg m²'}",
+        f"{origin(run)} because the time step is too long for its forces and its inertia",
         unit="m/s" if linear else "rad/s",
     )
     yield Symptom(finding, lambda run: float(run.jitter.max()), ways, needs_cure=True)
@@ -359,14 +357,20 @@ def bouncing(scene: Scene, run: Run) -> Iterator[Symptom]:
         rebound = math.exp(-math.pi * ratio / math.sqrt(1.0 - ratio**2))
         bodies = scene.model.geom_bodyid[list(pair)]
         free = [body for body in bodies if scene.free[body]]
-        if len(free) == 1 and _restitution(scene, run, pair, free[0]) is not None:
-            yield from _misjudged(scene, run, pair, free[0], rebound)
+        kept = _restitution(scene, run, pair, free[0]) if len(free) == 1 else None
+        if kept is not None:
+            yield from _misjudged(scene, run, pair, free[0], rebound, kept)
         else:
             yield from _rattling(scene, run, contact, pair, ratio, rebound)
 
 
 def _misjudged(
-    scene: Scene, run: Run, pair: tuple[int, ...], body: int, rebound: float
+    scene: Scene,
+    run: Run,
+    pair: tuple[int, ...],
+    body: int,
+    rebound: float,
+    kept: float,
 ) -> Iterator[Symptom]:
     """Yield a body that bounces with another energy than its damping ratio implies."""
 
@@ -374,8 +378,7 @@ def _misjudged(
         kept = _restitution(scene, run, pair, body)
         return 100.0 if kept is None else 100.0 * abs(kept - rebound)
 
-    kept = _restitution(scene, run, pair, body)
-    if kept is None or (miss := error(run)) < MISSES:
+    if (miss := error(run)) < MISSES:
         return
     yield Symptom(
         Finding(
@@ -399,7 +402,7 @@ def _restitution(
 ) -> float | None:
     """Return the share of its speed that a body keeps in a bounce, or None."""
     model = scene.model
-    joint = np.flatnonzero(model.jnt_bodyid == model.body_weldid[body])[0]
+    joint = where(model.jnt_bodyid == model.body_weldid[body])[0]
     dof = model.jnt_dofadr[joint]
     gravity = model.opt.gravity
     flights: list[list[float]] = [[]]
@@ -433,10 +436,7 @@ def _rattling(
 ) -> Iterator[Symptom]:
     """Yield a contact whose geoms still part and meet."""
 
-    def rattle(run: Run) -> float:
-        return M * _rattle_m_s(run, pair)
-
-    if (value := rattle(run)) < RATTLES_MM_S:
+    if (value := _rattle_mm_s(run, pair)) < RATTLES_MM_S:
         return
     timeconst, damping = scene.contacts.solref[contact].tolist()
     if timeconst <= 0.0:
@@ -466,21 +466,21 @@ def _rattling(
             # A loose body may be meant to bounce.
             severity="warning" if is_finger else "note",
         ),
-        rattle,
+        lambda run: _rattle_mm_s(run, pair),
         ways,
         needs_cure=True,
     )
 
 
-def _rattle_m_s(run: Run, pair: tuple[int, ...]) -> float:
-    """Return the mean speed at which two geoms part and meet after 0.5 s [m/s]."""
+def _rattle_mm_s(run: Run, pair: tuple[int, ...]) -> float:
+    """Return the mean speed at which two geoms part and meet after 0.5 s [mm/s]."""
     speeds: list[float] = []
     for sample in run.samples[len(run.samples) // 4 :]:
         touches = sample.touches
         rows = touches.between(pair)
         along = (touches.velocity_m_s[rows] * touches.normal[rows]).sum(axis=1)
         speeds.extend(np.abs(along).tolist())
-    return float(np.mean(speeds)) if speeds else 0.0
+    return M * float(np.mean(speeds)) if speeds else 0.0
 
 
 def origin(run: Run) -> str:

@@ -26,9 +26,9 @@ def lost(scene: Scene) -> Iterator[Found]:
     conaffinity = model.geom_conaffinity
     # If all masks are off, every geom counts.
     collides = (masks_of(model) > 0) | (scene.colliding == 0)
-    attached = np.flatnonzero(~scene.free[tree])
+    attached = where(~scene.free[tree])
     is_off = model.opt.disableflags & (WEIGHTLESS | OFF)
-    if is_off or not (model.opt.gravity.any() and len(attached)):
+    if is_off or not (model.opt.gravity.any() and attached):
         return
     named = tree[np.append(model.pair_geom1, model.pair_geom2)]
     for body in np.setdiff1d(tree[scene.free[tree] & collides], named).tolist():
@@ -38,7 +38,7 @@ def lost(scene: Scene) -> Iterator[Found]:
         )
         if (contype[own] & masks | conaffinity[own] & bits).any():
             continue
-        geom = np.flatnonzero(own)[0] if bits else attached[0]
+        geom = where(own)[0] if bits else attached[0]
         finding = Finding(
             "lost",
             scene.bodies[body],
@@ -46,7 +46,8 @@ def lost(scene: Scene) -> Iterator[Found]:
             float(contype[geom]),
             "$shape falls through every other body because the contype and"
             " conaffinity bits of its geoms match those of no other geom",
-            element=scene.source.authored(geom, "contype") or scene.source.geom(geom),
+            element=scene.source.authored(geom, "contype")
+            or scene.source.find("geom", geom),
         )
         changes = of_geom(
             scene, geom, {"contype": f"{bits or 1}", "conaffinity": f"{bits or 1}"}

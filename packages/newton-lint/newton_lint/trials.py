@@ -53,7 +53,7 @@ MOVING = ("friction", "bounce", "thrown")
 """Rules whose changes make bodies faster, as their parameters were meant to do."""
 SINKING = ("tunnel", "slides", "through", "damping")
 """Rules on bodies that may touch something only after the change."""
-WRITTEN = ("lost", "pyramid", "solref-format", "dampratio", "stiff", "one-sided")
+WRITTEN = ("lost", "pyramid", "solref-format", "stiff", "one-sided")
 """Rules whose changes let contacts be as soft as they are written."""
 LEADING = ("equality", "keyframe", "limit", "servo", "apart", "degrees")
 """Rules whose changes lead to other motions, with other impacts on the way."""
@@ -76,8 +76,6 @@ class Symptom:
     """The unit of the reading, if it differs from that of the finding."""
     why: str = ""
     """The likely cause, which is only told if a change of it helps."""
-    goal: float = 0.0
-    """A reading that is good enough; by default a share of that without changes."""
 
 
 Judge = Callable[
@@ -199,8 +197,7 @@ class Trials:
             unit = symptom.unit or finding.unit
             drawback = self.drawback(variant, finding)
             cures.append(Cure(changes, before, after, unit, symptom.effect, drawback))
-            good = symptom.goal or GOOD * before
-            if after <= good or len(cures) == MOST_CURES:
+            if after <= GOOD * before or len(cures) == MOST_CURES:
                 break
         if symptom.needs_cure and not cures:
             return None

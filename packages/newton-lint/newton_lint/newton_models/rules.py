@@ -10,7 +10,7 @@ import numpy as np
 from mujoco import MjData
 from newton.solvers import SolverMuJoCo
 
-from newton_lint.combined import Contacts, contacts_of, share
+from newton_lint.combined import share
 from newton_lint.findings import Finding, Hits, Remedy, findings_of
 from newton_lint.law import DEFAULT_SOLREF
 from newton_lint.newton_models.compat import kf_is_read
@@ -40,10 +40,8 @@ class Shapes(Scene):
         source = Source(None, compiled)
         return cls(compiled, source, engine, shapes=model, start=solver.mj_data)
 
-    @cached_property
-    def contacts(self) -> Contacts:
-        # SolverMuJoCo steps in MuJoCo Warp by default.
-        return contacts_of(self.model, "warp")
+    # SolverMuJoCo steps in MuJoCo Warp by default.
+    contact_engine = "warp"
 
     @cached_property
     def index(self) -> np.ndarray:
@@ -91,7 +89,7 @@ def ke_without_kd(scene: Shapes) -> Iterator[Hits]:
         ("ke", "kd", 1.0 / (timeconst_s * ratio) ** 2),
         ("kd", "ke", 2.0 / timeconst_s),
     ):
-        hit = np.flatnonzero(converted & (values[name] > 0.0) & (values[zero] <= 0.0))
+        hit = converted & (values[name] > 0.0) & (values[zero] <= 0.0)
         yield Hits(
             Finding(
                 "ke-without-kd",
@@ -110,7 +108,7 @@ def ke_without_kd(scene: Shapes) -> Iterator[Hits]:
 def restitution(scene: Shapes) -> Iterator[Hits]:
     """Yield a restitution, which ``SolverMuJoCo`` does not read."""
     values = scene.of_geoms("shape_material_restitution")
-    hit = np.flatnonzero(scene.counts & (values > 0.0))
+    hit = scene.counts & (values > 0.0)
 
     def advise(geom: int) -> Remedy:
         # A linear contact rebounds with e = exp(-π ζ / √(1 - ζ²)).
@@ -145,7 +143,7 @@ def friction_gain(scene: Shapes) -> Iterator[Hits]:
     kf = scene.of_geoms("shape_material_kf")
     authored = ~np.isclose(kf, newton.ModelBuilder.ShapeConfig().kf, rtol=SAME)
     if reason := kf_unread(scene):
-        unread = np.flatnonzero(authored & scene.counts)
+        unread = authored & scene.counts
         yield Hits(
             Finding("kf", "", "kf", 0.0, f"kf $value of $shapes is not read {reason}"),
             unread,
@@ -158,7 +156,7 @@ def friction_gain(scene: Shapes) -> Iterator[Hits]:
     mix = share(solmix[first], solmix[second], contacts.outranked)[:, 0]
     mixed = mix * kf[first] + (1.0 - mix) * kf[second]
     mu = contacts.friction[:, 0]
-    frictionless = np.flatnonzero((contacts.condim > 1) & (mixed == 0.0))
+    frictionless = (contacts.condim > 1) & (mixed == 0.0)
     wording = Finding(
         "kf",
         "",
@@ -182,7 +180,7 @@ def friction_gain(scene: Shapes) -> Iterator[Hits]:
         "kf $value of $shapes against $against needs a friction timeconst below two"
         " time steps, so MuJoCo uses that of a kf of $used",
     )
-    hit = np.flatnonzero(clamped & option.refsafe)
+    hit = clamped & option.refsafe
     yield Hits(wording, hit, mixed, used=most, shape=first, partner=second)
 
 
