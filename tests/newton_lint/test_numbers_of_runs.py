@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 from newton_lint.findings import Finding, rounded
+from newton_lint.grips import _firmer
 from newton_lint.ledger import Run, Start, run_of, starts
 from newton_lint.motion import motions, symptoms
 from newton_lint.report import scene_of
@@ -310,3 +311,17 @@ def test_a_change_does_harm_from_its_thresholds_on(old, new, said):
     (rule, before), (_, after) = runs
     found = harm([before], [after], [rule])
     assert said in found and bool(found) == bool(said)
+
+
+@pytest.mark.parametrize(
+    ("impratio", "tried"),
+    [(1, {"10", "100"}), (10, {"100", "1000"}), (100, {"1000"}), (1000, set())],
+)
+def test_no_impratio_above_1000_is_tried(impratio, tried):
+    model = mujoco.MjModel.from_xml_string(
+        f'<mujoco><option impratio="{impratio}"/><worldbody><geom type="plane" size="1 1 1"/>'
+        '<body pos="0 0 .1"><freejoint/><geom size=".1"/></body></worldbody></mujoco>'
+    )
+    ways = _firmer(scene_of(Target("scene", model)), 1, [0])
+    attributes = {item for way in ways for change in way for item in change.attributes}
+    assert {value for name, value in attributes if name == "impratio"} == tried

@@ -35,6 +35,8 @@ STOPPED = 130
 PROGRAM = "newton-lint"
 GONE = {
     "closed",
+    "creep",
+    "dampratio",
     "default-gap",
     "fixed",
     "gap",

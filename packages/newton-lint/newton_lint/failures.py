@@ -230,7 +230,7 @@ def overlapping(scene: Scene, run: Run) -> Iterator[Symptom]:
         jammed = not run.bad and weight > 0.0 and force > FORCE * weight
         has_margin = model.geom_margin[list(pair)].any()
         margin = " including their margin" if has_margin else ""
-        message = f"$shapes and $against overlap by $value{margin} at {run.start.name}"
+        message = f"$shape overlaps $against by $value{margin} at {run.start.name}"
         if bodies in heap[1:]:
             message += f" (the fastest of {len(heap)} pairs)"
         first, second = model.body_weldid[list(bodies)].tolist()
@@ -335,7 +335,7 @@ def jittering(scene: Scene, run: Run) -> Iterator[Symptom]:
         "speed",
         run.jitter[dof],
         "$shape vibrates by $value from one time step to the next"
-        f"{origin(run)} because the time step is too long for its forces and its inertia",
+        f"{origin(run)} because the time step is too long for its inertia and the forces on it",
         unit="m/s" if linear else "rad/s",
     )
     yield Symptom(finding, lambda run: float(run.jitter.max()), ways, needs_cure=True)
@@ -458,9 +458,9 @@ def _rattling(
             shape,
             "dampratio",
             value,
-            "$shape and $against part and meet at $value"
-            f"{origin(run)} because the damping ratio of their contact is"
-            f" {ratio:.2g}, so they rebound with {rebound:.0%} of their speed",
+            f"$shape keeps bouncing on $against at $value{origin(run)} because the"
+            f" damping ratio of their contact is {ratio:.2g}, so it rebounds with"
+            f" {rebound:.0%} of its speed",
             against=(partner,),
             unit="mm/s",
             # A loose body may be meant to bounce.

@@ -69,10 +69,7 @@ class Finding:
     value: float
     """The value as it is written, or as it follows from the written parameters."""
     message: str
-    """A sentence with $shape or $shapes, $against, $value and $used in it.
-
-    $shape is the subject of a verb in the singular; $shapes is a list.
-    """
+    """A sentence with $shape, which is its subject, $against, $value and $used in it."""
     against: tuple[str, ...] = ()
     """The other shapes of the pairs, or () if the finding is about the shape alone."""
     used: float | None = None
@@ -128,7 +125,6 @@ def sentence(group: Sequence[Finding]) -> str:
     count = "" if is_short else f" ({len(partners)} pairs)"
     return Template(finding.message).safe_substitute(
         shape=shapes if shapes == finding.shape else f"each of {shapes}",
-        shapes=shapes,
         against=f"{named(partners)}{count}",
         value=quantity(finding.value, finding.unit),
         used="" if finding.used is None else quantity(finding.used, finding.unit),

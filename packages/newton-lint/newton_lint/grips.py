@@ -315,7 +315,7 @@ def _sliding(
         ),
         fall,
         () if acceleration_m_s2 else ways,
-        effect="keeps it within {}",
+        effect="keeps it within {} of its place",
         unit="mm",
     )
 

@@ -83,15 +83,15 @@ def solref_format(scene: Scene) -> Iterator[Hits]:
         "",
         "solref[1]",
         0.0,
-        "solref of $shapes has only one positive number (the second number is $value),"
-        " so MuJoCo uses its default",
+        "$shape has a solref with only one positive number (the second one is $value),"
+        " so MuJoCo uses the default solref",
         severity="error",
     )
 
     default = {"solref": text_of(DEFAULT_SOLREF)}
 
     def advise(geom: int) -> Remedy:
-        return [(of_geom(scene, geom, default), "writes the value that MuJoCo uses")]
+        return [(of_geom(scene, geom, default), "states the value that MuJoCo uses")]
 
     yield Hits(wording, geoms, solref[:, 1], DEFAULT_SOLREF[1], advise)
 
@@ -108,8 +108,8 @@ def solimp(scene: Scene) -> Iterator[Hits]:
             "",
             "solimp",
             0.0,
-            "solimp of $shapes has a dmin of $value above its dmax of $used, so"
-            " contacts get softer with depth, and creep grows with the load",
+            "$shape has a solimp whose dmin of $value is above its dmax of $used, so its"
+            " contacts get softer with depth",
         ),
         geoms,
         dmin,
@@ -137,15 +137,15 @@ def timeconst(scene: Scene) -> Iterator[Hits]:
         "",
         "timeconst",
         0.0,
-        f"timeconst $value of $shapes against $against is below {least}, so MuJoCo"
-        " uses $used",
+        f"$shape has a timeconst of $value against $against, but MuJoCo uses $used,"
+        f" because a timeconst cannot be shorter than {least}",
         unit="s",
     )
     # Nobody wrote a timeconst that equals the default.
     below &= authored != DEFAULT_SOLREF[0]
 
     def advise(pair: int) -> Remedy:
-        effect = "writes the value that MuJoCo uses anyway"
+        effect = "only states the value that MuJoCo uses"
         return longer_solref(scene, pair, limit[pair], effect)
 
     # Timeconsts are often written as short as possible on purpose.
@@ -176,8 +176,9 @@ def too_stiff(scene: Scene) -> Iterator[Hits]:
         "",
         "solref",
         0.0,
-        "solref $value of $shapes against $against is too stiff for the time step:"
-        f" contacts throw bodies off if b·h + k·h²/2 is above {STIFF}, and refsafe {why}",
+        "$shape has a solref ($value) against $against that is too stiff for the time"
+        f" step: contacts throw bodies off if b·h + k·h²/2 is above {STIFF}, and refsafe"
+        f" {why}",
         severity="error",
     )
 
@@ -217,20 +218,17 @@ def one_sided(scene: Scene) -> Iterator[Hits]:
     )
     softer = stiffest > np.maximum(2.0 * authored, 4.0 * scene.option.timestep_s)
     hit = is_stiff & softer
-    shape = np.flatnonzero(hit)
     wording = Finding(
         "one-sided",
         "",
         "solref",
         0.0,
-        "solref $value of $shapes is stiff only on this side, because each contact mixes"
-        " it with the soft solref of the other geom, which gives at least $used",
+        "$shape has a stiff solref of $value, but its contacts use at least $used,"
+        " because MuJoCo averages it with the softer solref of the other geom",
         unit="s",
     )
     ranking = "makes contacts use its solref, solimp, friction and condim"
-    stiff = [
-        (of_higher_priority(scene, geoms), ranking) for geoms in (shape, shape[:1])
-    ]
+    stiff = [(of_higher_priority(scene, np.flatnonzero(hit)), ranking)]
     yield Hits(wording, hit, authored, stiffest, lambda _: stiff)
 
 
@@ -252,9 +250,9 @@ def friction(scene: Scene) -> Iterator[Hits]:
             "",
             "friction",
             0.0,
-            "friction $value of $shapes is never used because a contact uses the"
-            " larger friction of its two geoms, or that of the geom with the higher"
-            " priority; here it is at least $used",
+            "$shape has a friction of $value, but its contacts use at least $used,"
+            " because MuJoCo takes the larger friction of the two geoms unless one of"
+            " them has a higher priority",
         ),
         (authored * FAR <= least) & np.isfinite(least) & (authored != 1.0),
         authored,

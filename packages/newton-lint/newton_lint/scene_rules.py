@@ -45,7 +45,7 @@ def lost(scene: Scene) -> Iterator[Found]:
             "contype",
             float(contype[geom]),
             "$shape falls through every other body because the contype and"
-            " conaffinity bits of its geoms match those of no other geom",
+            " conaffinity bits of its geoms do not match those of any other geom",
             element=scene.source.authored(geom, "contype")
             or scene.source.find("geom", geom),
         )
@@ -101,8 +101,8 @@ def pyramid(scene: Scene) -> Iterator[Found]:
             "pyramid",
             "impratio",
             impratio,
-            message="impratio $value hardens the normal rows of a pyramidal cone like"
-            " its friction; only an elliptic cone separates them",
+            message="The impratio of $value hardens normal forces as much as friction"
+            " because the cone is pyramidal; only an elliptic cone separates them",
         )
         yield finding, remedy
     if steepest > STEEP:
@@ -113,8 +113,8 @@ def pyramid(scene: Scene) -> Iterator[Found]:
             "pyramid",
             "friction",
             steepest,
-            message=f"friction $value makes contacts {number(softer)} times softer with a"
-            " pyramidal cone, so bodies sink and creep more",
+            message=f"The friction of $value makes contacts {number(softer)} times softer"
+            " because the cone is pyramidal, so bodies sink and creep more",
         )
         yield finding, remedy
 

@@ -112,8 +112,8 @@ def misled(scene: Scene, run: Run) -> Iterator[Symptom]:
             scene.name("actuator", servo),
             "ctrl",
             read(run) if not run.bad else math.inf,
-            f"$shape drives its joint to $value beyond {target:g}°{origin(run)}"
-            f" because ctrl is in radians, and {target:g} is probably in degrees",
+            f"$shape drives its joint $value past {target:g}°{origin(run)} because ctrl"
+            f" is in radians, and {target:g} was probably meant in degrees",
             unit="°",
             severity="error",
         )
@@ -134,9 +134,9 @@ def _narrow(scene: Scene, run: Run, joint: int, target: float) -> Iterator[Sympt
         scene.name("joint", joint),
         "range",
         high,
-        f"$shape stops at $value, although its servo has a target of"
-        f" {math.degrees(target):.3g}°{origin(run)}, because its range of"
-        f" {low:g} to {high:g} is in degrees, and probably written in radians",
+        f"$shape stops at $value and does not reach its target of"
+        f" {math.degrees(target):.3g}°{origin(run)} because its range is in degrees,"
+        f" and {low:g} to {high:g} was probably meant in radians",
         unit="°",
         severity="error",
     )
@@ -162,7 +162,7 @@ def torn(scene: Scene, run: Run) -> Iterator[Symptom]:
         kind = COUPLINGS.get(model.eq_type[equality], "")
         bodies = coupled(scene, equality)
         mocap = [body for body in bodies if model.body_mocapid[body] >= 0]
-        why = f"the {kind} equality pulls its two sides together"
+        why = "its two sides start apart"
         if mocap:
             why = f"its mocap body {scene.bodies[mocap[0]]} starts away from it"
         finding = Finding(
@@ -170,8 +170,8 @@ def torn(scene: Scene, run: Run) -> Iterator[Symptom]:
             scene.name("equality", equality),
             "gap",
             value,
-            f"$shape is $value open at {run.start.name}, and the scene starts"
-            f" with {number(speed, 2)} m/s or rad/s because {why}",
+            f"$shape is $value open at {run.start.name} because {why}, and the {kind}"
+            f" equality jerks the scene to {number(speed, 2)} m/s or rad/s",
             unit=unit,
             severity="warning" if speed > LEAVES else "note",
         )

@@ -205,7 +205,7 @@ class Trials:
             message = f"{finding.message} because {symptom.why}"
             finding = replace(finding, message=message)
         if was_tried and not cures and not finding.hint:
-            finding = replace(finding, hint="No tried change helps.")
+            finding = replace(finding, hint="None of the tried changes helps.")
         # Changes that mend it well come first; the sort keeps the order of the rule.
         cures.sort(key=lambda cure: (cure.after or 0.0) > GOOD * before)
         element = finding.element or self.scene.place(finding.shape)

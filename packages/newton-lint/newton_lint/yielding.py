@@ -514,8 +514,8 @@ def passing(scene: Scene, run: Run) -> Iterator[Symptom]:
             scene.names[geom],
             "wall",
             thick,
-            f"$shape passes through $against{origin(run)}, which is only $value"
-            " thick, because a contact that is deeper than half of it pushes onwards",
+            f"$shape passes through $against{origin(run)}, which is only $value thick,"
+            " because MuJoCo pushes out what is more than halfway in on the far side",
             against=(scene.names[wall],),
             unit="mm",
             severity="error",
@@ -596,8 +596,8 @@ def crowded(scene: Scene, run: Run) -> Iterator[Symptom]:
                 scene.names[geom],
                 "cells",
                 MOST_CONTACTS,
-                "$shape sinks through $against because it touches more cells"
-                " than the $value contacts that MuJoCo makes for a pair",
+                "$shape sinks through $against because it touches more cells than"
+                " MuJoCo's limit of $value contacts for a pair",
                 against=(scene.names[field],),
                 hint=f'Use larger cells, such as nrow="{nrow}" ncol="{ncol}".',
             )

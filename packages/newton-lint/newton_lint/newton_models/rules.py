@@ -96,8 +96,8 @@ def ke_without_kd(scene: Shapes) -> Iterator[Hits]:
                 "",
                 name,
                 0.0,
-                f"{name} $value of $shapes is not read because {zero} is 0, so the"
-                f" solver uses solref ({timeconst_s:g}, {ratio:g})",
+                f"$shape has a {name} of $value, which is not read because its {zero} is 0,"
+                f" so the solver uses solref ({timeconst_s:g}, {ratio:g})",
             ),
             hit,
             values[name],
@@ -128,8 +128,8 @@ def restitution(scene: Shapes) -> Iterator[Hits]:
             "",
             "restitution",
             0.0,
-            "restitution $value of $shapes is ignored because SolverMuJoCo has no"
-            " restitution; the damping of a contact decides how it rebounds",
+            "$shape has a restitution of $value, which is ignored because SolverMuJoCo"
+            " has no restitution; the damping of a contact decides how it rebounds",
         ),
         hit,
         values,
@@ -145,7 +145,13 @@ def friction_gain(scene: Shapes) -> Iterator[Hits]:
     if reason := kf_unread(scene):
         unread = authored & scene.counts
         yield Hits(
-            Finding("kf", "", "kf", 0.0, f"kf $value of $shapes is not read {reason}"),
+            Finding(
+                "kf",
+                "",
+                "kf",
+                0.0,
+                f"$shape has a kf of $value, which is not read {reason}",
+            ),
             unread,
             kf,
         )
@@ -162,8 +168,8 @@ def friction_gain(scene: Shapes) -> Iterator[Hits]:
         "",
         "mu",
         0.0,
-        "mu $value of $shapes against $against is not read because a kf of 0 removes"
-        " the friction",
+        "$shape has a mu of $value against $against, which is not read because a kf"
+        " of 0 removes the friction",
     )
     yield Hits(wording, frictionless, mu, shape=first, partner=second)
     option = scene.option
@@ -177,8 +183,8 @@ def friction_gain(scene: Shapes) -> Iterator[Hits]:
         "",
         "kf",
         0.0,
-        "kf $value of $shapes against $against needs a friction timeconst below two"
-        " time steps, so MuJoCo uses that of a kf of $used",
+        "$shape has a kf of $value against $against, but MuJoCo uses $used, because"
+        " the timeconst of friction cannot be shorter than two time steps",
     )
     hit = clamped & option.refsafe
     yield Hits(wording, hit, mixed, used=most, shape=first, partner=second)
