@@ -21,7 +21,7 @@ SCENES = {  # bodies, options, expected parts of the message, parts that must be
         (
             "error unstable",
             'kv="20"` on actuator_0 prevents it',
-            "kp·h²/m of servo actuator_0 is 17.4",
+            "servo actuator_0 has a kp·h²/m of 17.4, and only values below 4 are",
         ),
         "timestep=",
     ),

@@ -273,6 +273,10 @@ HARM = [
     ({}, {"effort": 1810.0}, "1.8 times as much"),
     ({}, {"bad": True}, "blows up after 0.2 s"),
     ({"bad": True}, {"deepest_m": 1.0}, ""),
+    ({}, {"thrown": 0.59}, ""),  # 1.2 times 0.5 m/s
+    ({"thrown": 0.1}, {"thrown": 0.61}, "contacts throw a body at 0.61 m/s"),
+    ({"thrown": 2.0}, {"thrown": 2.39}, ""),
+    ({"thrown": 2.0}, {"thrown": 2.41}, "contacts throw a body at 2.41 m/s"),
     (
         {"thrown": 0.51},
         {"thrown": 0.24, "late_m": 0.009},

@@ -54,12 +54,14 @@ def unstable(scene: Scene, run: Run) -> Iterator[Symptom]:
     if run.bad:
         why = "accelerations become infinite, and MuJoCo resets the state"
         # A stiff servo is the likely cause, because its limit is known in closed form.
-        for servo, _, ratio, _ in _stiff(model, run)[:1]:
-            most = "4 - 2 kv·h/m" if opt.integrator == EULER else "4 + 2 kv·h/m"
-            why = (
-                f"the kp·h²/m of servo {scene.name('actuator', servo)} is {number(ratio)},"
-                f" and the time step is stable only up to {most}"
-            )
+        for servo, _, ratio, mass in _stiff(model, run)[:1]:
+            way = 2.0 if opt.integrator == EULER else -2.0
+            most = 4.0 + way * model.actuator_biasprm[servo, 2] * opt.timestep / mass
+            name = scene.name("actuator", servo)
+            why = f"servo {name} has a kv that is too high for an explicit integrator"
+            if most > 0.0:
+                why = f"servo {name} has a kp·h²/m of {number(ratio)}, and only values"
+                why += f" below {number(most)} are stable"
         finding = Finding(
             "unstable",
             "",
@@ -338,7 +340,7 @@ def jittering(scene: Scene, run: Run) -> Iterator[Symptom]:
         f"{origin(run)} because the time step is too long for its inertia and the forces on it",
         unit="m/s" if linear else "rad/s",
     )
-    yield Symptom(finding, lambda run: float(run.jitter.max()), ways, needs_cure=True)
+    yield Symptom(finding, lambda run: run.jitter.max(), ways, needs_cure=True)
 
 
 def bouncing(scene: Scene, run: Run) -> Iterator[Symptom]:

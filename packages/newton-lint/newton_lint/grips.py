@@ -282,9 +282,6 @@ def _sliding(
     ways = [_stronger(scene, pads, share * times) for share in (1.0, 2.0, 4.0)]
     if mu <= MOST_MU:
         ways.append(distinct(rougher))
-    if not bears:
-        rows = (of_geom(scene, pad, {"condim": "3"}) for pad in pads)
-        ways = [distinct(sum(rows, ()))]
 
     def fall(run: Run) -> float:
         first = run.samples[0].arrays["xpos"]
@@ -299,6 +296,8 @@ def _sliding(
     why = f"its load of {number(load)} N exceeds the {number(bears)} N that friction can bear"
     if not bears:
         why = "a contact with condim 1 has no friction"
+        rows = (of_geom(scene, pad, {"condim": "3"}) for pad in pads)
+        ways = [distinct(sum(rows, ()))]
     elif bears > load:
         why = "the grip opens, or its friction is used up"
     return Symptom(

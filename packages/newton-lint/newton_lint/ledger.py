@@ -111,7 +111,7 @@ class Sample:
     @property
     def speed(self) -> float:
         """Return the fastest speed of any dof [m/s or rad/s]."""
-        return float(np.abs(self.arrays["qvel"]).max(initial=0.0))
+        return np.abs(self.arrays["qvel"]).max(initial=0.0)
 
 
 @dataclass(frozen=True)
@@ -341,7 +341,7 @@ def is_bad(data: MjData) -> bool:
 def deepest_of(data: MjData) -> float:
     """Return the depth of the deepest contact [m], which is 0 if there is none."""
     # dist is negative inside.
-    return float(-data.contact.dist.min(initial=0.0)) if data.ncon else 0.0
+    return -data.contact.dist.min(initial=0.0) if data.ncon else 0.0
 
 
 def overlaps(data: MjData) -> dict[tuple[int, int], float]:

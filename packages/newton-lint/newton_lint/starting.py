@@ -89,9 +89,10 @@ def misled(scene: Scene, run: Run) -> Iterator[Symptom]:
         span = model.jnt_range[joint] if model.jnt_limited[joint] else (-7.0, 7.0)
         # Without a range, angles of up to a turn are plausible.
         in_range = span[0] <= math.radians(target) <= span[1]
-        if model.jnt_type[joint] == HINGE and model.jnt_limited[joint]:
-            yield from _narrow(scene, run, joint, target)
-        if model.jnt_type[joint] != HINGE or abs(target) <= FULL_TURN or not in_range:
+        if model.jnt_type[joint] != HINGE:
+            continue
+        yield from _narrow(scene, run, joint, target)
+        if abs(target) <= FULL_TURN or not in_range:
             continue
         changes: Changes = ()
         if model.actuator_ctrllimited[servo]:
@@ -125,8 +126,8 @@ def _narrow(scene: Scene, run: Run, joint: int, target: float) -> Iterator[Sympt
     model = scene.model
     # The numbers of the file, if the compiler takes angles in degrees.
     low, high = np.degrees(model.jnt_range[joint]).tolist()
-    is_blocked = not low <= math.degrees(target) <= high
-    if not (is_blocked and low <= target <= high and high - low <= FULL_TURN):
+    reaches = low <= math.degrees(target) <= high
+    if reaches or not low <= target <= high or high - low > FULL_TURN:
         return
     read = past("qpos", model.jnt_qposadr[joint], target, target, "°")
     finding = Finding(

@@ -112,12 +112,10 @@ def depths(scene: Scene, run: Run) -> Iterator[Symptom]:
             continue
         rests = run.still[bodies].all()
         lasts = min(late_depths(run, pair)) > 0.5 * depth / M
-        # The stiffness of a contact depends on the product of both numbers.
-        softness = contacts.solref[contact].prod()
+        # The stiffness of a contact depends on the product of both numbers. That of a
+        # direct solref, which was chosen by someone, is always large.
+        is_soft = contacts.solref[contact].prod() > DEFAULT_SOLREF[0]
         mu = contacts.friction[contact, 0]
-        # A direct solref was chosen by someone, so it counts as soft too.
-        is_direct = contacts.solref[contact, 0] <= 0.0
-        is_soft = is_direct or softness > DEFAULT_SOLREF[0]
         # Someone chose a contact that is soft at first, and hard within its width.
         dmin, _, width_m, *_ = contacts.solimp[contact]
         is_padded = not is_soft and dmin < PADDED and depth < M * width_m
@@ -351,7 +349,7 @@ def _centre(values: np.ndarray, late: int) -> float:
     ways = np.sign(np.diff(values))
     # Turning points of the swing: the sign of the slope changes there.
     turns = values[1:-1][(ways[1:] * ways[:-1]) < 0.0]
-    mean = float(values[-late:].mean())
+    mean = values[-late:].mean()
     if len(turns) < 3 or np.ptp(values[-late:]) < LEAST_SWING * abs(mean):
         return mean
     # This mean is exact for a decaying oscillation in which each half swing is
@@ -424,8 +422,7 @@ def sagging(scene: Scene, run: Run) -> Iterator[Symptom]:
     """Yield joints that creep although their friction exceeds the load."""
     model = scene.model
     data = run.data
-    is_coupled = model.eq_type == int(mujoco.mjtEq.mjEQ_JOINT)
-    followers = model.eq_obj1id[is_coupled]
+    followers = model.eq_obj1id[model.eq_type == int(mujoco.mjtEq.mjEQ_JOINT)]
     driven = model.jnt_dofadr[
         np.append(model.actuator_trnid[is_servo(model), 0], followers)
     ]
@@ -515,7 +512,7 @@ def passing(scene: Scene, run: Run) -> Iterator[Symptom]:
             "wall",
             thick,
             f"$shape passes through $against{origin(run)}, which is only $value thick,"
-            " because MuJoCo pushes out what is more than halfway in on the far side",
+            " because a body that is more than halfway in is pushed out on the far side",
             against=(scene.names[wall],),
             unit="mm",
             severity="error",
