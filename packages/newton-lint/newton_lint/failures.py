@@ -82,8 +82,8 @@ def unstable(scene: Scene, run: Run) -> Iterator[Symptom]:
                 scene.bodies[model.jnt_bodyid[joint]],
                 "speed",
                 fast,
-                "$shape flies off at $value because contacts push it with more"
-                f" energy than it had (from {run.start.name})",
+                f"$shape flies off at $value (from {run.start.name}) because contacts"
+                " give it more energy than it had",
                 unit="m/s",
                 severity="error",
             ),

@@ -176,9 +176,8 @@ def too_stiff(scene: Scene) -> Iterator[Hits]:
         "",
         "solref",
         0.0,
-        "$shape has a solref ($value) against $against that is too stiff for the time"
-        f" step: contacts throw bodies off if b·h + k·h²/2 is above {STIFF}, and refsafe"
-        f" {why}",
+        "$shape is too stiff against $against for the time step: contacts throw bodies"
+        f" off because b·h + k·h²/2 of their solref is above {STIFF}, and refsafe {why}",
         severity="error",
     )
 

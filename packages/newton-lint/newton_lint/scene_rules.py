@@ -101,8 +101,8 @@ def pyramid(scene: Scene) -> Iterator[Found]:
             "pyramid",
             "impratio",
             impratio,
-            message="The impratio of $value hardens normal forces as much as friction"
-            " because the cone is pyramidal; only an elliptic cone separates them",
+            message="The impratio of $value stiffens the normal direction of contacts as"
+            " much as friction because the cone is pyramidal, not elliptic",
         )
         yield finding, remedy
     if steepest > STEEP:

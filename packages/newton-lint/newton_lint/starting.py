@@ -112,7 +112,7 @@ def misled(scene: Scene, run: Run) -> Iterator[Symptom]:
             "degrees",
             scene.name("actuator", servo),
             "ctrl",
-            read(run) if not run.bad else math.inf,
+            math.degrees(abs(target - goal)),
             f"$shape drives its joint $value past {target:g}°{origin(run)} because ctrl"
             f" is in radians, and {target:g} was probably meant in degrees",
             unit="°",
