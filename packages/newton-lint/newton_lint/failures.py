@@ -453,7 +453,8 @@ def _rattling(
     model = scene.model
     bodies = model.geom_bodyid[list(pair)]
     is_finger = np.isin(model.jnt_bodyid[model.jnt_type >= 2], bodies).any()
-    shape, partner = (scene.names[geom] for geom in pair)
+    # The world and the robot come first in most files.
+    shape, partner = (scene.names[geom] for geom in pair[::-1])
     yield Symptom(
         Finding(
             "bounce",

@@ -14,7 +14,7 @@ from newton_lint.ledger import Run
 from newton_lint.pairs import where
 from newton_lint.scene import HINGE, Scene
 from newton_lint.trials import Symptom
-from newton_lint.yielding import COUPLINGS, SITE, coupled, equality_unit, past, scale
+from newton_lint.yielding import SITE, coupled, equality_unit, past, scale
 
 LEAVES = 3.0
 """A start is reported if a motion of this speed begins there [m/s or rad/s]."""
@@ -160,19 +160,18 @@ def torn(scene: Scene, run: Run) -> Iterator[Symptom]:
         def apart(run: Run, equality=equality, unit=unit) -> float:
             return scale(unit) * run.samples[0].gaps.get(equality, 0.0)
 
-        kind = COUPLINGS.get(model.eq_type[equality], "")
         bodies = coupled(scene, equality)
         mocap = [body for body in bodies if model.body_mocapid[body] >= 0]
-        why = "its two sides start apart"
+        why = ""
         if mocap:
-            why = f"its mocap body {scene.bodies[mocap[0]]} starts away from it"
+            why = f" because its mocap body {scene.bodies[mocap[0]]} starts elsewhere"
         finding = Finding(
             "apart",
             scene.name("equality", equality),
             "gap",
             value,
-            f"$shape is $value open at {run.start.name} because {why}, and the {kind}"
-            f" equality jerks the scene to {number(speed, 2)} m/s or rad/s",
+            f"$shape is $value open at {run.start.name}{why}, and this equality jerks"
+            f" the scene to {number(speed, 2)} m/s or rad/s",
             unit=unit,
             severity="warning" if speed > LEAVES else "note",
         )
