@@ -16,6 +16,7 @@ from newton_lint.motion import motions, symptoms
 from newton_lint.report import scene_of
 from newton_lint.target import Target
 from newton_lint.trials import Trials, harm
+from newton_lint.yielding import _centre
 
 BALL = """
 <mujoco>
@@ -329,3 +330,10 @@ def test_no_impratio_above_1000_is_tried(impratio, tried):
     ways = _firmer(scene_of(Target("scene", model)), 1, [0])
     attributes = {item for way in ways for change in way for item in change.attributes}
     assert {value for name, value in attributes if name == "impratio"} == tried
+
+
+def test_only_swings_of_the_second_half_have_a_centre():
+    swing = 10.0 + 3.0 * np.cos(np.linspace(0.0, 6.0 * math.pi, 50))
+    slow = np.linspace(0.0, 0.5, 50)
+    assert _centre(np.append(slow, swing), 25) == pytest.approx(10.0, abs=0.1)
+    assert _centre(np.append(swing, slow), 25) == pytest.approx(slow[-25:].mean())

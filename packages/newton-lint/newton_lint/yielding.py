@@ -346,10 +346,11 @@ def equalities(scene: Scene, run: Run) -> Iterator[Symptom]:
 
 def _centre(values: np.ndarray, late: int) -> float:
     """Return the value about which a reading swings, or its mean in the late samples."""
-    ways = np.sign(np.diff(values))
-    # Turning points of the swing: the sign of the slope changes there.
-    turns = values[1:-1][(ways[1:] * ways[:-1]) < 0.0]
     mean = values[-late:].mean()
+    values = values[-2 * late :]
+    ways = np.sign(np.diff(values))
+    # Turning points of the second half, where the sign of the slope changes.
+    turns = values[1:-1][(ways[1:] * ways[:-1]) < 0.0]
     if len(turns) < 3 or np.ptp(values[-late:]) < LEAST_SWING * abs(mean):
         return mean
     # This mean is exact for a decaying oscillation in which each half swing is
