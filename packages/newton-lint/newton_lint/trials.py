@@ -278,7 +278,7 @@ def _motion_harm(old: Run, new: Run, rules: Collection[str]) -> str:
     """Return how contacts get deeper or resting bodies faster, or an empty string."""
     old_thrown = old.thrown_m_s.max(initial=0.0)
     new_thrown = new.thrown_m_s.max(initial=0.0)
-    if new_thrown > FASTER * max(old_thrown, THROWN_M_S):
+    if new_thrown > max(FASTER * old_thrown, THROWN_M_S):
         speed = number(new_thrown)
         return f"contacts throw a body at {speed} m/s from {new.start.name}"
     # A body that flew or fell touched nothing, so it may rest in a contact now.

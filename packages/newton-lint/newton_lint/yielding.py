@@ -47,7 +47,7 @@ HELD = 0.99
 AGREES = 0.7
 """Measured and predicted values agree within this ratio."""
 LEAST_SWING = 0.1
-"""A reading swings if it changes by this share in the late samples."""
+"""A reading swings if it still changes by this share of its swing, or of its mean."""
 THICKER = (2, 4, 8, 16, 32)
 MOST_CONTACTS = int(mujoco.mjMAXCONPAIR)
 DRY_FRICTION = int(mujoco.mjtConstraint.mjCNSTR_FRICTION_DOF)
@@ -347,16 +347,17 @@ def equalities(scene: Scene, run: Run) -> Iterator[Symptom]:
 def _centre(values: np.ndarray, late: int) -> float:
     """Return the value about which a reading swings, or its mean in the late samples."""
     mean = values[-late:].mean()
-    values = values[-2 * late :]
     ways = np.sign(np.diff(values))
-    # Turning points of the second half, where the sign of the slope changes.
-    turns = values[1:-1][(ways[1:] * ways[:-1]) < 0.0]
-    if len(turns) < 3 or np.ptp(values[-late:]) < LEAST_SWING * abs(mean):
+    # Turning points of the swing: the sign of the slope changes there.
+    turns = values[1:-1][(ways[1:] * ways[:-1]) < 0.0][-3:]
+    if len(turns) < 3:
+        return mean
+    # A swing that ended, or that is small, has a good mean.
+    if np.ptp(values[-late:]) < LEAST_SWING * max(abs(mean), np.ptp(turns)):
         return mean
     # This mean is exact for a decaying oscillation in which each half swing is
     # smaller by the same amount.
-    before, last, after = turns[-3:].tolist()
-    return 0.25 * (before + 2.0 * last + after)
+    return turns @ (0.25, 0.5, 0.25)
 
 
 def servos(scene: Scene, run: Run) -> Iterator[Symptom]:
