@@ -127,7 +127,7 @@ def test_warnings_end_with_one_and_notes_do_not(scene, capsys):
     fail_on = {"note": 1, "warning": 0, "error": 0, "never": 0}
     assert {least: main([target, "--fail-on", least]) for least in fail_on} == fail_on
     assert capsys.readouterr().out.count("nothing found, 1 note") == 4
-    target = scene('solref="0.004 1" priority="1"', '<option timestep="0.007"/>')
+    target = scene('solref="0.004 1" priority="1"', '<option timestep="0.009"/>')
     assert (
         main([target]),
         main([target, "--dt", "0.002"]),
@@ -388,3 +388,14 @@ def test_json_and_rules_are_as_documented(scene, capsys):
         encoding="utf-8"
     )
     assert len(rules) > 20 and all(f"| `{rule}` |" in table for rule in rules), rules
+
+
+def test_below_sets_the_speed_from_which_creep_is_reported(tmp_path, capsys):
+    path = tmp_path / "scene.xml"
+    path.write_text(
+        '<mujoco><worldbody><geom type="plane" size="2 2 .1" euler="0 5 0"/><body name="box" pos="0 0 .0505">'
+        '<freejoint/><geom type="box" size=".05 .05 .05"/></body></worldbody></mujoco>'
+    )
+    assert main([str(path)]) == 0
+    assert main([str(path), "--below", "0.1"]) == 1
+    assert "warning slip: box creeps at 0.4" in capsys.readouterr().out

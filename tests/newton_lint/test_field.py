@@ -21,7 +21,7 @@ SCENES = {  # bodies, options, expected parts of the message, parts that must be
         (
             "error unstable",
             'kv="20"` on actuator_0 prevents it',
-            "kp·h²/m of servo actuator_0 is 17.4",
+            "servo actuator_0 has a kp·h²/m of 17.4, and only values below 4 are",
         ),
         "timestep=",
     ),
@@ -49,7 +49,7 @@ SCENES = {  # bodies, options, expected parts of the message, parts that must be
         + SERVO.format('kp="100" ctrlrange="-1 12.2"', 'qpos="1.5" ctrl="12"'),
         "",
         (
-            "warning limit: j is",
+            "note limit: j is",
             "pulls it to a target of 12",
             '`ctrlrange="0 1.571"` on actuator',
             "error degrees",
@@ -161,6 +161,47 @@ SCENES = {  # bodies, options, expected parts of the message, parts that must be
             'nrow="21" ncol="21"` on hfield g',
         ),
         "unstable",
+    ),
+    "as many cells under a body that rests": (
+        '<geom name="terrain" type="hfield" hfield="g"/><body pos="0 0 .1"><freejoint/>'
+        '<geom name="sole" type="ellipsoid" size=".3 .3 .05" mass=".1"/></body></worldbody>'
+        '<asset><hfield name="g" nrow="100" ncol="100" size="1 1 .02 .1"/></asset><worldbody>',
+        "",
+        ("nothing found",),
+        "hfield",
+    ),
+    "two crates that one change holds": (
+        '<geom name="slope" type="plane" size="2 2 .1" euler="0 12 0"/>'
+        '<body name="one" pos="0 0 .052"><freejoint/><geom type="box" size=".05 .05 .05" mass="8"/></body>'
+        '<body name="two" pos="0 .3 .052"><freejoint/><geom type="box" size=".05 .05 .05" mass="4"/></body>',
+        "",
+        ("1 warning, 2 notes", "warning slip: one", "note slip: two"),
+        "error",
+    ),
+    "a dampratio that softens": (
+        BOX
+        + '<body name="box" pos="0 0 .05"><freejoint/>'
+        + '<geom type="box" size=".05 .05 .05" solref=".02 10" priority="1"/></body>',
+        "",
+        ("warning depth: box", "(0.02 10) is too soft", 'solref="0.004 1"'),
+        "lighter",
+    ),
+    "a jerk past a limit": (
+        '<body name="target" mocap="true" pos=".5 0 1"/><body name="hand" pos="0 0 1">'
+        '<joint name="j" type="slide" axis="1 0 0" range="0 .1"/><geom size=".05"/></body></worldbody>'
+        '<equality><weld body1="target" body2="hand" relpose="0 0 0 1 0 0 0"/></equality><worldbody>',
+        "",
+        ("1 warning", "warning apart", "note limit: j is 200 mm"),
+        "error",
+    ),
+    "a load that swings on its rope": (
+        '<site name="a" pos="0 0 2"/><body pos=".5 0 1.9"><joint type="slide" axis="1 0 0"/>'
+        '<joint type="slide" axis="0 0 1"/><geom size=".05" mass="5"/><site name="b"/></body></worldbody>'
+        '<tendon><spatial name="rope" limited="true" range="0 .5" solreflimit=".1 1">'
+        '<site site="a"/><site site="b"/></spatial></tendon><worldbody>',
+        "",
+        ("limit: rope is", "beyond its range after 2 s"),
+        "at rest",
     ),
 }
 

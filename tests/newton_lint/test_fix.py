@@ -40,7 +40,7 @@ def scenes(tmp_path):
     (tmp_path / "common.xml").write_bytes(COMMON.encode())
     for name, body in (
         ("one.xml", BODY),
-        ("two.xml", BODY.replace("0.001 1", "0.002 1")),
+        ("two.xml", BODY.replace('0.001 1"', '0.0008 1" priority="1"')),
     ):
         (tmp_path / name).write_text(SCENE.format(body))
     return tmp_path
@@ -179,7 +179,7 @@ def test_of_too_many_geoms_one_that_differs_is_read(tmp_path, monkeypatch, capsy
     (tmp_path / "many.xml").write_text(text)
     assert main([str(tmp_path / "many.xml"), "--no-step", "--notes"]) == 1
     out = capsys.readouterr().out
-    assert "error solref-format: solref of geom_102 and body_1/geom_302 has" in out
+    assert "error solref-format: each of geom_102 and body_1/geom_302 has" in out
     assert "note unread: Only 84 of the shapes" in out
 
 
@@ -195,7 +195,7 @@ def test_many_alike_bodies_have_one_warning_with_one_change(tmp_path, capsys):
     assert main([str(path), "--no-step"]) == 1
     lines = capsys.readouterr().out.splitlines()
     assert "1125750 pairs" in lines[0] and len(lines) == 3
-    assert "error solref-format: solref of body_1/geom_1 has" in lines[1]
-    assert "warning timeconst: timeconst 0.001 s of body_2/geom_2, " in lines[2]
+    assert "error solref-format: body_1/geom_1 has" in lines[1]
+    assert "warning timeconst: each of body_2/geom_2, " in lines[2]
     assert 'solref="0.004 1"` on body_2/geom_2, body_3/geom_3, ' in lines[2]
-    assert "and 1496 more writes the" in lines[2]
+    assert "and 1496 more only states the" in lines[2]

@@ -10,11 +10,13 @@ import numpy as np
 import pytest
 
 from newton_lint.findings import Finding, rounded
+from newton_lint.grips import _firmer
 from newton_lint.ledger import Run, Start, run_of, starts
 from newton_lint.motion import motions, symptoms
 from newton_lint.report import scene_of
 from newton_lint.target import Target
 from newton_lint.trials import Trials, harm
+from newton_lint.yielding import _centre
 
 BALL = """
 <mujoco>
@@ -272,6 +274,10 @@ HARM = [
     ({}, {"effort": 1810.0}, "1.8 times as much"),
     ({}, {"bad": True}, "blows up after 0.2 s"),
     ({"bad": True}, {"deepest_m": 1.0}, ""),
+    ({}, {"thrown": 0.49}, ""),
+    ({"thrown": 0.1}, {"thrown": 0.51}, "contacts throw a body at 0.51 m/s"),
+    ({"thrown": 2.0}, {"thrown": 2.39}, ""),
+    ({"thrown": 2.0}, {"thrown": 2.41}, "contacts throw a body at 2.41 m/s"),
     (
         {"thrown": 0.51},
         {"thrown": 0.24, "late_m": 0.009},
@@ -310,3 +316,24 @@ def test_a_change_does_harm_from_its_thresholds_on(old, new, said):
     (rule, before), (_, after) = runs
     found = harm([before], [after], [rule])
     assert said in found and bool(found) == bool(said)
+
+
+@pytest.mark.parametrize(
+    ("impratio", "tried"),
+    [(1, {"10", "100"}), (10, {"100", "1000"}), (100, {"1000"}), (1000, set())],
+)
+def test_no_impratio_above_1000_is_tried(impratio, tried):
+    model = mujoco.MjModel.from_xml_string(
+        f'<mujoco><option impratio="{impratio}"/><worldbody><geom type="plane" size="1 1 1"/>'
+        '<body pos="0 0 .1"><freejoint/><geom size=".1"/></body></worldbody></mujoco>'
+    )
+    ways = _firmer(scene_of(Target("scene", model)), 1, [0])
+    attributes = {item for way in ways for change in way for item in change.attributes}
+    assert {value for name, value in attributes if name == "impratio"} == tried
+
+
+def test_a_swing_that_ended_has_no_centre():
+    swing = 10.0 + 3.0 * np.cos(np.linspace(0.0, 6.0 * math.pi, 50))
+    slow = np.linspace(0.0, 0.5, 50)
+    assert _centre(np.append(slow, swing), 25) == pytest.approx(10.0, abs=0.1)
+    assert _centre(np.append(swing, slow), 25) == pytest.approx(slow[-25:].mean())

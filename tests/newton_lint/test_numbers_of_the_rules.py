@@ -60,18 +60,11 @@ def alone(solref: str, **more) -> dict:
 
 
 FOUND = [
-    ("solref-format", alone("0.03 -1"), -1.0, 1.0, "error", 'solref="0.03 1"'),
-    (
-        "solref-format",
-        alone("-100 1"),
-        1.0,
-        1.0,
-        "error",
-        'solref="-100 -20"',
-    ),  # critical: 2 √100
+    ("solref-format", alone("0.03 -1"), -1.0, 1.0, "error", 'solref="0.02 1"'),
+    ("solref-format", alone("-100 1"), 1.0, 1.0, "error", 'solref="0.02 1"'),
     ("solref-format", alone("0 1"), 1.0, 1.0, "error", 'solref="0.02 1"'),
-    ("timeconst", alone("0.0039 1"), 0.0039, 0.004, "warning", 'solref="0.004 1"'),
-    ("timeconst", alone("0.003 1"), 0.003, 0.004, "warning", "1.3 times the steps"),
+    ("timeconst", alone("0.0039 1"), 0.0039, 0.004, "note", ""),
+    ("timeconst", alone("0.00101 1"), 0.00101, 0.004, "note", ""),
     (
         "timeconst",
         alone("0.001 1"),
@@ -82,8 +75,8 @@ FOUND = [
     ),  # 4 times
     (
         "timeconst",
-        alone("0.0009 2", integrator=DISCRETE),
-        0.0009,
+        alone("0.00025 2", integrator=DISCRETE),
+        0.00025,
         0.001,
         "warning",
         "0.001 2",
@@ -112,15 +105,6 @@ FOUND = [
         "error",
         'solref="-2256 -95"',
     ),  # 0.955 + 0.95
-    ("dampratio", alone("0.02 4.1"), 4.1, 1.0, "warning", 'solref="0.02 1"'),
-    (
-        "dampratio",
-        alone("-100 -81"),
-        4.05,
-        1.0,
-        "warning",
-        'solref="-100 -20"',
-    ),  # damping / (2 √stiffness)
     (
         "one-sided",
         {"part": 'solref="0.004 1"'},
@@ -271,10 +255,6 @@ QUIET = [
         alone('-37800 0" solimp="0 0.01 0.001', dt=0.01),
     ),  # as in MuJoCo's Newton's cradle
     ("stiff", alone("-19100 -95", dt=0.01, integrator=DISCRETE)),
-    *(
-        ("dampratio", alone(each))
-        for each in ("0.02 3.9", "0.02 0.1", "-100 -79", "-100 1")
-    ),
     ("one-sided", {"part": 'solref="0.0051 1"'}),
     (
         "one-sided",
@@ -327,26 +307,6 @@ def test_of_a_pair_whose_parameters_mix_the_stiffer_side_is_named():
     [finding] = found("timeconst", floor=floor, part=part)
     assert (finding.shape, finding.against) == ("part", ("floor",))
     assert finding.value == pytest.approx(0.0035) and math.isclose(finding.used, 0.004)
-
-
-@pytest.mark.parametrize(
-    ("floor", "part", "ratio", "advice"),
-    [
-        ("0.02 8", "0.02 0.5", 4.25, "0.02 1"),
-        ("-100 -200", "-100 -6", 10.0, "-100 -20"),
-        ("0.02 9", "0.02 5", 7.0, None),
-    ],
-)
-def test_only_the_side_that_is_far_from_critical_is_changed(floor, part, ratio, advice):
-    [finding] = found("dampratio", floor=f'solref="{floor}"', part=f'solref="{part}"')
-    assert finding.value == pytest.approx(ratio)
-    changed = [
-        (each.subject, dict(each.attributes)["solref"])
-        for each in finding.cures[0].changes
-    ]
-    assert changed == (
-        [("floor", advice)] if advice else [("floor", "0.02 1"), ("part", "0.02 1")]
-    )
 
 
 def test_a_pair_has_two_frictions_that_slide_then_one_that_spins_and_two_that_roll():

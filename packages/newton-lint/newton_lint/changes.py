@@ -15,18 +15,8 @@ from newton_lint.source import Element
 
 INTEGRATORS = ("Euler", "RK4", "implicit", "implicitfast")
 ENUMS = {"cone": CONES, "integrator": INTEGRATORS}
-PREFIXES = {
-    "geom": "geom",
-    "pair": "pair",
-    "joint": "jnt",
-    "tendon": "tendon",
-    "equality": "eq",
-    "actuator": "actuator",
-    "key": "key",
-    "body": "body",
-    "site": "site",
-}
-"""The prefix of the model's arrays for each kind of element."""
+PREFIXES = {"joint": "jnt", "equality": "eq"}
+"""The prefix of the model's arrays, unless it is the kind of element itself."""
 ARRAYS = {
     ("pair", "condim"): "pair_dim",
     ("joint", "solreflimit"): "jnt_solref",
@@ -36,7 +26,13 @@ ARRAYS = {
     ("tendon", "solreflimit"): "tendon_solref_lim",
 }
 """Arrays whose names do not follow from the kind and the attribute."""
-FILED = {("geom", "size"), ("geom", "type"), ("hfield", "nrow"), ("exclude", "body1")}
+FILED = {
+    ("geom", "size"),
+    ("geom", "type"),
+    ("hfield", "nrow"),
+    ("exclude", "body1"),
+    ("joint", "range"),
+}
 """Attributes that need the file to be compiled again."""
 
 
@@ -45,7 +41,7 @@ class Change:
     """New attributes of one element of a file, or of elements of a model."""
 
     kind: str
-    """The kind of element: option, exclude or a key of ``PREFIXES``."""
+    """The kind of element, such as option, exclude or geom."""
     ids: tuple[int, ...]
     """Indices in the compiled model of all elements that the change affects."""
     attributes: tuple[tuple[str, str], ...]
@@ -115,7 +111,9 @@ def _set(model: MjModel, change: Change, name: str, values: np.ndarray) -> None:
         moved = np.isin(model.jnt_bodyid, ids) & (model.jnt_type == FREE)
         for address in model.jnt_qposadr[moved]:
             model.qpos0[address : address + 3] = values
-    array = ARRAYS.get((change.kind, name), f"{PREFIXES[change.kind]}_{name}")
+    array = ARRAYS.get(
+        (change.kind, name), f"{PREFIXES.get(change.kind, change.kind)}_{name}"
+    )
     if array.startswith("dof_"):
         ids = where(np.isin(model.dof_jntid, ids))
     target = getattr(model, array)
@@ -169,7 +167,7 @@ def of_geom(scene: Scene, geom: int, attributes: Mapping[str, str]) -> Changes:
     """
     items = tuple(attributes.items())
     source = scene.source
-    element = source.geom(geom)
+    element = source.find("geom", geom)
     authored = source.authored(geom, items[0][0])
     # Several attributes may come from several defaults, so the geom gets them all, and
     # a priority of all geoms of a default would outrank none of them.

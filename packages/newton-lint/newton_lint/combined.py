@@ -1,6 +1,6 @@
 """Combines the parameters of touching geoms as ``mj_contactParam`` does."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from functools import cached_property
 
 import mujoco
@@ -38,6 +38,11 @@ class Contacts:
 
     def __len__(self) -> int:
         return len(self.first)
+
+    def among(self, rows: np.ndarray) -> "Contacts":
+        """Return the pairs for which a mask is true."""
+        values = {field.name: getattr(self, field.name) for field in fields(self)}
+        return Contacts(**{name: array[rows] for name, array in values.items()})
 
     @cached_property
     def geoms(self) -> np.ndarray:

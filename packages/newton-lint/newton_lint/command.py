@@ -17,6 +17,7 @@ from typing import Any, NoReturn
 import mujoco
 
 from newton_lint.findings import SEVERITIES
+from newton_lint.grips import SLIP_MM_S
 from newton_lint.mend import fixed, fixed_again
 from newton_lint.output import Detail, printable, written
 from newton_lint.prediction import Load
@@ -34,6 +35,8 @@ STOPPED = 130
 PROGRAM = "newton-lint"
 GONE = {
     "closed",
+    "creep",
+    "dampratio",
     "default-gap",
     "fixed",
     "gap",
@@ -168,8 +171,7 @@ def request_of(options: argparse.Namespace, table: dict[str, Any]) -> Request:
             options.impratio,
         ),
         load=Load(options.acceleration, options.load),
-        hold=options.hold or "",
-        below_mm_s=options.below or table.get("below"),
+        below_mm_s=options.below or table.get("below", SLIP_MM_S),
         ignore=frozenset(ignore),
         step=not options.no_step,
     )
@@ -239,15 +241,10 @@ def lint_parser() -> Parser:
     add("--cone", choices=("pyramidal", "elliptic"), help=f"friction cone; {default}")
     add("--impratio", type=positive, metavar="X", help=f"impratio; {default}")
     add(
-        "--hold",
-        metavar="BODY",
-        help="body whose creep is reported; the first keyframe or the start grips it",
-    )
-    add(
         "--below",
         type=positive,
         metavar="MM/S",
-        help="largest acceptable creep of the held body; default: 1",
+        help="speed from which creep is reported; default: 1",
     )
     add(
         "--load",

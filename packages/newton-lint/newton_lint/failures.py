@@ -54,12 +54,14 @@ def unstable(scene: Scene, run: Run) -> Iterator[Symptom]:
     if run.bad:
         why = "accelerations become infinite, and MuJoCo resets the state"
         # A stiff servo is the likely cause, because its limit is known in closed form.
-        for servo, _, ratio, _ in _stiff(model, run)[:1]:
-            most = "4 - 2 kv·h/m" if opt.integrator == EULER else "4 + 2 kv·h/m"
-            why = (
-                f"the kp·h²/m of servo {scene.name('actuator', servo)} is {number(ratio)},"
-                f" and the time step is stable only up to {most}"
-            )
+        for servo, _, ratio, mass in _stiff(model, run)[:1]:
+            way = 2.0 if opt.integrator == EULER else -2.0
+            most = 4.0 + way * model.actuator_biasprm[servo, 2] * opt.timestep / mass
+            name = scene.name("actuator", servo)
+            why = f"servo {name} has a kv that is too high for an explicit integrator"
+            if most > 0.0:
+                why = f"servo {name} has a kp·h²/m of {number(ratio)}, and only values"
+                why += f" below {number(most)} are stable"
         finding = Finding(
             "unstable",
             "",
@@ -80,8 +82,8 @@ def unstable(scene: Scene, run: Run) -> Iterator[Symptom]:
                 scene.bodies[model.jnt_bodyid[joint]],
                 "speed",
                 fast,
-                "$shape flies off at $value because contacts push it with more"
-                f" energy than it had (from {run.start.name})",
+                f"$shape flies off at $value (from {run.start.name}) because contacts"
+                " give it more energy than it had",
                 unit="m/s",
                 severity="error",
             ),
@@ -230,7 +232,7 @@ def overlapping(scene: Scene, run: Run) -> Iterator[Symptom]:
         jammed = not run.bad and weight > 0.0 and force > FORCE * weight
         has_margin = model.geom_margin[list(pair)].any()
         margin = " including their margin" if has_margin else ""
-        message = f"$shapes and $against overlap by $value{margin} at {run.start.name}"
+        message = f"$shape overlaps $against by $value{margin} at {run.start.name}"
         if bodies in heap[1:]:
             message += f" (the fastest of {len(heap)} pairs)"
         first, second = model.body_weldid[list(bodies)].tolist()
@@ -287,12 +289,12 @@ def _separating(
         yield (Change("exclude", (), names, "<contact>"),)
         return
     touches = run.samples[0].touches
-    row = np.flatnonzero(touches.between(pair))
+    row = where(touches.between(pair))
     for body in sorted(bodies, reverse=True):
-        free = np.flatnonzero(
+        free = where(
             (model.jnt_bodyid == model.body_rootid[body]) & (model.jnt_type == FREE)
         )
-        if not len(free) or not len(row):
+        if not (free and row):
             continue
         # The normal of a contact points from its first geom to its second one.
         is_second = model.geom_bodyid[touches.geoms[row[0], 1]] == body
@@ -318,7 +320,6 @@ def jittering(scene: Scene, run: Run) -> Iterator[Symptom]:
     linear = model.jnt_type[joint] == 2 or (
         is_free and dof - model.jnt_dofadr[joint] < 3
     )
-    inertia = model.dof_M0[dof]
     ways = list(_calming(scene, run))
     # Joints that merely follow the vibrating one jump less, and need no armature.
     jumping = run.jitter > 0.1 * run.jitter[dof]
@@ -336,11 +337,10 @@ def jittering(scene: Scene, run: Run) -> Iterator[Symptom]:
         "speed",
         run.jitter[dof],
         "$shape vibrates by $value from one time step to the next"
-        f"{origin(run)} because the time step is too long for the forces on its inertia"
-        f" of {inertia:.2g} {'kg' if linear else 'kg m²'}",
+        f"{origin(run)} because the time step is too long for its inertia and the forces on it",
         unit="m/s" if linear else "rad/s",
     )
-    yield Symptom(finding, lambda run: float(run.jitter.max()), ways, needs_cure=True)
+    yield Symptom(finding, lambda run: run.jitter.max(), ways, needs_cure=True)
 
 
 def bouncing(scene: Scene, run: Run) -> Iterator[Symptom]:
@@ -359,14 +359,20 @@ def bouncing(scene: Scene, run: Run) -> Iterator[Symptom]:
         rebound = math.exp(-math.pi * ratio / math.sqrt(1.0 - ratio**2))
         bodies = scene.model.geom_bodyid[list(pair)]
         free = [body for body in bodies if scene.free[body]]
-        if len(free) == 1 and _restitution(scene, run, pair, free[0]) is not None:
-            yield from _misjudged(scene, run, pair, free[0], rebound)
+        kept = _restitution(scene, run, pair, free[0]) if len(free) == 1 else None
+        if kept is not None:
+            yield from _misjudged(scene, run, pair, free[0], rebound, kept)
         else:
             yield from _rattling(scene, run, contact, pair, ratio, rebound)
 
 
 def _misjudged(
-    scene: Scene, run: Run, pair: tuple[int, ...], body: int, rebound: float
+    scene: Scene,
+    run: Run,
+    pair: tuple[int, ...],
+    body: int,
+    rebound: float,
+    kept: float,
 ) -> Iterator[Symptom]:
     """Yield a body that bounces with another energy than its damping ratio implies."""
 
@@ -374,8 +380,7 @@ def _misjudged(
         kept = _restitution(scene, run, pair, body)
         return 100.0 if kept is None else 100.0 * abs(kept - rebound)
 
-    kept = _restitution(scene, run, pair, body)
-    if kept is None or (miss := error(run)) < MISSES:
+    if (miss := error(run)) < MISSES:
         return
     yield Symptom(
         Finding(
@@ -399,7 +404,7 @@ def _restitution(
 ) -> float | None:
     """Return the share of its speed that a body keeps in a bounce, or None."""
     model = scene.model
-    joint = np.flatnonzero(model.jnt_bodyid == model.body_weldid[body])[0]
+    joint = where(model.jnt_bodyid == model.body_weldid[body])[0]
     dof = model.jnt_dofadr[joint]
     gravity = model.opt.gravity
     flights: list[list[float]] = [[]]
@@ -433,10 +438,7 @@ def _rattling(
 ) -> Iterator[Symptom]:
     """Yield a contact whose geoms still part and meet."""
 
-    def rattle(run: Run) -> float:
-        return M * _rattle_m_s(run, pair)
-
-    if (value := rattle(run)) < RATTLES_MM_S:
+    if (value := _rattle_mm_s(run, pair)) < RATTLES_MM_S:
         return
     timeconst, damping = scene.contacts.solref[contact].tolist()
     if timeconst <= 0.0:
@@ -451,36 +453,37 @@ def _rattling(
     model = scene.model
     bodies = model.geom_bodyid[list(pair)]
     is_finger = np.isin(model.jnt_bodyid[model.jnt_type >= 2], bodies).any()
-    shape, partner = (scene.names[geom] for geom in pair)
+    # The world and the robot come first in most files.
+    shape, partner = (scene.names[geom] for geom in pair[::-1])
     yield Symptom(
         Finding(
             "bounce",
             shape,
             "dampratio",
             value,
-            "$shape and $against part and meet at $value"
-            f"{origin(run)} because the damping ratio of their contact is"
-            f" {ratio:.2g}, so they rebound with {rebound:.0%} of their speed",
+            f"$shape keeps bouncing on $against at $value{origin(run)} because the"
+            f" damping ratio of their contact is {ratio:.2g}, so it rebounds with"
+            f" {rebound:.0%} of its speed",
             against=(partner,),
             unit="mm/s",
             # A loose body may be meant to bounce.
             severity="warning" if is_finger else "note",
         ),
-        rattle,
+        lambda run: _rattle_mm_s(run, pair),
         ways,
         needs_cure=True,
     )
 
 
-def _rattle_m_s(run: Run, pair: tuple[int, ...]) -> float:
-    """Return the mean speed at which two geoms part and meet after 0.5 s [m/s]."""
+def _rattle_mm_s(run: Run, pair: tuple[int, ...]) -> float:
+    """Return the mean speed at which two geoms part and meet after 0.5 s [mm/s]."""
     speeds: list[float] = []
     for sample in run.samples[len(run.samples) // 4 :]:
         touches = sample.touches
         rows = touches.between(pair)
         along = (touches.velocity_m_s[rows] * touches.normal[rows]).sum(axis=1)
         speeds.extend(np.abs(along).tolist())
-    return float(np.mean(speeds)) if speeds else 0.0
+    return M * float(np.mean(speeds)) if speeds else 0.0
 
 
 def origin(run: Run) -> str:

@@ -8,6 +8,7 @@ from string import Template
 import numpy as np
 
 from newton_lint.changes import Changes
+from newton_lint.pairs import numbered
 from newton_lint.source import Element
 
 SEVERITIES = ("note", "warning", "error")
@@ -68,10 +69,7 @@ class Finding:
     value: float
     """The value as it is written, or as it follows from the written parameters."""
     message: str
-    """A sentence with $shape or $shapes, $against, $value and $used in it.
-
-    $shape is the subject of a verb in the singular; $shapes is a list.
-    """
+    """A sentence with $shape, which is its subject, $against, $value and $used in it."""
     against: tuple[str, ...] = ()
     """The other shapes of the pairs, or () if the finding is about the shape alone."""
     used: float | None = None
@@ -127,7 +125,6 @@ def sentence(group: Sequence[Finding]) -> str:
     count = "" if is_short else f" ({len(partners)} pairs)"
     return Template(finding.message).safe_substitute(
         shape=shapes if shapes == finding.shape else f"each of {shapes}",
-        shapes=shapes,
         against=f"{named(partners)}{count}",
         value=quantity(finding.value, finding.unit),
         used="" if finding.used is None else quantity(finding.used, finding.unit),
@@ -159,8 +156,8 @@ class Hits:
 
     finding: Finding
     """The finding, without its shapes and values."""
-    items: np.ndarray
-    """Indices of the geoms or pairs that are hit."""
+    mask: np.ndarray
+    """Whether each geom or pair is hit."""
     value: np.ndarray
     used: np.ndarray | float = np.nan
     """The value that is used, one for all or one for each; NaN if there is none."""
@@ -176,16 +173,16 @@ def findings_of(
     hits: Hits, names: Sequence[str]
 ) -> Iterator[tuple[list[Finding], Remedy]]:
     """Yield the findings with equal values, one for each shape, and their remedies."""
-    items = hits.items
+    items = np.flatnonzero(hits.mask)
     all_used = np.broadcast_to(hits.used, hits.value.shape)[items]
     shapes = items if hits.shape is None else hits.shape[items]
     # NaN does not equal itself, so each hit without a used value would stay alone.
     used_keys = np.nan_to_num(all_used, nan=np.inf)
-    numbers = row_numbers(hits.value[items], used_keys)
+    numbers = numbered(hits.value[items], used_keys)
     for alike in sorted(groups_of(numbers), key=lambda members: members[0]):
         used = all_used[alike[0]]
         findings = []
-        for members in groups_of(row_numbers(shapes[alike])):
+        for members in groups_of(numbered(shapes[alike])):
             rows = alike[members]
             partners = (
                 () if hits.partner is None else hits.partner[items[rows]].tolist()
@@ -218,16 +215,6 @@ def _shared(hits: Hits, items: np.ndarray) -> Remedy:
         single = {(change.kind, change.subject): change for change in changes}
         shared.append((tuple(single.values()), ways[0][1]))
     return shared
-
-
-def row_numbers(*columns: np.ndarray) -> np.ndarray:
-    """Number rows so that equal rows have equal numbers, faster than sorting rows."""
-    key = np.zeros(len(columns[0]), dtype=np.int64)
-    for column in columns:
-        values, number = np.unique(column, return_inverse=True)
-        # Numbering anew in each step keeps the products from overflowing.
-        _, key = np.unique(key * len(values) + number, return_inverse=True)
-    return key
 
 
 def groups_of(numbers: np.ndarray) -> list[np.ndarray]:

@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 from mujoco import MjModel
@@ -21,16 +21,18 @@ from newton_lint.findings import Finding, number
 from newton_lint.law import M
 from newton_lint.ledger import Run, Sample
 from newton_lint.pairs import where
-from newton_lint.scene import ON_JOINT, Scene
-from newton_lint.trials import Symptom, Trials
+from newton_lint.scene import FREE, ON_JOINT, Scene
+from newton_lint.trials import Symptom
 from newton_lint.yielding import noslip, stiffest
 
 SLIP_MM_S = 1.0
-"""A body creeps if it moves at least this fast on its support."""
+"""By default, a body creeps if it moves at least this fast on its support."""
 LEAST = 0.015
 """Friction must bear this share of the weight of a body that creeps."""
 STEADY = 0.7
 """A creeping body moves in one direction for this share of its path."""
+ROLLS = 2.9
+"""A body rolls if the trace of its rotation is below this one, which is 18°."""
 AT_THE_EDGE = 0.99
 """A contact slides if it uses this share of its friction cone."""
 OPPOSE = -0.5
@@ -42,6 +44,8 @@ EARLY = 0.25
 FIRM = 1.5
 """A grip that is mended bears this multiple of the load."""
 MOST_MU = 2.0
+MOST_IMPRATIO = 1000.0
+"""The solver converges badly with a higher impratio."""
 TORSION = 0.02
 """Torsional friction of a soft fingertip with a radius of some centimetres [m]."""
 
@@ -65,22 +69,7 @@ class Grip:
     rotation: np.ndarray
     """Orientation of the body in the frame of the support."""
     opposed: bool
-    """Whether two geoms press from opposite sides."""
-
-
-@dataclass(frozen=True)
-class Hold:
-    """How a body is held, as ``--hold`` and ``--json`` report it."""
-
-    body: str
-    load_n: float
-    """The friction that holds it."""
-    point_count: float
-    mm_s: float | None
-    """The speed at which it creeps, or None if it slides."""
-    slides: bool
-    moves_mm_s: float
-    acceleration_mm_s: float | None = None
+    """Whether two geoms press from opposite sides, and one of them is a finger's."""
 
 
 def hold_of(model: MjModel, sample: Sample, body: int) -> Grip | None:
@@ -103,6 +92,9 @@ def hold_of(model: MjModel, sample: Sample, body: int) -> Grip | None:
     weights = normal_n / normal_n.sum()
     geom = others[normal_n.argmax()]
     support = model.geom_bodyid[geom]
+    # Loose bodies in a heap hold each other too, but only a grip has jointed fingers.
+    joints = model.body_jntadr[model.body_weldid[model.geom_bodyid[others]]]
+    has_finger = ((joints >= 0) & (model.jnt_type[joints] != FREE)).any()
     # In the frame of the support, a constant creep stays constant while it turns.
     frame = sample.arrays["xmat"][support].reshape(3, 3)
     return Grip(
@@ -114,12 +106,24 @@ def hold_of(model: MjModel, sample: Sample, body: int) -> Grip | None:
         friction_n=(signs * touches.friction_n[rows]).sum(axis=0),
         slip_m_s=frame.T @ (weights @ velocity),
         rotation=frame.T @ sample.arrays["xmat"][body].reshape(3, 3),
-        opposed=bool((normals @ normals.T).min() < OPPOSE and len({*others}) > 1),
+        opposed=bool(
+            has_finger and (normals @ normals.T).min() < OPPOSE and len({*others}) > 1
+        ),
     )
 
 
-def grips(scene: Scene, run: Run, acceleration_m_s2: float = 0.0) -> Iterator[Symptom]:
-    """Yield bodies that creep on their support, slide out of a grip, or turn in it."""
+def grips(
+    scene: Scene,
+    run: Run,
+    acceleration_m_s2: float = 0.0,
+    below_mm_s: float = SLIP_MM_S,
+) -> Iterator[Symptom]:
+    """Yield bodies that creep on their support, slide out of a grip, or turn in it.
+
+    Args:
+        acceleration_m_s2: Acceleration that a grip has to bear besides gravity.
+        below_mm_s: Speed from which a body creeps.
+    """
     model = scene.model
     # Bodies that are welded to another one are counted with it. A body with children
     # is a robot, which holds itself by its joints.
@@ -146,7 +150,7 @@ def grips(scene: Scene, run: Run, acceleration_m_s2: float = 0.0) -> Iterator[Sy
         # A body that creeps out of its grip is judged while it is gripped.
         creeping = gripping if gripping and not lasts else held
         if (gripping or len(held) == len(late)) and not _edge(creeping):
-            yield from _creeping(scene, run, body, creeping, bool(gripping))
+            yield from _creeping(scene, run, body, creeping, bool(gripping), below_mm_s)
 
 
 def _edge(held: list[Grip]) -> bool:
@@ -164,13 +168,26 @@ def slip_mm_s(model: MjModel, run: Run, body: int) -> float:
 
 
 def _creeping(
-    scene: Scene, run: Run, body: int, held: list[Grip], gripped: bool
+    scene: Scene,
+    run: Run,
+    body: int,
+    held: list[Grip],
+    gripped: bool,
+    below_mm_s: float,
 ) -> Iterator[Symptom]:
     slips = np.array([hold.slip_m_s for hold in held])
     speed = M * np.linalg.norm(slips.mean(axis=0))
     path = M * np.linalg.norm(slips, axis=1).mean()
     # A body that shakes has a long path but a small mean velocity.
-    if speed < SLIP_MM_S or speed < STEADY * path:
+    if speed < below_mm_s or speed < STEADY * path:
+        return
+    half = len(slips) // 2
+    first, last = (
+        np.linalg.norm(part.mean(axis=0)) for part in np.split(slips, [half])
+    )
+    turned = held[0].rotation.T @ held[-1].rotation
+    # A body that comes to rest, or that rolls, does not creep.
+    if last < STEADY * first or np.trace(turned) < ROLLS:
         return
     model = scene.model
     hold = held[-1]
@@ -203,68 +220,24 @@ def _firmer(scene: Scene, body: int, supports: list[int]) -> list[Changes]:
     """Return changes that reduce the creep of a body on some geoms."""
     impratio = max(scene.option.impratio, 1.0)
     # impratio divides R, and with it the creep under load.
-    firm = [elliptic(scene, times * impratio) for times in (10.0, 100.0)]
+    ratios = (times * impratio for times in (10.0, 100.0))
+    firm = [elliptic(scene, ratio) for ratio in ratios if ratio <= MOST_IMPRATIO]
     pairs = {pair for geom in supports for pair in _pairs(scene, geom, body)}
     stiff = of_contacts(scene, sorted(pairs), lambda _: stiffest(scene))
-    return [*firm, stiff, firm[0] + stiff, *noslip(scene)]
-
-
-def held(
-    trials: Trials, name: str, below_mm_s: float
-) -> tuple[Hold, Finding | None] | None:
-    """Measure how a body is held, from the first keyframe or the start.
-
-    Returns:
-        The hold and a finding if the body slides or creeps too fast, or None if nothing
-        touches the body.
-    """
-    index = min(1, len(trials.runs) - 1)
-    scene = trials.scene
-    model = scene.model
-    run = trials.runs[index]
-    body = scene.bodies.index(name)
-    late = [grip for sample in run.late if (grip := hold_of(model, sample, body))]
-    first = [grip for sample in run.samples if (grip := hold_of(model, sample, body))]
-    if not first:
-        return None
-    # A body that is lost before the end is described by the grip that it had.
-    grips = late or first
-    load = np.linalg.norm(np.mean([grip.friction_n for grip in grips], axis=0))
-    supports = list(dict.fromkeys(geom for grip in grips for geom in grip.geoms))
-
-    def slip(run: Run) -> float:
-        return slip_mm_s(model, run, body)
-
-    slides = len(late) < len(run.late) or _edge(late)
-    speed = slip(run)
-    points = float(np.mean([len(grip.geoms) for grip in grips]))
-    hold = Hold(name, load, points, None if slides else speed, slides, speed)
-    finding = Finding(
-        "creep",
-        name,
-        "creep",
-        speed,
-        "$shape creeps at $value, faster than the bound of $used",
-        against=tuple(scene.names[geom] for geom in supports),
-        used=below_mm_s,
-        unit="mm/s",
-    )
-    if slides:
-        message = "$shape slides because its load exceeds the friction of its contacts"
-        finding = replace(
-            finding, rule="slides", message=message, used=None, severity="error"
-        )
-    elif speed <= below_mm_s:
-        return hold, None
-    ways = _firmer(scene, body, supports)
-    return hold, trials.finding_of(Symptom(finding, slip, ways, goal=below_mm_s), index)
+    both = [way + stiff for way in firm[:1]]
+    return [*firm, stiff, *both, *noslip(scene)]
 
 
 def _bearable_n(scene: Scene, body: int, grip: Grip) -> float:
     """Return the load that the friction of a grip can bear [N]."""
     total = 0.0
     for geom, normal in zip(grip.geoms, grip.normal_n.tolist(), strict=True):
-        indices = _pairs(scene, geom, body)
+        # A contact with condim 1 has no friction.
+        indices = [
+            pair
+            for pair in _pairs(scene, geom, body)
+            if scene.contacts.condim[pair] > 1
+        ]
         total += scene.contacts.friction[indices, 0].max(initial=0.0) * normal
     return total
 
@@ -321,7 +294,11 @@ def _sliding(
     if acceleration_m_s2:
         message = f"$shape would slide under {acceleration_m_s2:g} m/s²"
     why = f"its load of {number(load)} N exceeds the {number(bears)} N that friction can bear"
-    if bears > load:
+    if not bears:
+        why = "a contact with condim 1 has no friction"
+        rows = (of_geom(scene, pad, {"condim": "3"}) for pad in pads)
+        ways = [distinct(sum(rows, ()))]
+    elif bears > load:
         why = "the grip opens, or its friction is used up"
     return Symptom(
         Finding(
@@ -337,7 +314,7 @@ def _sliding(
         ),
         fall,
         () if acceleration_m_s2 else ways,
-        effect="keeps it within {}",
+        effect="keeps it within {} of its place",
         unit="mm",
     )
 
@@ -354,7 +331,7 @@ def _stronger(scene: Scene, pads: list[int], times: float) -> Changes:
     """Return changes that multiply the forces of the actuators of a grip."""
     model = scene.model
     bodies = {model.geom_bodyid[geom] for geom in pads}
-    joints = np.flatnonzero(np.isin(model.jnt_bodyid, [*bodies]))
+    joints = where(np.isin(model.jnt_bodyid, [*bodies]))
     changes: Changes = ()
     for index in where(model.actuator_trntype == ON_JOINT):
         if model.actuator_trnid[index, 0] not in joints:

@@ -43,17 +43,14 @@ class Mending:
                 rules.append(finding.rule)
                 # Another change may do no harm any more.
                 self.outcomes = {
-                    line: "" for line, reason in self._tried() if not reason
+                    line: "" for line, reason in self.outcomes.items() if not reason
                 }
         # Each change alone does little harm, but many of them may add up.
         if reason := harm(self.first.runs, self.report.runs, rules):
             self.texts = {}
             self.report = self.first
             reason = f"together with the other changes, {reason}"
-            self.outcomes = {line: why or reason for line, why in self._tried()}
-
-    def _tried(self) -> list[tuple[str, str]]:
-        return list(self.outcomes.items())
+            self.outcomes = {line: why or reason for line, why in self.outcomes.items()}
 
     def _next(self) -> tuple[str, Finding, Cure] | None:
         """Return the next cure with the text of its changes and the finding that it mends."""
@@ -102,7 +99,7 @@ class Mending:
     def lines(self, written: bool) -> Iterator[str]:
         """Yield a line for each change that was tried."""
         outcome = "written" if written else "can be written"
-        for line, why in self._tried():
+        for line, why in self.outcomes.items():
             yield f"{line}: {f'not written because {why}' if why else outcome}"
 
     def patch(self) -> Iterator[str]:

@@ -1,8 +1,7 @@
 """Accounts for the motion of a stepped scene: findings with changes that mend them."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
-from functools import partial
 
 from newton_lint.failures import ITERATED, bouncing, jittering, overlapping, unstable
 from newton_lint.findings import Finding
@@ -22,19 +21,32 @@ from newton_lint.yielding import (
     servos,
 )
 
-EFFECTS = ("depth", "equality", "limit", "servo", "tunnel", "slip", "jitter", "bounce")
-"""Rules whose findings follow from a jam at the start."""
+Rule = Callable[[Scene, Run], Iterable[Symptom]]
+"""Yields what goes wrong in a run."""
+CAUSES = ("overlap", "apart", "keyframe", "degrees")
+"""Rules on starts that jam or jerk the scene."""
+EFFECTS = (
+    "depth",
+    "equality",
+    "limit",
+    "servo",
+    "tunnel",
+    "slip",
+    "jitter",
+    "bounce",
+    "sag",
+)
+"""Rules whose findings follow from such a start."""
 
 
 def symptoms(
-    scene: Scene, runs: Sequence[Run], acceleration_m_s2: float = 0.0
+    scene: Scene, runs: Sequence[Run], holding: Rule = grips
 ) -> list[tuple[int, Symptom]]:
     """Return what goes wrong in the runs of a scene, with the index of the run.
 
     Args:
-        acceleration_m_s2: Acceleration that a grip has to bear besides gravity.
+        holding: The rule on grips, with the demands on them.
     """
-    holding = partial(grips, acceleration_m_s2=acceleration_m_s2)
     always = (unstable, overlapping, misled, torn)
     settled = (
         sagging,
@@ -78,6 +90,14 @@ def motions(trials: Trials) -> list[Finding]:
         for item in _without_effects(items):
             key = (item.rule, item.shape, item.against)
             findings[key] = max(findings.get(key, item), item, key=_weight)
+    # One change that mends several findings of a rule is printed with the worst one.
+    seen: set[tuple] = set()
+    for key in sorted(findings, key=lambda key: _weight(findings[key]), reverse=True):
+        item = findings[key]
+        changes = item.rule, item.cures[:1] and item.cures[0].changes
+        if item.cures and changes in seen:
+            findings[key] = replace(item, severity="note")
+        seen.add(changes)
     return list(findings.values())
 
 
@@ -104,18 +124,9 @@ def _without_effects(items: Sequence[Finding]) -> list[Finding]:
         for change in cure.changes
         for name, _ in change.attributes
     )
-    overlaps = [item for item in items if item.rule == "overlap"]
-    jammed = any(item.severity == "warning" for item in overlaps)
-    notes = ("overlap",) * unsolved + EFFECTS * jammed
-    apart = {
-        item.shape
-        for item in items
-        if item.rule == "apart" and item.severity == "warning"
-    }
+    # A start that jams or jerks the scene has effects that are not faults of their own.
+    jerked = any(item.rule in CAUSES and item.severity != "note" for item in items)
+    notes = ("overlap",) * unsolved + EFFECTS * jerked
     return [
-        replace(item, severity="note")
-        if item.rule in notes
-        or (item.rule == "equality" and item.shape in apart and not item.cures)
-        else item
-        for item in items
+        replace(item, severity="note") if item.rule in notes else item for item in items
     ]

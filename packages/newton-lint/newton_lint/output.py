@@ -79,14 +79,6 @@ def text_of(report: Report, detail: Detail = Detail()) -> Iterator[str]:
     for group in groups:
         if group[0].severity != "note" or detail.notes:
             yield from _lines(group, detail)
-    if hold := report.hold:
-        rate = (
-            f"creeps at {rounded(hold.mm_s, 'mm/s')}"
-            if hold.mm_s is not None
-            else "slides"
-        )
-        points = f"{hold.point_count:.3g} contact points"
-        yield f"{hold.body} {rate} under {number(hold.load_n)} N on {points}"
     if report.creep and any(vars(report.load).values()):
         yield "predicted creep:"
         yield from (
@@ -150,13 +142,10 @@ def _github(report: Report, detail: Detail) -> Iterator[str]:
         if element := finding.element:
             location = f"file={element.file},line={element.line}"
         # In GitHub's workflow commands % starts an escape and a newline ends a command.
-        message = _with_advice(group).replace("%", "%25").replace("\n", "%0A")
+        text = ". ".join(filter(None, [sentence(group), finding.advice]))
+        message = text.replace("%", "%25").replace("\n", "%0A")
         level = finding.severity.replace("note", "notice")
         yield f"::{level} {location},title=newton-lint {finding.rule}::{message}"
-
-
-def _with_advice(group: Sequence[Finding]) -> str:
-    return ". ".join(filter(None, [sentence(group), group[0].advice]))
 
 
 def _counted(count: int, noun: str) -> str:

@@ -69,6 +69,11 @@ def kinds_of(model: MjModel, *of_bodies: np.ndarray) -> np.ndarray:
     """Number geoms so that alike ones, also by arrays of bodies, have equal numbers."""
     columns = [getattr(model, f"geom_{name}") for name in PARAMETERS]
     columns += [values[model.geom_bodyid] for values in of_bodies]
+    return numbered(*columns)
+
+
+def numbered(*columns: np.ndarray) -> np.ndarray:
+    """Number rows so that equal rows have equal numbers."""
     rows = np.column_stack(columns)
     return np.unique(rows, axis=0, return_inverse=True)[1].ravel()
 

@@ -7,9 +7,9 @@ from dataclasses import dataclass, replace
 import mujoco
 import numpy as np
 
-from newton_lint.findings import groups_of, row_numbers
+from newton_lint.findings import groups_of
 from newton_lint.law import STEP_SHARE, Contact, M, Option, clamped, response_of
-from newton_lint.pairs import kinds_of
+from newton_lint.pairs import kinds_of, numbered
 from newton_lint.scene import Scene
 
 
@@ -51,7 +51,7 @@ def predictions(scene: Scene, load: Load) -> list[Prediction]:
     loose = scene.free[scene.model.geom_bodyid]
     names = np.array(scene.names, dtype=object)
     creeps = []
-    for members in groups_of(row_numbers(_kinds(scene)[rows])):
+    for members in groups_of(numbered(_kinds(scene)[rows])):
         pairs = rows[members]
         between = tuple(map(tuple, names[contacts.geoms[pairs]].tolist()))
         pair = pairs[0]

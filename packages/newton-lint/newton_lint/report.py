@@ -2,14 +2,15 @@
 
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass, field, replace
+from functools import partial
 from typing import Any
 
 import mujoco
 import numpy as np
 
 from newton_lint.changes import Changes
-from newton_lint.findings import SEVERITIES, Finding, sentence
-from newton_lint.grips import SLIP_MM_S, Hold, held
+from newton_lint.findings import SEVERITIES, Finding, number, sentence
+from newton_lint.grips import SLIP_MM_S, grips
 from newton_lint.ledger import MOST_DOFS, Run, runs_of
 from newton_lint.motion import motions, symptoms
 from newton_lint.pairs import masks_of, read
@@ -21,8 +22,6 @@ from newton_lint.source import Element, Source
 from newton_lint.target import NEWTONS, Target, TargetError, newtons
 from newton_lint.trials import Trials
 
-OF_CONTACTS = ("timeconst", "solimp", "dampratio", "one-sided", "friction")
-"""Rules whose findings only matter if the shapes touch something soon."""
 SHORTEST_S = 1e-6
 LONGEST_S = 1.0
 """Range of the time step."""
@@ -40,10 +39,8 @@ class Request:
 
     engine: Engine = field(default_factory=Engine)
     load: Load = field(default_factory=Load)
-    hold: str = ""
-    """A body whose creep is reported, or an empty string."""
-    below_mm_s: float | None = None
-    """The creep of a held body is a finding above this speed."""
+    below_mm_s: float = SLIP_MM_S
+    """The creep of a body is a finding from this speed on."""
     ignore: Collection[str] = ()
     step: bool = True
     """Whether to step the scene in MuJoCo C."""
@@ -62,7 +59,6 @@ class Report:
     creep: Sequence[Prediction]
     newton: str | None = None
     """The release of Newton that read the target, or None."""
-    hold: Hold | None = None
     runs: Sequence[Run] = ()
     source: Source | None = None
     """The files that a fix may change."""
@@ -79,8 +75,7 @@ def report_of(target: Target, request: Request) -> Report:
     """Lint a target.
 
     Raises:
-        TargetError: The body to hold does not exist, MuJoCo aborts, or Newton is needed
-            but missing.
+        TargetError: MuJoCo aborts, or Newton is needed but missing.
     """
     try:
         return _report_of(target, request)
@@ -112,55 +107,35 @@ def report_on(
     model = scene.model
     runs = runs_of(model, target.data) if request.step else []
 
+    holding = partial(
+        grips,
+        acceleration_m_s2=request.load.acceleration_m_s2,
+        below_mm_s=request.below_mm_s,
+    )
+
     def judge(scene: Scene, runs: Sequence[Run]):
         findings = [finding for group, _ in faults(scene, runs) for finding in group]
-        return findings, symptoms(scene, runs, request.load.acceleration_m_s2)
+        return findings, symptoms(scene, runs, holding)
 
     trials = Trials(scene, runs, judge)
     findings = [*more, *lint(trials)]
     # Creep is undefined if the engine refuses the scene or throws bodies off.
     refused = any(finding.rule in ("engine", "stiff") for finding in findings)
-    hold: Hold | None = None
-    if request.hold and request.hold not in scene.bodies[1:]:
-        bodies = ", ".join(scene.bodies[1:][:12])
-        raise TargetError(
-            f"{target.name}: the scene has no body {request.hold}; it has {bodies}"
-        )
-    if request.hold and runs and not refused:
-        bound = request.below_mm_s or SLIP_MM_S
-        measured = held(trials, request.hold, bound)
-        if measured is None:
-            message = (
-                "Nothing touches $shape: grip it in a keyframe, or in the data that"
-                " the function returns"
-            )
-            findings.append(
-                Finding("slides", request.hold, "load", 0.0, message, severity="error")
-            )
-        else:
-            hold, creep = measured
-            findings += [creep] if creep else []
-    motion = motions(trials)
-    # The finding of --hold on the same body replaces its finding on slip.
-    held_bodies = [hold.body] if hold else []
-    findings += [
-        item for item in motion if item.rule != "slip" or item.shape not in held_bodies
-    ]
+    findings += motions(trials)
+    limits = []
     if request.step and model.nv > MOST_DOFS:
         message = (
-            f"The scene has {model.nv} degrees of freedom and is not stepped, because"
-            f" the limit is {MOST_DOFS}"
+            "The scene has $value degrees of freedom and is not stepped, because the"
+            f" limit is {number(MOST_DOFS)}"
         )
-        nv = float(model.nv)
-        findings.append(
-            Finding("unstepped", "", "nv", nv, message=message, severity="note")
-        )
+        limits.append(("unstepped", "", "nv", model.nv, message))
     if (count := len(read(model))) < np.count_nonzero(masks_of(model)):
         message = (
             "Only $value of the shapes are read, because there are too many pairs;"
             " every other shape has the same contact parameters as one of these"
         )
-        findings.append(Finding("unread", "", "pairs", count, message, severity="note"))
+        limits.append(("unread", "", "pairs", count, message))
+    findings += [Finding(*limit, severity="note") for limit in limits]
     return Report(
         target=target.name,
         dt_s=scene.option.timestep_s,
@@ -169,37 +144,13 @@ def report_on(
         load=request.load,
         findings=[
             finding
-            for finding in _noted(scene, runs, findings)
+            for finding in findings
             if not is_ignored(finding, scene.source, request.ignore)
         ],
         creep=[] if refused else predictions(scene, request.load),
-        hold=hold,
         runs=runs,
         source=scene.source,
     )
-
-
-def _noted(
-    scene: Scene, runs: Sequence[Run], findings: Sequence[Finding]
-) -> list[Finding]:
-    """Return the findings, with those on shapes that touch nothing as notes."""
-    touched = {scene.names[geom] for run in runs for pair in run.pairs for geom in pair}
-    may_touch = not runs or any(run.bad for run in runs)
-
-    def is_idle(finding: Finding) -> bool:
-        touches = finding.shape in touched and not (
-            finding.against and touched.isdisjoint(finding.against)
-        )
-        return (
-            finding.severity == "warning"
-            and finding.rule in OF_CONTACTS
-            and not (may_touch or touches)
-        )
-
-    return [
-        replace(finding, severity="note") if is_idle(finding) else finding
-        for finding in findings
-    ]
 
 
 def _newton_findings(
@@ -277,7 +228,7 @@ def as_json(report: Report) -> dict[str, Any]:
         },
         "findings": [_finding_json(finding) for finding in report.findings],
         "creep": [vars(report.load) | vars(prediction) for prediction in report.creep],
-        "hold": vars(report.hold) if report.hold else None,
+        "hold": None,
     }
 
 

@@ -38,7 +38,8 @@ def wandering(scene: Scene, run: Run) -> Iterator[Symptom]:
             return math.degrees(np.linalg.norm(spins, axis=1).mean())
 
         value = turning(run)
-        if not WANDERS_DEG_S < value < SWINGS_DEG_S:
+        is_alone = np.isclose(model.body_subtreemass[body], model.body_mass[body])
+        if not (is_alone and WANDERS_DEG_S < value < SWINGS_DEG_S):
             continue
         geoms = [
             pair

@@ -3,15 +3,21 @@
 Each rule is a function over arrays of geoms and pairs.
 """
 
-import math
 from collections.abc import Callable, Iterator, Sequence
+from dataclasses import replace
 from functools import partial
 
 import mujoco
 import numpy as np
 
-from newton_lint.changes import Changes, distinct, of_contact, of_geom, of_option
-from newton_lint.findings import Finding, Hits, Remedy, findings_of, number
+from newton_lint.changes import (
+    Changes,
+    distinct,
+    of_contact,
+    of_geom,
+    text_of,
+)
+from newton_lint.findings import Finding, Hits, Remedy, findings_of
 from newton_lint.law import DEFAULT_SOLREF, clamped
 from newton_lint.ledger import Run
 from newton_lint.pairs import keys_of
@@ -24,7 +30,7 @@ SAME = 1e-5
 # From this value of b h + k h²/2 on, MuJoCo's time step throws bodies off.
 STIFF = 1.9
 FAR = 4.0
-"""A damping ratio or timeconst is far from another one at this ratio."""
+"""A timeconst or a friction is far from another one at this ratio."""
 Advise = Callable[[int], Remedy]
 
 
@@ -43,19 +49,24 @@ def lint(trials: Trials) -> list[Finding]:
 
 def faults(scene: Scene, runs: Sequence[Run]) -> Iterator[tuple[list[Finding], Remedy]]:
     """Yield alike findings on the parameters of a scene, with their remedies."""
+    near = scene
+    if runs and not any(run.bad for run in runs):
+        pairs = [pair for run in runs for pair in run.pairs]
+        keys = keys_of(np.array(pairs, dtype=int).reshape(-1, 2))
+        near = replace(scene, touching=keys)
+    # Errors count for all pairs, the other rules only for those that touch.
     rules = (
-        solref_format,
-        solimp,
-        timeconst,
-        too_stiff,
-        dampratio,
-        partial(one_sided, touched=_touched(scene, runs)),
-        friction,
+        (solref_format, scene),
+        (too_stiff, scene),
+        (solimp, near),
+        (timeconst, near),
+        (one_sided, near),
+        (friction, near),
     )
     # Some rules divide by parts of a solref that may be 0.
     with np.errstate(divide="ignore", invalid="ignore"):
-        for rule in rules:
-            for hits in rule(scene):
+        for rule, part in rules:
+            for hits in rule(part):
                 yield from findings_of(hits, scene.names)
     for scene_rule in (lost, damped, pyramid):
         for finding, remedy in scene_rule(scene):
@@ -65,26 +76,22 @@ def faults(scene: Scene, runs: Sequence[Run]) -> Iterator[tuple[list[Finding], R
 def solref_format(scene: Scene) -> Iterator[Hits]:
     """Yield solrefs with one positive and one negative number."""
     solref = scene.model.geom_solref
-    contacts = scene.contacts
-    geoms = np.flatnonzero(
-        scene.counts & ((solref[:, 0] > 0.0) != (solref[:, 1] > 0.0))
-    )
+    geoms = scene.counts & ((solref[:, 0] > 0.0) != (solref[:, 1] > 0.0))
     # getsolparam replaces such a solref and writes a warning to the log.
     wording = Finding(
         "solref-format",
         "",
         "solref[1]",
         0.0,
-        "solref of $shapes has only one positive number (the second number is $value),"
-        " so MuJoCo uses its default",
+        "$shape has a solref with only one positive number (the second one is $value),"
+        " so MuJoCo uses the default solref",
         severity="error",
     )
 
+    default = {"solref": text_of(DEFAULT_SOLREF)}
+
     def advise(geom: int) -> Remedy:
-        plain = (contacts.named < 0) & (
-            (contacts.first == geom) | (contacts.second == geom) & ~contacts.outranked
-        )
-        return critical(scene, np.flatnonzero(plain)[0])
+        return [(of_geom(scene, geom, default), "states the value that MuJoCo uses")]
 
     yield Hits(wording, geoms, solref[:, 1], DEFAULT_SOLREF[1], advise)
 
@@ -94,15 +101,15 @@ def solimp(scene: Scene) -> Iterator[Hits]:
     dmin, dmax = np.clip(
         scene.model.geom_solimp[:, :2], mujoco.mjMINIMP, mujoco.mjMAXIMP
     ).T
-    geoms = np.flatnonzero(scene.counts & (dmin > dmax))
+    geoms = scene.counts & (dmin > dmax)
     yield Hits(
         Finding(
             "solimp",
             "",
             "solimp",
             0.0,
-            "solimp of $shapes has a dmin of $value above its dmax of $used, so"
-            " contacts get softer with depth, and creep grows with the load",
+            "$shape has a solimp whose dmin of $value is above its dmax of $used, so its"
+            " contacts get softer with depth",
         ),
         geoms,
         dmin,
@@ -130,25 +137,22 @@ def timeconst(scene: Scene) -> Iterator[Hits]:
         "",
         "timeconst",
         0.0,
-        f"timeconst $value of $shapes against $against is below {least}, so MuJoCo"
-        " uses $used",
+        f"$shape has a timeconst of $value against $against, but MuJoCo uses $used,"
+        f" because a timeconst cannot be shorter than {least}",
         unit="s",
     )
     # Nobody wrote a timeconst that equals the default.
-    pairs = np.flatnonzero(below & (authored != DEFAULT_SOLREF[0]))
+    below &= authored != DEFAULT_SOLREF[0]
 
     def advise(pair: int) -> Remedy:
-        longer = longer_solref(
-            scene, pair, limit[pair], "writes the value that MuJoCo uses anyway"
-        )
-        factor = limit[pair] / authored[pair]
-        if factor > FAR:
-            return longer
-        step = of_option(scene, timestep=f"{option.timestep_s / factor:.3g}")
-        stiffer = f"makes the contact as stiff as written, for {number(factor, 2)} times the steps"
-        return [*longer, (step, stiffer)]
+        effect = "only states the value that MuJoCo uses"
+        return longer_solref(scene, pair, limit[pair], effect)
 
-    yield _pair_hits(scene, wording, pairs, authored, limit, advise)
+    # Timeconsts are often written as short as possible on purpose.
+    is_far = limit >= FAR * authored * (1.0 - SAME)
+    for severity, rows in (("warning", below & is_far), ("note", below & ~is_far)):
+        graded = replace(wording, severity=severity)
+        yield _pair_hits(scene, graded, rows, authored, limit, advise)
 
 
 def too_stiff(scene: Scene) -> Iterator[Hits]:
@@ -165,15 +169,15 @@ def too_stiff(scene: Scene) -> Iterator[Hits]:
         taken = taken | is_short
         gain = np.where(is_short, own, gain)
     # The integrator discrete is stable with any of them, as both terms are implicit.
-    stiff = np.flatnonzero(taken & (gain >= STIFF) & (not scene.option.discrete))
+    stiff = taken & (gain >= STIFF) & (not scene.option.discrete)
     why = "does not clamp it" if scene.option.refsafe else "is off"
     wording = Finding(
         "stiff",
         "",
         "solref",
         0.0,
-        "solref $value of $shapes against $against is too stiff for the time step:"
-        f" contacts throw bodies off if b·h + k·h²/2 is above {STIFF}, and refsafe {why}",
+        "$shape is too stiff against $against for the time step: contacts throw bodies"
+        f" off because b·h + k·h²/2 of their solref is above {STIFF}, and refsafe {why}",
         severity="error",
     )
 
@@ -197,44 +201,13 @@ def too_stiff(scene: Scene) -> Iterator[Hits]:
     )
 
 
-def dampratio(scene: Scene) -> Iterator[Hits]:
-    """Yield contacts with a high damping ratio."""
-    first, second = scene.contacts.solref.T
-    ratio = scene.contacts.dampratio
-    # A solref of both forms is replaced by the default, and has a rule of its own.
-    sound = (first > 0.0) == (second > 0.0)
-    yield _pair_hits(
-        scene,
-        Finding(
-            "dampratio",
-            "",
-            "dampratio",
-            0.0,
-            "dampratio $value of $shapes against $against is far above 1, and the"
-            " contact gets softer with its square",
-        ),
-        np.flatnonzero(sound & (ratio > FAR) & np.isfinite(ratio)),
-        ratio,
-        1.0,
-        partial(critical, scene),
-    )
-
-
-def _touched(scene: Scene, runs: Sequence[Run]) -> np.ndarray:
-    """Return for each pair whether it touches in a run, or may if nothing is known."""
-    touched = [pair for run in runs for pair in run.pairs]
-    keys = keys_of(np.array(touched, dtype=int).reshape(-1, 2))
-    return np.isin(keys_of(scene.contacts.geoms), keys) | (not touched)
-
-
-def one_sided(scene: Scene, touched: np.ndarray) -> Iterator[Hits]:
+def one_sided(scene: Scene) -> Iterator[Hits]:
     """Yield stiff geoms that only touch soft ones."""
     contacts = scene.contacts
     authored = scene.model.geom_solref[:, 0]
     # Direct solrefs are not mixed: the engine uses the element-wise minimum.
-    mixed = (contacts.named < 0) & (contacts.solref > 0.0).all(axis=1) & touched
-    outranked = contacts.outranked & touched
-    ranked = np.append(contacts.first[outranked], contacts.second[outranked])
+    mixed = (contacts.named < 0) & (contacts.solref > 0.0).all(axis=1)
+    ranked = contacts.geoms[contacts.outranked]
     # A geom that meets an equal one somewhere is as stiff as written there.
     stiffest = -_largest(scene, mixed, -contacts.solref[:, 0])
     # A geom with a priority decides on purpose.
@@ -243,21 +216,19 @@ def one_sided(scene: Scene, touched: np.ndarray) -> Iterator[Hits]:
         (authored > 0.0) & (authored * FAR <= DEFAULT_SOLREF[0]) & np.isfinite(stiffest)
     )
     softer = stiffest > np.maximum(2.0 * authored, 4.0 * scene.option.timestep_s)
-    shape = np.flatnonzero(is_stiff & softer)
+    hit = is_stiff & softer
     wording = Finding(
         "one-sided",
         "",
         "solref",
         0.0,
-        "solref $value of $shapes is stiff only on this side, because each contact mixes"
-        " it with the soft solref of the other geom, which gives at least $used",
+        "$shape has a stiff solref of $value, but its contacts use at least $used,"
+        " because MuJoCo averages it with the softer solref of the other geom",
         unit="s",
     )
     ranking = "makes contacts use its solref, solimp, friction and condim"
-    stiff = [
-        (of_higher_priority(scene, geoms), ranking) for geoms in (shape, shape[:1])
-    ]
-    yield Hits(wording, shape, authored, stiffest, lambda _: stiff)
+    stiff = [(of_higher_priority(scene, np.flatnonzero(hit)), ranking)]
+    yield Hits(wording, hit, authored, stiffest, lambda _: stiff)
 
 
 def friction(scene: Scene) -> Iterator[Hits]:
@@ -278,13 +249,11 @@ def friction(scene: Scene) -> Iterator[Hits]:
             "",
             "friction",
             0.0,
-            "friction $value of $shapes is never used because a contact uses the"
-            " larger friction of its two geoms, or that of the geom with the higher"
-            " priority; here it is at least $used",
+            "$shape has a friction of $value, but its contacts use at least $used,"
+            " because MuJoCo takes the larger friction of the two geoms unless one of"
+            " them has a higher priority",
         ),
-        np.flatnonzero(
-            (authored * FAR <= least) & np.isfinite(least) & (authored != 1.0)
-        ),
+        (authored * FAR <= least) & np.isfinite(least) & (authored != 1.0),
         authored,
         least,
         advise,
@@ -319,23 +288,6 @@ def longer_solref(scene: Scene, pair: int, timeconst_s: float, effect: str) -> R
         return f"{timeconst_s:.6g} {solref[1]:g}" if is_short else None
 
     return [(of_contact(scene, pair, longer), effect)]
-
-
-def critical(scene: Scene, pair: int) -> Remedy:
-    """Return changes to a solref of one form with critical damping."""
-
-    def sound(solref: Sequence[float]) -> str | None:
-        first, second = solref
-        if first == 0.0:
-            return "0.02 1"
-        critical = 1.0 if first > 0.0 else -2.0 * math.sqrt(-first)
-        if 0.25 <= second / critical <= FAR:
-            return None
-        return f"{first:g} {critical:.3g}"
-
-    return [
-        (of_contact(scene, pair, sound), "keeps the timeconst with critical damping")
-    ]
 
 
 def in_order(scene: Scene, geom: int) -> Remedy:

@@ -2,7 +2,7 @@
 
 import copy
 from collections.abc import Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from functools import cached_property
 
 import mujoco
@@ -13,7 +13,6 @@ from newton_lint.combined import CONES, Contacts, contacts_of, option_of
 from newton_lint.law import Option
 from newton_lint.pairs import keys_of, masks_of
 from newton_lint.source import Element, Source, Texts
-from newton_lint.warp_engine import has_noslip
 
 FREE, BALL, SLIDE, HINGE = range(4)
 """Values of ``mjtJoint``."""
@@ -56,20 +55,22 @@ class Scene:
     engine: Engine = Engine()
     texts: Texts = field(default_factory=dict)
     """Contents that replace those of files while a change is tried."""
+    touching: np.ndarray | None = None
+    """Keys of the pairs that count, or None if all do."""
 
     @cached_property
     def option(self) -> Option:
-        option = option_of(self.model)
-        # put_model refuses noslip_iterations before MuJoCo Warp 3.17; then the law
-        # applies to the scene without the pass.
-        return replace(
-            option,
-            noslip=option.noslip and (self.engine.name == "mujoco" or has_noslip()),
-        )
+        return option_of(self.model)
+
+    contact_engine = property(lambda self: self.engine.name)
+    """The engine that combines the parameters of contacts."""
 
     @cached_property
     def contacts(self) -> Contacts:
-        return contacts_of(self.model, self.engine.name)
+        contacts = contacts_of(self.model, self.contact_engine)
+        if self.touching is None:
+            return contacts
+        return contacts.among(np.isin(keys_of(contacts.geoms), self.touching))
 
     @cached_property
     def colliding(self) -> int:
@@ -104,7 +105,7 @@ class Scene:
     def place(self, name: str) -> Element | None:
         """Return the element of a geom or a body with a name, or None."""
         if name in self.names:
-            return self.source.geom(self.names.index(name))
+            return self.source.find("geom", self.names.index(name))
         if name in self.bodies:
             return self.source.find("body", self.bodies.index(name))
         return None

@@ -26,9 +26,9 @@ def lost(scene: Scene) -> Iterator[Found]:
     conaffinity = model.geom_conaffinity
     # If all masks are off, every geom counts.
     collides = (masks_of(model) > 0) | (scene.colliding == 0)
-    attached = np.flatnonzero(~scene.free[tree])
+    attached = where(~scene.free[tree])
     is_off = model.opt.disableflags & (WEIGHTLESS | OFF)
-    if is_off or not (model.opt.gravity.any() and len(attached)):
+    if is_off or not (model.opt.gravity.any() and attached):
         return
     named = tree[np.append(model.pair_geom1, model.pair_geom2)]
     for body in np.setdiff1d(tree[scene.free[tree] & collides], named).tolist():
@@ -38,15 +38,16 @@ def lost(scene: Scene) -> Iterator[Found]:
         )
         if (contype[own] & masks | conaffinity[own] & bits).any():
             continue
-        geom = np.flatnonzero(own)[0] if bits else attached[0]
+        geom = where(own)[0] if bits else attached[0]
         finding = Finding(
             "lost",
             scene.bodies[body],
             "contype",
             float(contype[geom]),
             "$shape falls through every other body because the contype and"
-            " conaffinity bits of its geoms match those of no other geom",
-            element=scene.source.authored(geom, "contype") or scene.source.geom(geom),
+            " conaffinity bits of its geoms do not match those of any other geom",
+            element=scene.source.authored(geom, "contype")
+            or scene.source.find("geom", geom),
         )
         changes = of_geom(
             scene, geom, {"contype": f"{bits or 1}", "conaffinity": f"{bits or 1}"}
@@ -100,8 +101,8 @@ def pyramid(scene: Scene) -> Iterator[Found]:
             "pyramid",
             "impratio",
             impratio,
-            message="impratio $value hardens the normal rows of a pyramidal cone like"
-            " its friction; only an elliptic cone separates them",
+            message="The impratio of $value stiffens the normal direction of contacts as"
+            " much as friction because the cone is pyramidal, not elliptic",
         )
         yield finding, remedy
     if steepest > STEEP:
@@ -112,8 +113,8 @@ def pyramid(scene: Scene) -> Iterator[Found]:
             "pyramid",
             "friction",
             steepest,
-            message=f"friction $value makes contacts {number(softer)} times softer with a"
-            " pyramidal cone, so bodies sink and creep more",
+            message=f"The friction of $value makes contacts {number(softer)} times softer"
+            " because the cone is pyramidal, so bodies sink and creep more",
         )
         yield finding, remedy
 

@@ -197,10 +197,6 @@ class Source:
                     return child
         return None
 
-    def geom(self, index: int) -> Element | None:
-        """Return the element of a geom."""
-        return self.find("geom", index)
-
     def option(self, attribute: str = "") -> Element | None:
         """Return the ``<option>`` that sets an attribute, or any if no one does."""
         options = list(self.root.sections("option")) if self.root else []

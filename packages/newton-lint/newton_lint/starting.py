@@ -14,7 +14,7 @@ from newton_lint.ledger import Run
 from newton_lint.pairs import where
 from newton_lint.scene import HINGE, Scene
 from newton_lint.trials import Symptom
-from newton_lint.yielding import COUPLINGS, equality_unit, past, scale
+from newton_lint.yielding import SITE, coupled, equality_unit, past, scale
 
 LEAVES = 3.0
 """A start is reported if a motion of this speed begins there [m/s or rad/s]."""
@@ -23,15 +23,12 @@ EARLY = 11
 APART_MM = 5.0
 """An equality is reported if it is open by this at the start [mm or °]."""
 FULL_TURN = 2.0 * math.pi
-CONNECT = int(mujoco.mjtEq.mjEQ_CONNECT)
-WELD = int(mujoco.mjtEq.mjEQ_WELD)
-SITE = int(mujoco.mjtObj.mjOBJ_SITE)
 
 
 def ill_posed(scene: Scene, run: Run) -> bool:
     """Return whether a joint is beyond its range at the start itself."""
     model = scene.model
-    limited = np.flatnonzero(model.jnt_limited & (model.jnt_type >= 2))
+    limited = where(model.jnt_limited & (model.jnt_type >= 2))
     values = run.samples[0].arrays["qpos"][model.jnt_qposadr[limited]]
     low, high = model.jnt_range[limited].T
     return bool((np.maximum(low - values, values - high) > math.radians(1.0)).any())
@@ -54,24 +51,21 @@ def leaving(scene: Scene, run: Run) -> Iterator[Symptom]:
     servos = np.flatnonzero(is_servo(model))
     data = run.start.data(model)
     mujoco.mj_forward(model, data)
-    ctrl = data.ctrl.copy()
-    act = data.act.copy()
-    missing = []
     # Servos with a filter start from act, all others from ctrl.
-    stateless = servos[model.actuator_dyntype[servos] == 0]
-    if "ctrl" not in authored and len(stateless) and not ctrl[stateless].any():
-        ctrl[stateless] = data.actuator_length[stateless]
-        missing.append("ctrl")
-    stateful = servos[model.actuator_dyntype[servos] > 0]
-    if "act" not in authored and len(stateful) and not act.any():
-        act[model.actuator_actadr[stateful]] = data.actuator_length[stateful]
-        missing.append("act")
+    filtered = model.actuator_dyntype[servos] > 0
+    missing = {}
+    for name, values, group in (
+        ("ctrl", data.ctrl.copy(), servos[~filtered]),
+        ("act", data.act.copy(), servos[filtered]),
+    ):
+        places = model.actuator_actadr[group] if name == "act" else group
+        if name not in authored and len(group) and not values[places].any():
+            values[places] = data.actuator_length[group]
+            missing[name] = text_of(values, 6)
     speed = fastest(run)
     if not missing or speed < LEAVES:
         return
-    arrays = {"ctrl": ctrl, "act": act}
-    texts = {name: text_of(arrays[name], 6) for name in missing}
-    way = of_element(scene, "key", key, **texts)
+    way = of_element(scene, "key", key, **missing)
     finding = Finding(
         "keyframe",
         run.start.name,
@@ -95,9 +89,11 @@ def misled(scene: Scene, run: Run) -> Iterator[Symptom]:
         span = model.jnt_range[joint] if model.jnt_limited[joint] else (-7.0, 7.0)
         # Without a range, angles of up to a turn are plausible.
         in_range = span[0] <= math.radians(target) <= span[1]
-        if model.jnt_type[joint] != HINGE or abs(target) <= FULL_TURN or not in_range:
+        if model.jnt_type[joint] != HINGE:
             continue
-        name = scene.name("actuator", servo)
+        yield from _narrow(scene, run, joint, target)
+        if abs(target) <= FULL_TURN or not in_range:
+            continue
         changes: Changes = ()
         if model.actuator_ctrllimited[servo]:
             radians = np.radians(model.actuator_ctrlrange[servo])
@@ -114,15 +110,39 @@ def misled(scene: Scene, run: Run) -> Iterator[Symptom]:
         read = past("qpos", address, goal, goal, "°")
         finding = Finding(
             "degrees",
-            name,
+            scene.name("actuator", servo),
             "ctrl",
-            read(run) if not run.bad else math.inf,
-            f"$shape drives its joint to $value beyond {target:g}°{origin(run)}"
-            f" because ctrl is in radians, and {target:g} is probably in degrees",
+            math.degrees(abs(target - goal)),
+            f"$shape drives its joint $value past {target:g}°{origin(run)} because ctrl"
+            f" is in radians, and {target:g} was probably meant in degrees",
             unit="°",
             severity="error",
         )
         yield Symptom(finding, read, [changes])
+
+
+def _narrow(scene: Scene, run: Run, joint: int, target: float) -> Iterator[Symptom]:
+    """Yield a range in radians, which the compiler reads in degrees."""
+    model = scene.model
+    # The numbers of the file, if the compiler takes angles in degrees.
+    low, high = np.degrees(model.jnt_range[joint]).tolist()
+    reaches = low <= math.degrees(target) <= high
+    if reaches or not low <= target <= high or high - low > FULL_TURN:
+        return
+    read = past("qpos", model.jnt_qposadr[joint], target, target, "°")
+    finding = Finding(
+        "degrees",
+        scene.name("joint", joint),
+        "range",
+        high,
+        f"$shape stops at $value and does not reach its target of"
+        f" {math.degrees(target):.3g}°{origin(run)} because its range is in degrees,"
+        f" and {low:g} to {high:g} was probably meant in radians",
+        unit="°",
+        severity="error",
+    )
+    wide = text_of(np.degrees([low, high]))
+    yield Symptom(finding, read, [of_element(scene, "joint", joint, range=wide)])
 
 
 def torn(scene: Scene, run: Run) -> Iterator[Symptom]:
@@ -140,34 +160,23 @@ def torn(scene: Scene, run: Run) -> Iterator[Symptom]:
         def apart(run: Run, equality=equality, unit=unit) -> float:
             return scale(unit) * run.samples[0].gaps.get(equality, 0.0)
 
-        kind = COUPLINGS.get(model.eq_type[equality], "")
-        bodies = _bodies(scene, equality)
+        bodies = coupled(scene, equality)
         mocap = [body for body in bodies if model.body_mocapid[body] >= 0]
-        why = f"the {kind} equality pulls its two sides together"
+        why = ""
         if mocap:
-            why = f"its mocap body {scene.bodies[mocap[0]]} starts away from it"
+            why = f" because its mocap body {scene.bodies[mocap[0]]} starts elsewhere"
         finding = Finding(
             "apart",
             scene.name("equality", equality),
             "gap",
             value,
-            f"$shape is $value open at {run.start.name}, and the scene starts"
-            f" with {number(speed, 2)} m/s or rad/s because {why}",
+            f"$shape is $value open at {run.start.name}{why}, and this equality jerks"
+            f" the scene to {number(speed, 2)} m/s or rad/s",
             unit=unit,
             severity="warning" if speed > LEAVES else "note",
         )
         ways = list(_joining(scene, run, data, equality, bodies))
         yield Symptom(finding, apart, ways)
-
-
-def _bodies(scene: Scene, equality: int) -> list[int]:
-    """Return the two bodies of a connect or weld equality, or []."""
-    model = scene.model
-    if model.eq_type[equality] not in (CONNECT, WELD):
-        return []
-    ids = [model.eq_obj1id[equality], model.eq_obj2id[equality]]
-    is_site = model.eq_objtype[equality] == SITE
-    return [model.site_bodyid[index] for index in ids] if is_site else ids
 
 
 def _joining(

@@ -53,7 +53,7 @@ MOVING = ("friction", "bounce", "thrown")
 """Rules whose changes make bodies faster, as their parameters were meant to do."""
 SINKING = ("tunnel", "slides", "through", "damping")
 """Rules on bodies that may touch something only after the change."""
-WRITTEN = ("lost", "pyramid", "solref-format", "dampratio", "stiff", "one-sided")
+WRITTEN = ("lost", "pyramid", "solref-format", "stiff", "one-sided")
 """Rules whose changes let contacts be as soft as they are written."""
 LEADING = ("equality", "keyframe", "limit", "servo", "apart", "degrees")
 """Rules whose changes lead to other motions, with other impacts on the way."""
@@ -76,8 +76,6 @@ class Symptom:
     """The unit of the reading, if it differs from that of the finding."""
     why: str = ""
     """The likely cause, which is only told if a change of it helps."""
-    goal: float = 0.0
-    """A reading that is good enough; by default a share of that without changes."""
 
 
 Judge = Callable[
@@ -199,8 +197,7 @@ class Trials:
             unit = symptom.unit or finding.unit
             drawback = self.drawback(variant, finding)
             cures.append(Cure(changes, before, after, unit, symptom.effect, drawback))
-            good = symptom.goal or GOOD * before
-            if after <= good or len(cures) == MOST_CURES:
+            if after <= GOOD * before or len(cures) == MOST_CURES:
                 break
         if symptom.needs_cure and not cures:
             return None
@@ -208,7 +205,7 @@ class Trials:
             message = f"{finding.message} because {symptom.why}"
             finding = replace(finding, message=message)
         if was_tried and not cures and not finding.hint:
-            finding = replace(finding, hint="No tried change helps.")
+            finding = replace(finding, hint="None of the tried changes helps.")
         # Changes that mend it well come first; the sort keeps the order of the rule.
         cures.sort(key=lambda cure: (cure.after or 0.0) > GOOD * before)
         element = finding.element or self.scene.place(finding.shape)
@@ -281,6 +278,9 @@ def _motion_harm(old: Run, new: Run, rules: Collection[str]) -> str:
     """Return how contacts get deeper or resting bodies faster, or an empty string."""
     old_thrown = old.thrown_m_s.max(initial=0.0)
     new_thrown = new.thrown_m_s.max(initial=0.0)
+    if new_thrown > max(FASTER * old_thrown, THROWN_M_S):
+        speed = number(new_thrown)
+        return f"contacts throw a body at {speed} m/s from {new.start.name}"
     # A body that flew or fell touched nothing, so it may rest in a contact now.
     lies = old_thrown > THROWN_M_S > 2.0 * new_thrown and new.deepest_m <= old.deepest_m
     lies |= bool({*WRITTEN} & {*rules}) and new.deepest_m < SHALLOW_M

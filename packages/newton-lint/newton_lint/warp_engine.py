@@ -48,12 +48,3 @@ def refusal(model: mujoco.MjModel) -> str:
     except Exception as error:  # put_model raises errors of several kinds.
         return " ".join(str(error).split()) or type(error).__name__
     return ""
-
-
-def has_noslip() -> bool:
-    """Return whether the installed release has the noslip pass."""
-    with contextlib.suppress(ImportError), muted_standard_error():
-        return hasattr(
-            importlib.import_module("mujoco_warp").Option, "noslip_iterations"
-        )
-    return False

@@ -29,13 +29,15 @@ from newton_lint.trials import Read, Symptom
 LEAST = 1.0
 """Least depth, distance or angle that is reported [mm or °]."""
 FAR = 5.0
-"""A finding is a warning if its value is above this multiple of the least one."""
+"""A finding is a warning above this distance or angle [mm or °]."""
 MUCH = 3.0
-"""For limits of joints and tendons, this multiple applies instead."""
+"""For limits of joints and tendons, this one applies instead."""
 THIN = 0.1
 """A depth is reported from this share of the thickness of a geom on."""
 DEEP_MM = 2.0
 """A depth is a warning from here on."""
+PADDED = 0.5
+"""A dmin below this one makes a contact soft by intention."""
 HARD = "0.999 0.999 0.001"
 FEW_ALIKE = 3
 SAGS = 5e-3
@@ -45,12 +47,13 @@ HELD = 0.99
 AGREES = 0.7
 """Measured and predicted values agree within this ratio."""
 LEAST_SWING = 0.1
-"""A reading swings if it changes by this share in the late samples."""
+"""A reading swings if it still changes by this share of its swing, or of its mean."""
 THICKER = (2, 4, 8, 16, 32)
 MOST_CONTACTS = int(mujoco.mjMAXCONPAIR)
 DRY_FRICTION = int(mujoco.mjtConstraint.mjCNSTR_FRICTION_DOF)
 PLATES = tuple(range(mujoco.mjtGeom.mjGEOM_ELLIPSOID, mujoco.mjtGeom.mjGEOM_MESH + 1))
 ELLIPSOID, CYLINDER, BOX, MESH = PLATES
+SITE = int(mujoco.mjtObj.mjOBJ_SITE)
 COUPLINGS = {
     int(getattr(mujoco.mjtEq, f"mjEQ_{name.upper()}")): name
     for name in ("connect", "weld", "joint", "tendon")
@@ -78,11 +81,9 @@ def depths(scene: Scene, run: Run) -> Iterator[Symptom]:
     contacts = scene.contacts
     sizes = M * _thin(model)
     # A dict keeps the order, so that the findings of two runs have the same order.
-    late = {
-        tuple(pair): 0.0
-        for sample in run.late
-        for pair in sample.touches.pairs.tolist()
-    }
+    late = dict.fromkeys(
+        tuple(pair) for sample in run.late for pair in sample.touches.pairs.tolist()
+    )
     sunk = [
         contact
         for pair in late
@@ -111,10 +112,13 @@ def depths(scene: Scene, run: Run) -> Iterator[Symptom]:
             continue
         rests = run.still[bodies].all()
         lasts = min(late_depths(run, pair)) > 0.5 * depth / M
-        timeconst = contacts.solref[contact, 0]
+        # The stiffness of a contact depends on the product of both numbers. That of a
+        # direct solref, which was chosen by someone, is always large.
+        is_soft = contacts.solref[contact].prod() > DEFAULT_SOLREF[0]
         mu = contacts.friction[contact, 0]
-        # A direct solref was chosen by someone, so it counts as soft too.
-        is_soft = not 0.0 < timeconst <= DEFAULT_SOLREF[0]
+        # Someone chose a contact that is soft at first, and hard within its width.
+        dmin, _, width_m, *_ = contacts.solimp[contact]
+        is_padded = not is_soft and dmin < PADDED and depth < M * width_m
         much = LEAST if is_soft else DEEP_MM
         severe = depth > min(much, max(2.0 * THIN * sizes[thin], 0.2))
         if scene.option.cone == "pyramidal" and mu > STEEP:
@@ -140,10 +144,12 @@ def depths(scene: Scene, run: Run) -> Iterator[Symptom]:
                     or depth > sizes[thin]
                 )
                 and depth > 2.0 * first
+                and not is_padded
                 else "note",
             ),
             read,
             list(_stiffening(scene, contact, depth, sunk)),
+            needs_cure=not rests,
             why=why,
         )
 
@@ -176,7 +182,8 @@ def _stiffening(
     def stiffer(old: Sequence[float]) -> str:
         first, second = old
         if first > 0.0:
-            return f"{max(share**0.5 * first, least):.2g} {max(second, 1.0):g}"
+            timeconst = share**0.5 * first * max(second, 1.0)
+            return f"{max(timeconst, least):.2g} 1"
         # For a direct solref, the damping grows with the root of the stiffness.
         return f"{first / share:.3g} {second / share**0.5:.3g}"
 
@@ -221,27 +228,27 @@ def limits(scene: Scene, run: Run) -> Iterator[Symptom]:
     ]:
         why = "the solref of its limit is too soft for the load"
         ways: list[Changes] = []
-        body = 0
+        moving = [*range(model.nbody)]
         if kind == "joint":
             low, high = model.jnt_range[index].tolist()
-            body = model.jnt_bodyid[index]
-            is_angle = model.jnt_type[index] == HINGE
+            moving = [model.jnt_bodyid[index]]
             values = "qpos"
             at = model.jnt_qposadr[index]
             for servo in servos[model.actuator_trnid[servos, 0] == index].tolist():
                 gear = model.actuator_gear[servo, 0]
                 target = ctrl[servo] * gear
                 if not low <= target <= high:
-                    name = scene.name("actuator", servo)
-                    why = f"{name} pulls it to a target of {number(target)}"
+                    why = (
+                        f"{scene.name('actuator', servo)} pulls it to a target of"
+                        f" {number(target)}"
+                    )
                     span = text_of(sorted((low / gear, high / gear)))
                     ways.append(of_element(scene, "actuator", servo, ctrlrange=span))
         else:
             low, high = model.tendon_range[index].tolist()
-            is_angle = _turns(model, index)
             values = "ten_length"
             at = index
-        unit = "°" if is_angle else "mm"
+        unit = unit_of(model, kind, index)
         ways.append(of_element(scene, kind, index, solreflimit=solref))
         read = past(values, at, low, high, unit)
         start = run.samples[0].arrays[values][at]
@@ -254,11 +261,13 @@ def limits(scene: Scene, run: Run) -> Iterator[Symptom]:
                 scene.name(kind, index),
                 "position" if kind == "joint" else "length",
                 value,
-                f"$shape is $value beyond its range {when(run, body)}",
+                f"$shape is $value beyond its range {when(run, *moving)}",
                 unit=unit,
-                severity="warning" if value > MUCH * LEAST else "note",
+                severity="warning" if value > MUCH else "note",
             )
-            yield Symptom(finding, read, ways, why=why)
+            # A robot that falls or flails passes its limits for other reasons.
+            moves = first <= LEAST and not run.still[moving].all()
+            yield Symptom(finding, read, ways, needs_cure=moves, why=why)
 
 
 def past(name: str, at: int, low: float, high: float, unit: str) -> Read:
@@ -272,20 +281,32 @@ def past(name: str, at: int, low: float, high: float, unit: str) -> Read:
     return read
 
 
-def _turns(model: MjModel, tendon: int) -> bool:
-    """Return whether the length of a tendon is a sum of angles of hinges."""
-    wrap = model.tendon_adr[tendon]
-    of_joint = model.wrap_type[wrap] == int(mujoco.mjtWrap.mjWRAP_JOINT)
-    return bool(of_joint and model.jnt_type[model.wrap_objid[wrap]] == HINGE)
+def unit_of(model: MjModel, kind: str, index: int) -> str:
+    """Return the unit of the position of a joint or of the length of a tendon."""
+    if kind == "tendon":
+        wrap = model.tendon_adr[index]
+        if model.wrap_type[wrap] != int(mujoco.mjtWrap.mjWRAP_JOINT):
+            return "mm"
+        # The length is a sum of joint positions.
+        index = model.wrap_objid[wrap]
+    return "°" if model.jnt_type[index] == HINGE else "mm"
 
 
 def equality_unit(model: MjModel, equality: int) -> str:
     """Return the unit in which the gap of an equality is measured."""
-    joint = model.eq_obj1id[equality]
-    kind = COUPLINGS.get(model.eq_type[equality])
-    if kind == "tendon":
-        return "°" if _turns(model, joint) else "mm"
-    return "°" if kind == "joint" and model.jnt_type[joint] == HINGE else "mm"
+    kind = COUPLINGS.get(model.eq_type[equality], "")
+    is_place = kind not in ("joint", "tendon")
+    return "mm" if is_place else unit_of(model, kind, model.eq_obj1id[equality])
+
+
+def coupled(scene: Scene, equality: int) -> list[int]:
+    """Return the two bodies of a connect or weld equality, or []."""
+    model = scene.model
+    if COUPLINGS.get(model.eq_type[equality]) not in ("connect", "weld"):
+        return []
+    ids = [model.eq_obj1id[equality], model.eq_obj2id[equality]]
+    is_site = model.eq_objtype[equality] == SITE
+    return [model.site_bodyid[index] for index in ids] if is_site else ids
 
 
 def equalities(scene: Scene, run: Run) -> Iterator[Symptom]:
@@ -309,8 +330,7 @@ def equalities(scene: Scene, run: Run) -> Iterator[Symptom]:
             of_element(scene, "equality", equality, **attributes)
             for attributes in (hard, hard | {"solimp": HARD})
         ]
-        bodies = model.eq_objtype[equality] == int(mujoco.mjtObj.mjOBJ_BODY)
-        moving = [model.eq_obj2id[equality]] if bodies else []
+        moving = coupled(scene, equality) or range(model.nbody)
         finding = Finding(
             "equality",
             name,
@@ -318,7 +338,7 @@ def equalities(scene: Scene, run: Run) -> Iterator[Symptom]:
             value,
             f"$shape is $value open {when(run, *moving)}",
             unit=unit,
-            severity="warning" if value > FAR * LEAST else "note",
+            severity="warning" if value > FAR else "note",
         )
         why = f"its solref ({solref}) is too soft for the load on this {kind} equality"
         yield Symptom(finding, gap, ways, why=why)
@@ -326,16 +346,18 @@ def equalities(scene: Scene, run: Run) -> Iterator[Symptom]:
 
 def _centre(values: np.ndarray, late: int) -> float:
     """Return the value about which a reading swings, or its mean in the late samples."""
+    mean = values[-late:].mean()
     ways = np.sign(np.diff(values))
     # Turning points of the swing: the sign of the slope changes there.
-    turns = values[1:-1][(ways[1:] * ways[:-1]) < 0.0]
-    mean = float(values[-late:].mean())
-    if len(turns) < 3 or np.ptp(values[-late:]) < LEAST_SWING * abs(mean):
+    turns = values[1:-1][(ways[1:] * ways[:-1]) < 0.0][-3:]
+    if len(turns) < 3:
+        return mean
+    # A swing that ended, or that is small, has a good mean.
+    if np.ptp(values[-late:]) < LEAST_SWING * max(abs(mean), np.ptp(turns)):
         return mean
     # This mean is exact for a decaying oscillation in which each half swing is
     # smaller by the same amount.
-    before, last, after = turns[-3:].tolist()
-    return 0.25 * (before + 2.0 * last + after)
+    return turns @ (0.25, 0.5, 0.25)
 
 
 def servos(scene: Scene, run: Run) -> Iterator[Symptom]:
@@ -352,7 +374,7 @@ def servos(scene: Scene, run: Run) -> Iterator[Symptom]:
         is_blocked = abs(run.mean("qfrc_constraint")[dof]) > 1e-9
         if model.jnt_type[joint] not in (HINGE, SLIDE) or is_blocked:
             continue
-        unit = "°" if model.jnt_type[joint] == HINGE else "mm"
+        unit = unit_of(model, "joint", joint)
 
         def short(run: Run, servo=servo, unit=unit) -> float:
             length = run.mean("actuator_length")[servo]
@@ -364,6 +386,9 @@ def servos(scene: Scene, run: Run) -> Iterator[Symptom]:
         for child in range(1, model.nbody):
             if body in _ancestors(model, child):
                 weightless += of_element(scene, "body", child, gravcomp="1")
+        force = abs(run.data.actuator_force[servo])
+        limit = model.actuator_forcerange[servo]
+        is_weak = model.actuator_forcelimited[servo] and force > HELD * limit.max()
         # The error is proportional to 1/kp; half of the least error leaves a margin.
         times = math.ceil(2.0 * value / LEAST)
         gain = times * model.actuator_gainprm[servo, 0]
@@ -374,12 +399,17 @@ def servos(scene: Scene, run: Run) -> Iterator[Symptom]:
             scene.name("actuator", servo),
             "error",
             value,
-            f"$shape is $value from its target {when(run, body)} because"
-            " gravity pulls it and its kp is low",
+            f"$shape is $value from its target {when(run, body)} because gravity"
+            f" pulls it and its {'forcerange' if is_weak else 'kp'} is low",
             unit=unit,
-            severity="warning" if value > FAR * LEAST else "note",
+            severity="warning" if value > FAR else "note",
         )
         ways = [weightless, of_servo(scene, servo, gain, damping)]
+        if is_weak:
+            spans = (text_of(times * limit) for times in (2.0, 8.0))
+            ways[1:] = [
+                of_element(scene, "actuator", servo, forcerange=span) for span in spans
+            ]
         yield Symptom(finding, short, ways, needs_cure=True)
 
 
@@ -394,15 +424,17 @@ def sagging(scene: Scene, run: Run) -> Iterator[Symptom]:
     """Yield joints that creep although their friction exceeds the load."""
     model = scene.model
     data = run.data
-    driven = model.jnt_dofadr[model.actuator_trnid[is_servo(model), 0]]
+    followers = model.eq_obj1id[model.eq_type == int(mujoco.mjtEq.mjEQ_JOINT)]
+    driven = model.jnt_dofadr[
+        np.append(model.actuator_trnid[is_servo(model), 0], followers)
+    ]
     idle = (model.actuator_trntype == ON_JOINT) & (run.start.data(model).ctrl == 0.0)
     undriven = model.jnt_dofadr[model.actuator_trnid[idle, 0]]
     for row in where(data.efc_type[: data.nefc] == DRY_FRICTION):
         dof = data.efc_id[row]
         joint = model.dof_jntid[dof]
 
-        is_hinge = model.jnt_type[joint] == HINGE
-        unit = "°/s" if is_hinge else "mm/s"
+        unit = f"{unit_of(model, 'joint', joint)}/s"
 
         def creep(run: Run, joint=joint, unit=unit) -> float:
             begin = run.late[0]
@@ -481,8 +513,8 @@ def passing(scene: Scene, run: Run) -> Iterator[Symptom]:
             scene.names[geom],
             "wall",
             thick,
-            f"$shape passes through $against{origin(run)}, which is only $value"
-            " thick, because a contact that is deeper than half of it pushes onwards",
+            f"$shape passes through $against{origin(run)}, which is only $value thick,"
+            " because a body that is more than halfway in is pushed out on the far side",
             against=(scene.names[wall],),
             unit="mm",
             severity="error",
@@ -544,6 +576,8 @@ def crowded(scene: Scene, run: Run) -> Iterator[Symptom]:
         pairs, counts = np.unique(sample.touches.geoms, axis=0, return_counts=True)
         for pair in pairs[counts >= MOST_CONTACTS].tolist():
             field, geom = sorted(pair, key=lambda geom: model.geom_type[geom] != HFIELD)
+            if run.still[model.geom_bodyid[geom]]:
+                continue
             asset = model.geom_dataid[field]
             wide = model.hfield_size[asset][:2].tolist()
             # With cells of 0.7 radii, a geom touches too few of them to reach the limit.
@@ -561,8 +595,8 @@ def crowded(scene: Scene, run: Run) -> Iterator[Symptom]:
                 scene.names[geom],
                 "cells",
                 MOST_CONTACTS,
-                "$shape sinks through $against because it touches more cells"
-                " than the $value contacts that MuJoCo makes for a pair",
+                "$shape sinks through $against because it touches more cells than"
+                " MuJoCo's limit of $value contacts for a pair",
                 against=(scene.names[field],),
                 hint=f'Use larger cells, such as nrow="{nrow}" ncol="{ncol}".',
             )

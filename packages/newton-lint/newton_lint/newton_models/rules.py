@@ -10,7 +10,7 @@ import numpy as np
 from mujoco import MjData
 from newton.solvers import SolverMuJoCo
 
-from newton_lint.combined import Contacts, contacts_of, share
+from newton_lint.combined import share
 from newton_lint.findings import Finding, Hits, Remedy, findings_of
 from newton_lint.law import DEFAULT_SOLREF
 from newton_lint.newton_models.compat import kf_is_read
@@ -40,10 +40,8 @@ class Shapes(Scene):
         source = Source(None, compiled)
         return cls(compiled, source, engine, shapes=model, start=solver.mj_data)
 
-    @cached_property
-    def contacts(self) -> Contacts:
-        # SolverMuJoCo steps in MuJoCo Warp by default.
-        return contacts_of(self.model, "warp")
+    # SolverMuJoCo steps in MuJoCo Warp by default.
+    contact_engine = "warp"
 
     @cached_property
     def index(self) -> np.ndarray:
@@ -91,15 +89,15 @@ def ke_without_kd(scene: Shapes) -> Iterator[Hits]:
         ("ke", "kd", 1.0 / (timeconst_s * ratio) ** 2),
         ("kd", "ke", 2.0 / timeconst_s),
     ):
-        hit = np.flatnonzero(converted & (values[name] > 0.0) & (values[zero] <= 0.0))
+        hit = converted & (values[name] > 0.0) & (values[zero] <= 0.0)
         yield Hits(
             Finding(
                 "ke-without-kd",
                 "",
                 name,
                 0.0,
-                f"{name} $value of $shapes is not read because {zero} is 0, so the"
-                f" solver uses solref ({timeconst_s:g}, {ratio:g})",
+                f"$shape has a {name} of $value, which is not read because its {zero} is 0,"
+                f" so the solver uses solref ({timeconst_s:g}, {ratio:g})",
             ),
             hit,
             values[name],
@@ -110,7 +108,7 @@ def ke_without_kd(scene: Shapes) -> Iterator[Hits]:
 def restitution(scene: Shapes) -> Iterator[Hits]:
     """Yield a restitution, which ``SolverMuJoCo`` does not read."""
     values = scene.of_geoms("shape_material_restitution")
-    hit = np.flatnonzero(scene.counts & (values > 0.0))
+    hit = scene.counts & (values > 0.0)
 
     def advise(geom: int) -> Remedy:
         # A linear contact rebounds with e = exp(-π ζ / √(1 - ζ²)).
@@ -130,8 +128,8 @@ def restitution(scene: Shapes) -> Iterator[Hits]:
             "",
             "restitution",
             0.0,
-            "restitution $value of $shapes is ignored because SolverMuJoCo has no"
-            " restitution; the damping of a contact decides how it rebounds",
+            "$shape has a restitution of $value, which is ignored because SolverMuJoCo"
+            " has no restitution; the damping of a contact decides how it rebounds",
         ),
         hit,
         values,
@@ -145,9 +143,15 @@ def friction_gain(scene: Shapes) -> Iterator[Hits]:
     kf = scene.of_geoms("shape_material_kf")
     authored = ~np.isclose(kf, newton.ModelBuilder.ShapeConfig().kf, rtol=SAME)
     if reason := kf_unread(scene):
-        unread = np.flatnonzero(authored & scene.counts)
+        unread = authored & scene.counts
         yield Hits(
-            Finding("kf", "", "kf", 0.0, f"kf $value of $shapes is not read {reason}"),
+            Finding(
+                "kf",
+                "",
+                "kf",
+                0.0,
+                f"$shape has a kf of $value, which is not read {reason}",
+            ),
             unread,
             kf,
         )
@@ -158,14 +162,14 @@ def friction_gain(scene: Shapes) -> Iterator[Hits]:
     mix = share(solmix[first], solmix[second], contacts.outranked)[:, 0]
     mixed = mix * kf[first] + (1.0 - mix) * kf[second]
     mu = contacts.friction[:, 0]
-    frictionless = np.flatnonzero((contacts.condim > 1) & (mixed == 0.0))
+    frictionless = (contacts.condim > 1) & (mixed == 0.0)
     wording = Finding(
         "kf",
         "",
         "mu",
         0.0,
-        "mu $value of $shapes against $against is not read because a kf of 0 removes"
-        " the friction",
+        "$shape has a mu of $value against $against, which is not read because a kf"
+        " of 0 removes the friction",
     )
     yield Hits(wording, frictionless, mu, shape=first, partner=second)
     option = scene.option
@@ -179,10 +183,10 @@ def friction_gain(scene: Shapes) -> Iterator[Hits]:
         "",
         "kf",
         0.0,
-        "kf $value of $shapes against $against needs a friction timeconst below two"
-        " time steps, so MuJoCo uses that of a kf of $used",
+        "$shape has a kf of $value against $against, but MuJoCo uses $used, because"
+        " the timeconst of friction cannot be shorter than two time steps",
     )
-    hit = np.flatnonzero(clamped & option.refsafe)
+    hit = clamped & option.refsafe
     yield Hits(wording, hit, mixed, used=most, shape=first, partner=second)
 
 
