@@ -244,7 +244,7 @@ def lint_parser() -> Parser:
         "--below",
         type=positive,
         metavar="MM/S",
-        help="speed from which creep is reported; default: 1",
+        help="speed from which creep is reported (a tenth of it in a grip); default: 1",
     )
     add(
         "--load",

@@ -27,6 +27,8 @@ from newton_lint.yielding import noslip, stiffest
 
 SLIP_MM_S = 1.0
 """By default, a body creeps if it moves at least this fast on its support."""
+GRIPPED = 0.1
+"""In a grip, a body creeps from this share of the speed on: it is lost after a while."""
 LEAST = 0.015
 """Friction must bear this share of the weight of a body that creeps."""
 STEADY = 0.7
@@ -150,7 +152,8 @@ def grips(
         # A body that creeps out of its grip is judged while it is gripped.
         creeping = gripping if gripping and not lasts else held
         if (gripping or len(held) == len(late)) and not _edge(creeping):
-            yield from _creeping(scene, run, body, creeping, bool(gripping), below_mm_s)
+            below = below_mm_s * (GRIPPED if gripping else 1.0)
+            yield from _creeping(scene, run, body, creeping, bool(gripping), below)
 
 
 def _edge(held: list[Grip]) -> bool:
