@@ -22,19 +22,35 @@ function stepTable() {
   }));
 }
 
-/** Return the value of a column at a step, interpolated between the logarithms of its neighbours, or null outside of the measured range. */
-function at(steps, cells, step) {
+/** Return the two neighbours of a step in a column, as pairs of a logarithm and a value, or null outside of the measured range. */
+function neighbours(steps, cells, step) {
   const points = steps.map((x, index) => [Math.log(x), cells[index]]).filter(([, y]) => y !== null);
   points.sort((a, b) => a[0] - b[0]);
   const x = Math.log(step);
   for (let index = 1; index < points.length; index++) {
     const [left, right] = [points[index - 1], points[index]];
-    if (left[0] - 1e-3 <= x && x <= right[0] + 1e-3) {
-      const share = (x - left[0]) / (right[0] - left[0]);
-      return Math.exp((1 - share) * Math.log(left[1]) + share * Math.log(right[1]));
-    }
+    if (left[0] - 1e-3 <= x && x <= right[0] + 1e-3) return [left, right];
   }
   return null;
+}
+
+/** Return the value of a column at a step, interpolated between the logarithms of its neighbours, or null. */
+function at(steps, cells, step) {
+  const pair = neighbours(steps, cells, step);
+  if (!pair) return null;
+  const [left, right] = pair;
+  const share = (Math.log(step) - left[0]) / (right[0] - left[0]);
+  return Math.exp((1 - share) * Math.log(left[1]) + share * Math.log(right[1]));
+}
+
+/**
+ * Return the slip in words. Neighbours have steps that differ by a factor of two. If their slips differ by much more, the slip is
+ * no longer proportional to the step, and an interpolated one can be wrong by a quarter.
+ */
+function slipText(slip, pair, isMeasured) {
+  const [low, high] = pair.map(([, y]) => y).sort((a, b) => a - b);
+  if (isMeasured || high / low < 2.2) return `about ${written(slip)} mm`;
+  return `between ${written(low)} and ${written(high)} mm`;
 }
 
 function written(number) {
@@ -90,8 +106,11 @@ function markOn(figure, count) {
     places = runs.map((run) => [(100 * run.getAttribute("x")) / width, (100 * run.getAttribute("y")) / height]);
     move();
   };
-  picture.addEventListener("load", read);
-  read();
+  // A page that is opened as a file must not read other files.
+  if (location.protocol !== "file:") {
+    picture.addEventListener("load", read);
+    read();
+  }
   return (to) => {
     position = to;
     move();
@@ -142,7 +161,8 @@ function begin(place, columns) {
     if (contacts.selectedIndex === 0) mark(positionOf(drawn, measured));
     const ratio = at(steps.cells, time.cells, measured);
     const cost = ratio === null ? "" : `; a frame takes about ${written(ratio)} times as long as with the scene's step`;
-    return `kd ${kd}, ke ${ke}; the cube slips about ${written(slip)} mm${cost}.`;
+    const slips = slipText(slip, neighbours(steps.cells, cells, measured), row >= 0);
+    return `kd ${kd}, ke ${ke}; the cube slips ${slips}${cost}.`;
   };
   const show = () => (output.textContent = describe());
   input.addEventListener("input", show);

@@ -56,6 +56,18 @@ def test_between_two_steps_the_slip_is_between_theirs(tab):
     assert least < slip < most
 
 
+def test_a_range_is_given_where_the_slip_is_not_proportional_to_the_step(tab):
+    """Test a step at which the interpolated slip is 26 % below that of a run."""
+    tab.fill("#step-ms", "0.347")
+    low, high = (
+        float(number)
+        for number in re.search(
+            r"between (\S+) and (\S+) mm", tab.inner_text("#step-slip")
+        ).groups()
+    )
+    assert low < 0.1207 < high
+
+
 def test_a_step_that_was_not_measured_leaves_the_code_as_it_is(tab):
     original = tab.inner_text("main pre >> nth=0")
     tab.fill("#step-ms", "2")
