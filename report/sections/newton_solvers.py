@@ -173,7 +173,7 @@ def _number_or_end(row: Row, column: str) -> Any:
 
 
 def _other_solver_claims(results: Results, rows: RowsBy, times: RowsBy) -> list[Claim]:
-    """Claim which other solvers keep the cube, and whether they shake it as far."""
+    """Test which other solvers keep the cube, and whether their hands move as far."""
     warp = rows["warp", "3cm"]
     slip = warp.slip_mm
     amplitude = warp.hand_amplitude_mm

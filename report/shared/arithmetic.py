@@ -82,7 +82,7 @@ def extreme(choose: Callable[..., float], cells: Iterable[Quantity]) -> Term:
 
 
 def quantile(share: float, *numbers: float) -> float:
-    """Return the smallest number that is at least as large as this share of them.
+    """Return the smallest number that is at least as large as this share of the cells.
 
     Claims test a quantile, because the most extreme of many runs depends on chance.
     """

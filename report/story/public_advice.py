@@ -138,7 +138,9 @@ def _cured(before: str, after: str, *names: str) -> Trial:
 
 def _noslip(engine: str, where: str) -> Trial:
     run = f"as-shipped-{engine}"
-    return Trial("solver", run, f"{run}-noslip", where, names=("without it", "with it"))
+    return Trial(
+        "solver", run, f"{run}-noslip", where, names=("without NoSlip", "with NoSlip")
+    )
 
 
 def _solver(name: str) -> Trial:
@@ -372,7 +374,7 @@ ADVICE = (
     Advice(
         "friction_gain",
         SLIPS,
-        "Let kf set a time constant of friction",
+        "Set kf, which gives friction its own time constant",
         "newton_changes",
         (
             Trial(
@@ -442,7 +444,7 @@ ADVICE = (
     Advice(
         "hydroelastic_pinch",
         DROPS,
-        "Stay with Newton 1.3, which holds a hydroelastic pinch that 1.5 drops",
+        "Stay with Newton 1.3, in which a hydroelastic pinch holds that fails in 1.5",
         "pinch",
     ),
     Advice("multiccd", DROPS, "Enable multiccd", "flat"),

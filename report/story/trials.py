@@ -106,14 +106,22 @@ class Trial:
             return rise
         return (OPPOSITE if rise == HOLDS else FAILS).having_read(before, after, bound)
 
-    def effect(self, sections: Sections, separator: Markup) -> Markup:
+    def effect(self, sections: Sections) -> Markup:
         """Return the condition, the settings of both runs, and their numbers."""
         rows = self.rows(sections)
         names = map(self._name, rows, self.names)
         numbers = map(self._number, rows)
         arrow = Markup(" → ")
-        parts = (arrow.join(names), arrow.join(numbers))
-        return Markup("{}: {}").format(self.where, separator.join(parts))
+        parts = (self.where, arrow.join(names), arrow.join(numbers))
+        return Markup("{}: {}<br>{}").format(*parts)
+
+    def effect_in_words(self, sections: Sections) -> Markup:
+        """Return the condition, and both numbers with their settings, for a sentence."""
+        before, after = (
+            Markup("{} ({})").format(self._number(row), self._name(row, name))
+            for row, name in zip(self.rows(sections), self.names, strict=True)
+        )
+        return Markup("{}: from {} to {}").format(self.where, before, after)
 
     def _name(self, row: Row, name: str) -> Markup:
         if self.setting and self.setting in row:

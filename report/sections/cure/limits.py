@@ -21,7 +21,7 @@ from report.shared.maps import HELD_HEIGHT_M, lost_count
 
 VARIANTS = {"term": "the term", "best": "the root cure"}
 STIFF_VARIANTS = {
-    "firm": "the root cure on stiff pads",
+    "firm": "the root cure with stiff pads",
     "firm-euler": "the same, Euler",
 }
 Runs = dict[str, Row]  # the runs of one setting, by variant
@@ -32,7 +32,7 @@ def derive(results: Results) -> Section:
     for row in rows_with(results, "of", "variant", "family", "kept"):
         runs[row.of][row.variant] = row
     lines = []
-    # A setting counts if it was run with all variants on its pads.
+    # A setting counts if it was run with all variants and its own pads.
     for variants in (VARIANTS, STIFF_VARIANTS):
         tried = [rows for rows in runs.values() if {"plain", *variants} <= set(rows)]
         lines += [_line(results, variant, tried) for variant in variants]

@@ -1,4 +1,4 @@
-"""Pads for each time step: the rule, the slip that the law predicts, and the price."""
+"""Show the pads for each time step, the predicted slip and the run time."""
 
 from experiments.facts.case import AS_SHIPPED
 from report.sections import step_cost

@@ -50,7 +50,7 @@ CAUSE = {
             {("contacts", "restored_share"): 5.1},
             {
                 "cause": "fails",
-                "cause/lacking": "that the slide ends when it is put back",
+                "cause/lacking": "that the contacts stop sliding when it is restored",
             },
         ),
         (
