@@ -99,7 +99,7 @@ class Survey:
             )
             if (
                 lacks_number and claim.outcome.answer == "cannot tell"
-            ):  # which is the only text
+            ):  # it then has only this text
                 continue
             for name in named_in(claim):
                 for pointer in dict.fromkeys(named_pointers(claim.numbers[name])):

@@ -75,14 +75,14 @@ async function guarded(work, said) {
     await work();
   } catch (error) {
     const message = error instanceof Error ? error.message : String(error);
-    said.textContent = message === "cancelled" ? "Cancelled." : `This did not work: ${message}.`;
+    said.textContent = message === "cancelled" ? "Cancelled." : `The run failed: ${message}.`;
   }
 }
 
 function begin() {
   place.hidden = false;
   if (!isServed || typeof WebAssembly !== "object") {
-    const why = isServed ? "This browser has no WebAssembly" : "Opened from a file, a page may not load the engine";
+    const why = isServed ? "This browser has no WebAssembly" : "A page that is opened from a file cannot load the engine";
     place.append(h("p", { id: "lab-status" }, `${why}. The tracked runs are below.`));
     return;
   }
@@ -94,12 +94,12 @@ function begin() {
   const cases = Object.entries(CASES).map(([name, changes]) => h("button", { type: "button", click: () => (form.set({ ...SHIPPED, ...changes }), start()) }, name));
   const slip = h("output", { id: "lab-slip", "aria-live": "polite" }, NOT_RUN);
   const status = h("p", { id: "lab-status", role: "status" });
-  const view = new View(h("div", { id: "lab-stage", hidden: true }, h("canvas", { tabindex: 0, role: "img", "aria-label": "The arm and the cube in 3D. Arrow keys turn the view, plus and minus bring it closer and farther." })));
+  const view = new View(h("div", { id: "lab-stage", hidden: true }, h("canvas", { tabindex: 0, role: "img", "aria-label": "The arm and the cube in 3D. The arrow keys turn the view, and plus and minus zoom." })));
   const svg = curveElement("Displacement of the cube in the hand over the time of the shake");
   const results = h("div", { id: "lab-results" });
   const shared = h("div", { id: "lab-shared" });
-  const hint = h("p", {}, "Press Run, or change what you like first. The engine is loaded once, then, and nothing is sent anywhere.");
-  const set = h("div", {}, h("div", { class: "lab-cases", role: "group", "aria-label": "Settings that have a name" }, ...cases), form.element);
+  const hint = h("p", {}, "Press Run, or change the settings first. The engine is then loaded once, and no data leave your browser.");
+  const set = h("div", {}, h("div", { class: "lab-cases", role: "group", "aria-label": "Named settings" }, ...cases), form.element);
   const said = h("p", { class: "lab-actions" }, run, cancel, link, slip);
   const drawn = h("div", { class: "lab-shown" }, view.element, h("figure", {}, svg, h("figcaption", {}, legend())));
   place.append(hint, h("div", { class: "lab-bench" }, set, h("div", { class: "lab-found" }, said, status, drawn, results, shared)));

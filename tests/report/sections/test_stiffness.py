@@ -42,7 +42,7 @@ CAUSE = {
             },
             {
                 "cause": "fails",
-                "cause/lacking": "that the left-out acceleration gives the slide",
+                "cause/lacking": "that the missing acceleration predicts the slide",
                 "together_they_hold": "fails",
             },
         ),
@@ -65,7 +65,7 @@ CAUSE = {
         ({("contacts", "slide_departure_as-shipped"): 15.1}, {"cause": "fails"}),
         (
             {("hold", "hold_share"): 10.1},
-            {"cause": "fails", "cause/lacking": "that the drift needs the load cycle"},
+            {"cause": "fails", "cause/lacking": "that the shake causes the drift"},
         ),
         (
             {"pad-ke-2.5e3": {"slip_mm": 0.9}},

@@ -183,7 +183,7 @@ def digests_below(folder: Path) -> dict[str, str]:
 
 
 def put_in_place(folder: Path, fresh: Path) -> None:
-    """Replace ``folder``, or the folder that it links to, by ``fresh``."""
+    """Replace ``folder``, or the folder that it links to, with ``fresh``."""
     folder = folder.resolve()
     before = fresh.with_name(f"{fresh.name}-before")
     remove(before)

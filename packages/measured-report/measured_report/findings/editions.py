@@ -67,8 +67,9 @@ class Edition:
     """By section: the count of measurements that decide its claims, in words."""
     replicas: Sequence[str] = ()  # names of its replicas
     calibration: Mapping[str, tuple[int, int]] = field(default_factory=dict)
-    """By kind of number: the count of measurements within the noise that the others
-    predict, and the count of all. They include all editions."""
+    """For each kind of number: the count of measurements that lie within the noise
+    predicted by the others, and the count of all measurements, over all editions.
+    """
     stories: dict[str, Section] = field(default_factory=dict)  # rendered texts by name
 
     @cached_property
@@ -215,7 +216,7 @@ class Edition:
             if (order, name_read) >= (outline.order, name):
                 raise ReportError(
                     f"{outline.source} reads {name_read}, which comes after it: "
-                    "give it a higher order"
+                    f"give {name} a higher order"
                 )
         results = replace(
             chapter.results,

@@ -35,10 +35,10 @@ class Measurement:
 
 
 def measurement_of(returned: Any) -> Any:
-    """Return what ``measure`` returned as a measurement.
+    """Convert the result of ``measure`` to a measurement.
 
-    It can also return only rows: a list of dicts or of dataclasses, or a data frame,
-    whose index names the cases unless it has a column ``case``.
+    ``measure`` can also return only rows: a list of dicts or of dataclasses, or a data
+    frame, whose index names the cases unless it has a column ``case``.
     """
     if hasattr(returned, "traces"):
         return returned

@@ -85,7 +85,7 @@ def _attribute(parser: Parser, name: str) -> str:
 def passages(find: Callable[[str, str], Claim | None]) -> Callable[..., str]:
     """Return the function that prints passages.
 
-    ``find`` returns the claim with a section and a name.
+    ``find`` returns a claim by its section and its name.
     """
 
     @pass_context

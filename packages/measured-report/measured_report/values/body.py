@@ -210,7 +210,7 @@ class _Gathered:
         """Return the measurements of a row without the few that end differently.
 
         If more than ``MOST_DISSENT`` of them end unlike the tracked one, all of them
-        are returned, because the row is at an edge.
+        are returned, because the end of the row is random.
         """
         endings = [ending_of(row, self.columns) if row else None for row in rows]
         dissents = [ending not in (None, endings[0]) for ending in endings]

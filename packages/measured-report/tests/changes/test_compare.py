@@ -301,7 +301,7 @@ def test_false_changes_are_bounded_within_a_section(chapter):
 def test_single_runs_count_if_more_end_otherwise_than_chance_explains(
     chapter, odd_rows, wild, listed
 ):
-    """Test Poisson's chances for a row in a hundred, one in two, and eight usual ones."""
+    """Test the limits of Poisson's distribution for 0.01, 0.5 and 8 expected odd rows."""
     after = cases(40) | cases(wild, 30.0)
     once = side(chapter, cases(40), odd_rows=odd_rows / 2)
     again = side(chapter, after, odd_rows=odd_rows / 2)
@@ -329,7 +329,7 @@ def test_a_number_that_is_named_counts_even_if_its_run_may_be_odd(chapter, monke
 def test_a_number_that_is_named_is_tested_by_itself(
     chapter, monkeypatch, shift, is_listed
 ):
-    """A change by 3.5 standard errors has a chance of 0.2 %, one by 1.4 of 17 %."""
+    """A change of 3.5 standard errors has a probability of 0.2 %, and 1.4 have 17 %."""
     settings = report().settings
     rules = replace(settings.changes, headlines={"drift": "toy.c0.drift_mm_s"})
     monkeypatch.setitem(vars(report()), "settings", replace(settings, changes=rules))
@@ -392,9 +392,9 @@ def test_a_number_close_to_zero_changed_by_a_share_of_its_column(chapter):
 def test_a_section_is_blind_if_its_noise_exceeds_its_own_threshold(
     chapter, column, deviation, is_blind
 ):
-    """Test the t of 2.845 for 20 degrees at 99 %: 0.3 of 10 gives 12 %, and 0.48 gives
-    19 %.
-    """
+    """Test t = 2.845 (20 degrees of freedom, 99 %).
+
+    A noise of 0.3 in 10 gives 12 %, and one of 0.48 gives 19 %."""
     noisy = {"column": column, "deviation": deviation}
     moves = moves_between(
         side(chapter, cases(9), **noisy), side(chapter, cases(9), **noisy)

@@ -150,7 +150,7 @@ def root(tmp_path_factory, index) -> Path:
     uv("venv", "--python", sys.executable, str(root / ".venv"), index=index)
     uv("pip", "install", "--python", str(python), *packages, index=index)
     [site] = root.glob(".venv/lib/python*/site-packages")
-    # What derives and draws is that of the tests.
+    # The packages for deriving and drawing are those of the tests.
     (site / "lent.pth").write_text(f"{sysconfig.get_path('purelib')}\n")
     return root
 

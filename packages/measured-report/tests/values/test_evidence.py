@@ -105,7 +105,7 @@ def measured(
 def drawn(
     seed: int, *counts: int, column: str = DRIFT, host: float = 0.0
 ) -> tuple[list[np.ndarray], list[list[Record]]]:
-    """Return truths and measurements of editions that were measured this many times.
+    """Return the true values and the measurements of editions measured this many times.
 
     The rows scatter equally in all editions, and each has its own deviation.
     """
