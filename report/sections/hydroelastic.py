@@ -158,7 +158,7 @@ def _slip_claims(results: Results) -> list[Claim]:
 def _edges(results: Results) -> Claim:
     held = {name: results.row[f"area/{name}"] for name in OBJECTS}
     lost = {name: row.plain.get("dropped") for name, row in held.items()}
-    names = {"plate": "the thin plate", "edge": "the cube on its edges"}
+    names = {"plate": "the thin plate", "edge": "the cube gripped at its edges"}
     dropped = [
         words
         for name, words in names.items()

@@ -67,7 +67,7 @@ SUSPECTS = (
         "solver",
         "iterations, tolerance, cone, step",
         claim="solver_has_converged",
-        why="it has converged, and cone and shorter steps change little",
+        why="it has converged, and the cone and shorter steps change little",
     ),
     Suspect(
         "contact gap [m]",

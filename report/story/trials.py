@@ -121,7 +121,9 @@ class Trial:
             Markup("{} ({})").format(self._number(row), self._name(row, name))
             for row, name in zip(self.rows(sections), self.names, strict=True)
         )
-        return Markup("{}: from {} to {}").format(self.where, before, after)
+        return Markup("in the case “{}” the result changes from {} to {}").format(
+            self.where, before, after
+        )
 
     def _name(self, row: Row, name: str) -> Markup:
         if self.setting and self.setting in row:

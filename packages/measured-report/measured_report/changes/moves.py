@@ -69,7 +69,7 @@ class Move:
     place: Mapping[str, Any] = field(default_factory=dict)  # the key of its row
     rows: Sequence[Row] = ()  # its row in both editions; empty for a mean or a median
     rules: Changes = field(default_factory=Changes, repr=False)
-    limit: float = FALSE_SHARE  # the largest chance that counts as a change
+    limit: float = FALSE_SHARE  # the largest probability that counts as a change
     scale: float = 0.0  # a number below this size is close to zero
     is_single: bool = False  # whether one edition has measured it only once
     is_odd: bool = False  # whether it may be due to a run that ended oddly by chance

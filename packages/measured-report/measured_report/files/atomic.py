@@ -77,7 +77,7 @@ def read_text(path: Path) -> str:
     except OSError as error:
         raise ReportError(f"{name} cannot be read: {error.strerror}") from None
     except UnicodeDecodeError as error:
-        raise ReportError(f"{name} is not a text in UTF-8: {error}") from None
+        raise ReportError(f"{name} is not UTF-8 text: {error}") from None
 
 
 def remove(path: Path) -> None:

@@ -295,7 +295,7 @@ def read_settings(root: Path) -> Config:
         for name, share in {**shares, **config.changes.thresholds}.items():
             if not 0 < share <= 1:
                 raise ValueError(
-                    f"the threshold of {name} is {share:g}, and a share is above 0 and "
+                    f"the threshold of {name} is {share:g}, but a share is above 0 and "
                     "at most 1: write 0.05 for 5 %"
                 )
         if not 0 < len(config.pages) == len({page.name for page in config.pages}):

@@ -42,7 +42,7 @@ def measurement_of(returned: Any) -> Any:
     """
     if hasattr(returned, "traces"):
         return returned
-    # By its methods, because pandas need not be installed.
+    # A data frame is recognized by its methods, because pandas may not be installed.
     if hasattr(returned, "reset_index"):
         table = returned if "case" in returned else returned.rename_axis("case")
         table = table.reset_index(drop="case" in returned)

@@ -61,7 +61,7 @@ def chance_of(difference: Any, error: Any, freedom: Any) -> list[float]:
 
 
 def discoveries(chances: Sequence[float]) -> float:
-    """Return the largest of these chances that counts as a discovery, or 0.
+    """Return the largest of these probabilities that counts as a discovery, or 0.
 
     The method is by Benjamini and Hochberg (1995), J. R. Stat. Soc. B 57, 289.
     """
@@ -75,7 +75,7 @@ def discoveries(chances: Sequence[float]) -> float:
 def exceeds_chance(count: int, expected: float) -> bool:
     """Return whether there are more rare events than chance explains.
 
-    Their count has Poisson's distribution. Chance would give as many in less than
+    Their count has Poisson's distribution. By chance, as many occur in less than
     ``FALSE_SHARE`` of all comparisons.
     """
     if not count:

@@ -279,9 +279,7 @@ def test_a_change_that_nobody_knows_the_noise_of_has_to_exceed_a_tenth(chapter):
 
 
 def test_false_changes_are_bounded_within_a_section(chapter):
-    """Test the limit of 40 chances by Benjamini and Hochberg, and the limit of 1 % for
-    one number.
-    """
+    """Test the limits of Benjamini and Hochberg for 40 numbers and for one."""
     chance = np.random.default_rng(1)
     shifts = np.where(np.arange(40) < 10, 0.65, 0.0) + chance.normal(0, 0.1, 40)
     after = {f"c{index}": 10.0 + float(shift) for index, shift in enumerate(shifts)}

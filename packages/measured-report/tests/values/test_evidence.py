@@ -400,7 +400,7 @@ def test_the_noise_of_trials_is_theirs_alone():
 
 
 def test_a_change_that_is_certain_counts_as_a_false_alarm():
-    """Test that a chance of 0 becomes the smallest possible number."""
+    """Test that a probability of 0 becomes the smallest possible number."""
     chances = [((row,), np.array([0.0 if row < 3 else 0.5])) for row in range(12)]
     assert _changed(chances, 0.02) == [(12, 3)]
 
