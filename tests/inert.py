@@ -120,9 +120,10 @@ class Survey:
         }
 
     def inert(self) -> set[str]:
-        """Return numbers whose claim keeps its outcome and words for every factor of
-        ``FACTORS`` at their sources. If claims read no numbers of each other, numbers
-        of all of them are changed at once.
+        """Return numbers that do not affect the outcome and the words of their claim.
+
+        Every factor of ``FACTORS`` is applied to their sources. If claims read no numbers
+        of each other, numbers of all of them are changed at once.
         """
         waiting = {
             (claim.name, name, pointer): (

@@ -189,5 +189,5 @@ def joined(parts: Sequence[Section]) -> Section:
 
 
 def contiguous(flags: Sequence[bool], *quantities: Quantity) -> Outcome:
-    """Test whether the true flags are adjacent. The quantities are those that decided the flags."""
+    """Test whether the true flags, which depend on these quantities, are adjacent."""
     return decided(sum(flag for flag, _ in groupby(flags)) == 1, *quantities)

@@ -122,7 +122,7 @@ class Edition:
 
     @property
     def uncompared(self) -> dict[str, Chapter]:
-        """Return the chapters, without findings in the chapters that compare releases."""
+        """Return all chapters; those that compare releases have no findings yet."""
         return {
             name: replace(chapter, section=Section()) if chapter.compares else chapter
             for name, chapter in self.chapters.items()

@@ -1,6 +1,4 @@
-"""Test evidence with measurements that are drawn from known truths with errors of hosts
-and runs.
-"""
+"""Test evidence with measurements that are drawn around known true values."""
 
 from dataclasses import replace
 
@@ -122,7 +120,7 @@ def drawn(
 def known(
     of: Evidence, shown: Record, column: str = DRIFT
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Return the printed values, and their distances from the truth."""
+    """Return the printed values, and their distances from the true values."""
     estimates = [estimate(of, column, row) for row in shown.rows]
     values = np.array([each.value for each in estimates])
     return values, np.array([each.noise for each in estimates])

@@ -26,7 +26,7 @@ ROUNDING = (1e-6) ** 2 / 12
 def variances(
     freedom: int, strength: float, count: int = 4000, level: float = 2.0
 ) -> np.ndarray:
-    """Draw sample variances whose truth is level · strength / χ², as in Smyth's model."""
+    """Draw sample variances around level · strength / χ², as in Smyth's model."""
     chance = np.random.default_rng(7)
     true = level * strength / chance.chisquare(strength, count)
     return true * chance.chisquare(freedom, count) / freedom
