@@ -65,7 +65,7 @@ def derive(results: Results) -> Section:
         rows = [results.row[f"{side}-{shake}"] for shake in shakes]
         slips = [row.slip_mm if _is_held(row) else "lost" for row in rows]
         columns[f"slip, {name}"] = slips
-        columns[f"cube ends at, {name}"] = [row.cube_height_m for row in rows]
+        columns[f"final cube height, {name}"] = [row.cube_height_m for row in rows]
     columns["slip ratio"] = [_slip_ratio(results, shake) for shake in shakes]
     # We assume that the cells of the map scatter like the same runs in this table.
     held_slips = [row.slip_mm for row in results.rows if _is_held(row)]

@@ -71,13 +71,13 @@ def _line(results: Results, variant: str, tried: list[Runs]) -> dict[str, Any]:
         return results.value(name, formula, lambda *_: len(counted), *sources)
 
     return {
-        "kept without it": count(
+        "kept without the cure": count(
             "kept", "runs that keep the cube without the cure", kept
         ),
-        "lost of these": count(
+        "of these, lost with the cure": count(
             "limit_lost", "runs among these that lose the cube with the cure", lost
         ),
-        "kept only with it": count(
+        "kept only with the cure": count(
             "won", "runs that keep the cube only with the cure", gained
         ),
         "lost cases": some_html([case_html(runs["plain"]) for runs in lost]) or "none",

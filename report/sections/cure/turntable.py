@@ -162,7 +162,7 @@ def derive(results: Results) -> Section:
     )
     columns = {
         "MuJoCo C": [growths[f"{variant}-c"] for variant in VARIANTS],
-        "by the law": [law[f"{variant}-c"] for variant in VARIANTS],
+        "predicted by the law": [law[f"{variant}-c"] for variant in VARIANTS],
         "Warp": [growths[f"{variant}-warp"] for variant in VARIANTS],
     }
     return Section(
