@@ -70,7 +70,7 @@ class Trial:
     section: str
     before: str
     after: str
-    where: str = "shake"  # the condition under which both runs were made
+    where: str = "in the shake"  # the condition under which both runs were made
     column: str = "slip_mm"  # less of it is better
     setting: str = ""  # the column that differs; without it, the labels name the runs
     names: tuple[str, str] = ("", "")  # names of the two runs in place of labels
@@ -117,13 +117,15 @@ class Trial:
 
     def effect_in_words(self, sections: Sections) -> Markup:
         """Return the condition, and both numbers with their settings, for a sentence."""
+        quoted = Markup("“{}”")
         before, after = (
-            Markup("{} ({})").format(self._number(row), self._name(row, name))
+            Markup("{} ({})").format(
+                quoted.format(self._number(row)) if is_lost(row) else self._number(row),
+                self._name(row, name),
+            )
             for row, name in zip(self.rows(sections), self.names, strict=True)
         )
-        return Markup("in the case “{}” the result changes from {} to {}").format(
-            self.where, before, after
-        )
+        return Markup("{} from {} to {}").format(self.where, before, after)
 
     def _name(self, row: Row, name: str) -> Markup:
         if self.setting and self.setting in row:
