@@ -423,7 +423,7 @@ def test_thresholds_are_10_percent_and_20_percent_of_times(
 
 
 def test_relevance_is_the_share_over_its_threshold_whichever_way_it_moves_and_two_of_three_comparisons_tell_a_change():
-    """Test a change by 1 with a noise of 0.25758, which is 2.5758 standard errors of
+    """Test a change of 1 with a noise of 0.25758, which is 2.5758 standard errors of
     0.1 and contains 99 % of a normal distribution, and a threshold of 0.05.
     """
     load, value = (report().columns[name] for name in ("load", "value"))

@@ -170,7 +170,7 @@ def make(root: Path, index: str, words: str) -> tuple[int, str]:
     environment |= {
         "UV_DEFAULT_INDEX": index,
         "PATH": f"{UV.parent}{os.pathsep}{os.environ['PATH']}",
-        "TZ": "Asia/Kathmandu",  # the day of a release is one of UTC everywhere
+        "TZ": "Asia/Kathmandu",  # the day of a release is a day in UTC
     }
     done = subprocess.run(
         ["make", *words.split(), "PYTHON=.venv/bin/python"],
