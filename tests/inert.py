@@ -194,7 +194,7 @@ def _claims(section: Section) -> dict[str, Claim]:
 
 
 def _shape(claim: Claim) -> tuple[str, str]:
-    """Return the outcome and the words of a claim, with a mark instead of each number."""
+    """Return the outcome and the words of a claim, with a placeholder for each number."""
     return claim.outcome.answer, NUMBER.sub("#", str(claim.sentence))
 
 

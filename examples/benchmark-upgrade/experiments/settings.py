@@ -1,4 +1,4 @@
-"""Run tasks that a release changed with one different setting each, to find the setting
+"""Run the tasks that a release changed, each with one changed setting, to find the setting
 that restores the old behaviour.
 """
 

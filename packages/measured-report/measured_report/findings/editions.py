@@ -371,7 +371,7 @@ def _derive(editions: Mapping[str, Edition], releases: Releases | None = None) -
 
 
 def derive_edition(project: Project) -> Edition:
-    """Derive one edition. Sections that compare releases have only this one."""
+    """Derive one edition. Sections that compare releases then see no other release."""
     edition = read_edition(project, DerivedCache(project.root, project.report))
     edition.set_keys()
     edition.derive()
