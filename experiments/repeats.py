@@ -44,8 +44,8 @@ from measured_report.measuring.batch import Batch, Plan
 SETTINGS = ("default", "contacts", "engine", "solver")
 """The parts that are deterministic.
 
-In turn, these are: none, Newton's list of contacts, this list and MuJoCo Warp by its own
-option, and both by the option of ``SolverMuJoCo``, which compiles the kernels of MuJoCo
+In turn, these are: none, Newton's list of contacts, this list and MuJoCo Warp by its
+own option, and both by the option of ``SolverMuJoCo``, which compiles the kernels of MuJoCo
 Warp in another mode.
 """
 RUN_COUNT = {"full": 3, "quick": 2}

@@ -129,7 +129,7 @@ class Edition:
         }
 
     def update(self, change: Callable[[Chapter], Chapter]) -> None:
-        """Replace each chapter with its changed copy, and leave out chapters whose change
+        """Replace each chapter with a changed copy, and leave out chapters whose change
         fails.
         """
         for name, chapter in list(self.chapters.items()):
