@@ -446,7 +446,7 @@ ADVICE = (
     Advice(
         "hydroelastic_pinch",
         DROPS,
-        "Stay with Newton 1.3, in which a hydroelastic pinch holds that fails in 1.5",
+        "Stay with Newton 1.3, because 1.5 drops a hydroelastic pinch that 1.3 holds",
         "pinch",
     ),
     Advice("multiccd", DROPS, "Enable multiccd", "flat"),
@@ -514,7 +514,7 @@ ADVICE = (
             _held(
                 "ke-kd-100-2.15e+06-16",
                 "ke-kd-100-1e+05-16",
-                "with ke too high for kd",
+                "if ke is too high for kd",
                 "pad_ke",
             ),
         ),
@@ -528,7 +528,7 @@ ADVICE = (
             _held(
                 "ke-kd-100-2.15e+06-8",
                 "ke-kd-100-2.15e+06-64",
-                "with ke too high for kd",
+                "if ke is too high for kd",
                 "step_ms",
             ),
         ),

@@ -125,7 +125,7 @@ class Trial:
             )
             for row, name in zip(self.rows(sections), self.names, strict=True)
         )
-        return Markup("{} from {} to {}").format(self.where, before, after)
+        return Markup("from {} to {} {}").format(before, after, self.where)
 
     def _name(self, row: Row, name: str) -> Markup:
         if self.setting and self.setting in row:

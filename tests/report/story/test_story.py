@@ -80,7 +80,7 @@ def test_every_release_answers_in_order_and_tells_the_story_of_its_data(
         assert ANSWER.findall(found["front"]) == answers, release
         assert "written for other data" not in found["front"] + found["story"], release
         assert (
-            "contacts ignore that joints turn"
+            "Contacts ignore that joints turn"
             if release == "1.4.0"
             else "hold the cube"
         ) in found["title"]

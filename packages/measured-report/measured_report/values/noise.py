@@ -75,8 +75,8 @@ def discoveries(chances: Sequence[float]) -> float:
 def exceeds_chance(count: int, expected: float) -> bool:
     """Return whether there are more rare events than chance explains.
 
-    Their count has Poisson's distribution. By chance, as many occur in less than
-    ``FALSE_SHARE`` of all comparisons.
+    Their count has Poisson's distribution. Chance alone produces as many in fewer
+    than ``FALSE_SHARE`` of all comparisons.
     """
     if not count:
         return False
