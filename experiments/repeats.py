@@ -42,10 +42,11 @@ from experiments.simulation.timing import (
 from measured_report.measuring.batch import Batch, Plan
 
 SETTINGS = ("default", "contacts", "engine", "solver")
-"""What is deterministic.
+"""The parts that are deterministic.
 
-Nothing; Newton's list of contacts; also MuJoCo Warp, by its own option; also MuJoCo
-Warp, by the option of ``SolverMuJoCo``, which compiles its kernels in another mode.
+In turn, these are: none, Newton's list of contacts, this list and MuJoCo Warp by its
+own option, and both by the option of ``SolverMuJoCo``, which compiles the kernels of MuJoCo
+Warp in another mode.
 """
 RUN_COUNT = {"full": 3, "quick": 2}
 FRAME_COUNT = 480
@@ -105,7 +106,7 @@ class RepeatableStepper(MuJoCoStepper):
 
 @contextmanager
 def compiled_for(setting: str) -> Iterator[None]:
-    """Let a solver without an option of its own be compiled as the setting says."""
+    """Compile a solver without an option of its own as the setting requires."""
     if setting != "solver":
         yield
         return
@@ -161,7 +162,7 @@ def differences_of(traces: Sequence[Trace]) -> dict[str, object]:
 
 
 def reason_of(error: Exception) -> str:
-    """Return a line with the kernel that does not compile, if there is one, and why."""
+    """Return the name of a kernel that does not compile, if any, and the reason."""
     text = " ".join(str(error).split())
     kernel = re.search(r'parsing function "(\w+)"', text)
     cause = text.rpartition(";")[2][:160]

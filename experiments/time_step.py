@@ -109,7 +109,7 @@ def warp_cases(profile: str) -> list[Case]:
     ]
     cases += ladder("rk4", {"integrator": "rk4"}, profile, REMEDY_PADS)
     cases += ladder("cure", BEST, profile, ["shipped"])
-    # The cure on stiff pads, whose ke and kd follow the step.
+    # The cure with stiff pads, whose ke and kd follow the step.
     remedy = {
         name: value for name, value in FIRM.items() if name not in pads_at(1)["stiff"]
     }

@@ -99,7 +99,7 @@ class Survey:
             )
             if (
                 lacks_number and claim.outcome.answer == "cannot tell"
-            ):  # which is the only text
+            ):  # it then has only this text
                 continue
             for name in named_in(claim):
                 for pointer in dict.fromkeys(named_pointers(claim.numbers[name])):
@@ -120,9 +120,10 @@ class Survey:
         }
 
     def inert(self) -> set[str]:
-        """Return numbers whose claim keeps its outcome and words for every factor of
-        ``FACTORS`` at their sources. If claims read no numbers of each other, numbers
-        of all of them are changed at once.
+        """Return numbers that do not affect the outcome and the words of their claim.
+
+        Every factor of ``FACTORS`` is applied to their sources. If claims read no numbers
+        of each other, numbers of all of them are changed at once.
         """
         waiting = {
             (claim.name, name, pointer): (
@@ -193,7 +194,7 @@ def _claims(section: Section) -> dict[str, Claim]:
 
 
 def _shape(claim: Claim) -> tuple[str, str]:
-    """Return the outcome and the words of a claim, with a mark instead of each number."""
+    """Return the outcome and the words of a claim, with a placeholder for each number."""
     return claim.outcome.answer, NUMBER.sub("#", str(claim.sentence))
 
 

@@ -142,7 +142,7 @@ class Perturbation:
         return derive_section(replace(own, others=others), releases)
 
     def worded(self, section: Section, name: str) -> Section:
-        """Derive the section with all of its words, which takes as long."""
+        """Return the section with all of its words."""
         template = f"sections/{name}.md.j2"
         return section.worded(name, template, self.templates.words(template))
 

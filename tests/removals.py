@@ -38,7 +38,7 @@ from measured_report.values.results import Results
 NON_FINITE = "the state was not finite in frame 300"
 OF_ALL = {("upgrade", "claims_stand")}
 """Sentences that read the outcomes of all other claims of an edition."""
-Sentence = tuple[str, str, str]  # release, section or text, claim
+Sentence = tuple[str, str, str]  # by release, by section or text, and by claim
 
 
 @dataclass(frozen=True)

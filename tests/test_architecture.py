@@ -40,7 +40,7 @@ SIMULATOR = re.compile(
     r"^\s*(?:import|from) (warp|newton|mujoco|mujoco_warp)\b", re.MULTILINE
 )
 WORDING = re.compile(
-    r"\b(holds|fails|unknown|explanation|caption|alt)=f?[\"']|\bcannot be told\b"
+    r"\b(holds|fails|unknown|explanation|caption|alt)=f?[\"']|\bcannot tell whether\b"
 )
 CARRYING = {
     f"measured_report.measuring.{name}" for name in ("batch", "measurement", "pool")

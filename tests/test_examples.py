@@ -1,4 +1,4 @@
-"""Each example is built of its tracked records by the public interface alone."""
+"""Test that each example can be built from its tracked records."""
 
 import os
 import shutil
@@ -10,8 +10,8 @@ import pytest
 from measured_report.files.root import ROOT
 
 EXAMPLES = {
-    # Its own, one with all sections, and the newest: to build all twelve takes four
-    # times as long.
+    # The default edition, one with all sections, and the newest one. Building all
+    # twelve takes four times as long.
     "benchmark-upgrade": ("mujoco-3.3.0", "mujoco-3.7.0", "mujoco-4.0.0"),
     "ode-solvers": ("scipy-1.17.1",),
     "package-benchmark": ("idna-3.13.0", "idna-3.14.0"),

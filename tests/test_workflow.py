@@ -256,7 +256,7 @@ def test_every_room_of_the_generator_is_mutated_each_week():
     assert all(any((tests / room).glob("test_*.py")) for room in rooms)
     modules = re.findall(r"\b[a-z]+/[a-z]+\.py\b", text.partition("steps:")[0])
     assert len(modules) == 7 and all((generator / name).is_file() for name in modules)
-    # The loop of the job, for one room and for these modules.
+    # The loop of the job, for one folder and for these modules.
     script = text.partition("- run: |\n")[2].partition("          make mutate")[0]
     for names, count in (("", 7), (" ".join(modules), 7)):
         chosen = subprocess.run(

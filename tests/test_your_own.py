@@ -16,7 +16,7 @@ DOCUMENT = (ROOT / "docs" / "your-own.md").read_text(encoding="utf-8")
 FILE = re.compile(
     r"`([\w/.]+)` (?:measures|derives|contains)[^`]*?.*?\n\n```\w+\n(.*?)```", re.DOTALL
 )
-SCRIPT = re.compile(r"way is better:\n\n```python\n(.*?)```", re.DOTALL)
+SCRIPT = re.compile(r"values are better:\n\n```python\n(.*?)```", re.DOTALL)
 LINES = re.compile(r"^ {4}(make .*)$", re.MULTILINE)
 UV = Path(sys.executable).with_name("uv")
 MOST_BYTES = 320 << 20  # SciPy is a third of the installation

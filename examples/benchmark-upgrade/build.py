@@ -1,4 +1,4 @@
-"""The command line that make calls; ``make help`` lists its commands."""
+"""Run a command of make; ``make help`` lists all commands."""
 
 import signal
 import sys

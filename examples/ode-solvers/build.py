@@ -1,11 +1,11 @@
-"""The command line that make calls; ``make help`` lists its commands."""
+"""Run a command of make; ``make help`` lists all commands."""
 
 import signal
 import sys
 
 signal.signal(
     signal.SIGINT, signal.SIG_DFL
-)  # while this is being imported there is nothing to say about a Ctrl-C
+)  # During this import, Ctrl-C ends the program without a message.
 
 from measured_report.commands.command_line import main
 

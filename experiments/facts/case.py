@@ -312,4 +312,4 @@ error of the step.
 """
 FIRM = {"pad_ke": STIFF_PADS.pad_ke, "pad_kd": STIFF_PADS.pad_kd, "impratio": IMPRATIO}  # type: dict
 FIRM |= TERMS["centred"] | POSITIONS["kept"]
-"""The cure on stiff pads, where the normal rows do not need the term."""
+"""The cure with stiff pads, for which the normal rows do not need the term."""

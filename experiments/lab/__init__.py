@@ -100,7 +100,7 @@ def row_of(case: Case, trace: Trace, floor_mm_s: float) -> dict[str, object]:
 def scene_rows() -> list[dict[str, str]]:
     """Return the MJCF of the scene in consecutive parts.
 
-    No part is longer than a text of a record may be.
+    No part exceeds the length limit for a text in a record.
     """
     text = scene_mjcf()
     parts = [

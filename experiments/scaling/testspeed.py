@@ -55,8 +55,7 @@ def measure_ways(
     wp.synchronize_device(warm.device)
     mjcf = with_keyframe(scene_mjcf(), simulation)
     bare, ours = Bare(mjcf, world_count, warm.device), simulation.solver.mjw_data
-    # The function that runs a frame, by name, with the data that contain its contacts
-    # and rows.
+    # By name: the function that runs a frame, and the data with its contacts and rows.
     ways: dict[str, tuple[Callable[[int], float], mjw.Data]] = {
         "whole": (whole, ours),
         "each-step-waited-for": (lambda _: bare.frame_ms(bare.each_step), bare.data),

@@ -270,7 +270,7 @@ def long_columns(trace: Trace, case: Case, kind: str) -> dict[str, object]:
     The first two cycles, in which the cube settles, are left out.
     """
     moved = metrics.displacement(trace)
-    # The shake repeats every second cycle of its main axis.
+    # The shake repeats after two cycles of its main axis.
     increments = (
         cycle_increments(
             moved.time_s, 1e3 * moved.along_m, 0.5 * case.shake_frequency_hz

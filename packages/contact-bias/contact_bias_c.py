@@ -39,7 +39,7 @@ def install(
 
 
 def watch_steps(solver: SolverMuJoCo, around: Callable[..., None]) -> None:
-    """Replace the step of a solver by ``around(old_step, engine, data)``."""
+    """Replace the step of a solver with ``around(old_step, engine, data)``."""
     step = solver._mujoco.mj_step
     solver._mujoco = SimpleNamespace(
         mj_step=lambda engine, data: around(step, engine, data)

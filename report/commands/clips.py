@@ -1,4 +1,4 @@
-"""Render the clips from the stored poses, in minutes on a GPU."""
+"""Render the clips from the stored poses; this takes minutes on a GPU."""
 
 import argparse
 import subprocess

@@ -1,4 +1,4 @@
-"""Show the residuals of the solver's contact rows, and the reason why the rows slide."""
+"""Show the residuals of the solver's contact rows, and why the contacts slide."""
 
 from dataclasses import replace
 
@@ -108,7 +108,7 @@ def derive(results: Results) -> Section:
     for case, plain, back in zip(CASES, left_out, restored, strict=True):
         share = results.value(
             f"restored_share_{case}",
-            "absolute slide of the friction rows with the term put back, relative to"
+            "absolute slide of the friction rows with the term restored, relative to"
             " the slide without it",
             PERCENT * abs(back.slide_mm / plain.slide_mm),
         )

@@ -20,11 +20,11 @@ page = "cure"
 label = "cost of the root cure"
 
 CASES = {  # labels of the cases that are compared with the scene as shipped
-    "term": "term put back",
+    "term": "term restored",
     "best": "the root cure",
-    "firm": "the root cure on stiff pads",
-    "firm-euler": "the root cure on stiff pads, Euler",
-    "term-rk4": "term put back, RK4",
+    "firm": "the root cure with stiff pads",
+    "firm-euler": "the root cure with stiff pads, Euler",
+    "term-rk4": "term restored, RK4",
 }
 
 

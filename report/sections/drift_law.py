@@ -37,8 +37,8 @@ label = "law of the drift"
 labels = {
     "pad-ke-2.5e3": "shipped pads",
     "pad-ke-2.5e5": "stiff pads",
-    "pad-ke-#": "pads' ke {}, kd with it",
-    "sweep-ke-#": "pads' ke {}, kd with it",
+    "pad-ke-#": "pads' ke {}, kd raised as well",
+    "sweep-ke-#": "pads' ke {}, kd raised as well",
     "solimp-dmax-#": "dmax {}",
 }
 

@@ -55,7 +55,7 @@ def derive(results: Results) -> Section:
         lambda map: np.divide(*_slips(map)).min(),
         trace,
     )
-    # The table lists the shakes with round numbers.
+    # The table lists the shakes with round amplitudes and frequencies.
     stiff_cases = (
         row["case"] for row in results.rows if row["case"].startswith("stiff-")
     )
@@ -65,9 +65,9 @@ def derive(results: Results) -> Section:
         rows = [results.row[f"{side}-{shake}"] for shake in shakes]
         slips = [row.slip_mm if _is_held(row) else "lost" for row in rows]
         columns[f"slip, {name}"] = slips
-        columns[f"cube ends at, {name}"] = [row.cube_height_m for row in rows]
+        columns[f"final cube height, {name}"] = [row.cube_height_m for row in rows]
     columns["slip ratio"] = [_slip_ratio(results, shake) for shake in shakes]
-    # The cells of the map are taken to scatter like the same runs in this table.
+    # We assume that the cells of the map scatter like the same runs in this table.
     held_slips = [row.slip_mm for row in results.rows if _is_held(row)]
     shares = [
         slip.noise / slip.number for slip in held_slips if slip.noise and slip.value
@@ -120,7 +120,7 @@ def _is_held(row: Row) -> bool:
 
 
 def _slips(frame: pd.DataFrame) -> tuple[np.ndarray, np.ndarray]:
-    """Return the slips of both sides for the shakes at which both keep the cube."""
+    """Return the slips in the shakes in which both kinds of pads keep the cube."""
     shipped, stiff = (held_slip(frame, side).to_numpy(dtype=float) for side in SIDES)
     is_usable = np.isfinite(shipped) & np.isfinite(stiff) & (stiff != 0.0)
     return shipped[is_usable], stiff[is_usable]

@@ -39,8 +39,8 @@ def derive(results: Results) -> Section:
         at_most(most, 105.0, "no more than all of it"),
         greater(whole, 0.0, "no motion at all"),
     )
-    # The drift is nonzero if a pair creeps. The displacement is also nonzero if it only
-    # comes to rest at another place.
+    # The drift is nonzero if a pair creeps. The displacement is also nonzero if the
+    # pair only comes to rest at another place.
     pairs = ("TCP-in-hand", "left-finger-in-hand", "hand-in-link7")
     rows = [results.row[case] for case in pairs]
     cells = (cell for row in rows for cell in (row.total_drift_mm, row.displacement_mm))

@@ -1,4 +1,4 @@
-"""Compare pads that touch over an area, with a pressure, with pads that touch at points."""
+"""Compare hydroelastic pads, which touch over an area, with contact points."""
 
 from collections.abc import Mapping
 
@@ -42,7 +42,7 @@ labels = {
     "area/held-collide-16": "hydroelastic, arm held still, contacts found in each substep",
     "area/term-restored": "hydroelastic, missing term restored",
     "area/default-gap": "hydroelastic, default gap of the cube",
-    "area/collide-#": "hydroelastic, contacts found {} times in a frame",
+    "area/collide-#": "hydroelastic, contacts found {} times per frame",
     "area/substeps-#": "hydroelastic, {} substeps",
     "area/kh-#": "hydroelastic, kh {}",
     "area/resolution-#": "hydroelastic, {} cells along a side",
@@ -158,7 +158,7 @@ def _slip_claims(results: Results) -> list[Claim]:
 def _edges(results: Results) -> Claim:
     held = {name: results.row[f"area/{name}"] for name in OBJECTS}
     lost = {name: row.plain.get("dropped") for name, row in held.items()}
-    names = {"plate": "the thin plate", "edge": "the cube on its edges"}
+    names = {"plate": "the thin plate", "edge": "the cube gripped at its edges"}
     dropped = [
         words
         for name, words in names.items()

@@ -44,9 +44,9 @@ def derive(results: Results) -> Section:
         "slip": [row.slip_mm for row in near.values()],
         "creep": map(measurable_creep, near.values()),
         "slip with weight": [row.slip_mm for row in weight.values()],
-        "slip, shaken 100 mm": [row.slip_mm for row in far.values()],
+        "slip in a shake of 100 mm": [row.slip_mm for row in far.values()],
         "slip with few substeps": [row.slip_mm for row in coarse.values()],
-        "fingers off their joints, few substeps": [
+        "distance of a finger from its joint, few substeps": [
             row.joint_error_mm for row in coarse.values()
         ],
     }

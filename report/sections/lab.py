@@ -1,4 +1,4 @@
-"""List the runs with which the engine in the page is compared."""
+"""List the runs with which the engine on the page is compared."""
 
 from report.shared import Claim, Results, Section, at_least, by_case
 
@@ -9,7 +9,7 @@ labels = {
     "as-shipped": "shipped pads",
     "as-shipped-10cm": "shipped pads, 10 cm",
     "stiff-pads-10cm": "stiff pads, 10 cm",
-    "term": "term put back",
+    "term": "term restored",
     "whole-cure": "the root cure",
     "cone-pyramidal": "pyramidal cone",
     "hold": "arm held still",
@@ -21,7 +21,7 @@ COLUMNS = {
     "friction used": "cone_use",
     "class": "class",
 }
-# Cases that are not compared with the engine in the page.
+# Cases that are not compared with the engine on the page.
 CHECKS = ("impratio-1-midphase", "as-shipped-nearby")
 
 

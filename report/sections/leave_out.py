@@ -57,7 +57,7 @@ MANY_COUNT = 16384  # the largest number of worlds that is timed
 ALONE_COUNT = 4096  # the number of worlds with which each part was timed by itself
 REFERENCE = "untrimmed"
 ALL = "without-all"
-WHOLE = (REFERENCE, "as-shipped", ALL)  # cases that do not leave out a single part
+WHOLE = (REFERENCE, "as-shipped", ALL)  # cases that leave out several parts or none
 
 
 def derive(results: Results) -> Section:

@@ -154,12 +154,12 @@ def _shake_table(rows: RowsBy) -> Table:
         "slip": cells("3cm", "slip_mm"),
         "largest displacement": cells("3cm", "wander_mm"),
         "creep": map(measurable_creep, shaken),
-        "tangential over normal force": cells("3cm", "friction_share"),
+        "ratio of tangential to normal force": cells("3cm", "friction_share"),
         "normal force": cells("3cm", "normal_force_n"),
         "penetration": cells("3cm", "penetration_mm"),
         "slip with weight": cells("weight", "slip_mm"),
-        "slip, shaken 100 mm": cells("10cm", "slip_mm"),
-        "slip, held still": cells("held", "slip_mm"),
+        "slip in a shake of 100 mm": cells("10cm", "slip_mm"),
+        "slip with the arm held still": cells("held", "slip_mm"),
     }
     commanded = rows["warp", "3cm"].shake_amplitude_m
     return table_of("solver", map(_label, names), columns, shaken, told=commanded)
@@ -173,7 +173,7 @@ def _number_or_end(row: Row, column: str) -> Any:
 
 
 def _other_solver_claims(results: Results, rows: RowsBy, times: RowsBy) -> list[Claim]:
-    """Claim which other solvers keep the cube, and whether they shake it as far."""
+    """Test which other solvers keep the cube, and whether their hands move as far."""
     warp = rows["warp", "3cm"]
     slip = warp.slip_mm
     amplitude = warp.hand_amplitude_mm

@@ -22,7 +22,7 @@ COLUMNS = {
     "amplitude": "shake_amplitude_m",
     "time": "shake_duration_s",
     "slip at the end": "slip_mm",
-    "leaves the grasp after": "left_grasp_s",
+    "time until it leaves the grasp": "left_grasp_s",
     "final cube height": "cube_height_m",
 }
 MOTION = {  # units by name; the axes of the shake are the axes of the world

@@ -1,4 +1,4 @@
-"""Test whose material a contact has: the cube's, the pads' or a mix of both."""
+"""Test whether a contact has the pads' material, the cube's, or a mix of both."""
 
 import math
 
@@ -110,7 +110,7 @@ def derive(results: Results) -> Section:
 
 
 def _material(row: Row) -> str:
-    """Return whose material gives the timeconst.
+    """Return whether the timeconst comes from the pads or from a mix of both materials.
 
     The pads by themselves would give 2 / kd.
     """

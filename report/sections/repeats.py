@@ -1,4 +1,4 @@
-"""Test whether repeated runs are identical with each setting that promises it."""
+"""Test whether repeated runs are identical with each setting that promises this."""
 
 from report.shared import (
     Claim,

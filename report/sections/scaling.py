@@ -24,8 +24,8 @@ LOOPS = {  # names of the loops; each changes one setting of the loop before it
     "testspeed": "mujoco_warp.testspeed",
     "each-step-waited-for": "the same loop, run by this report",
     "steps-in-one-graph": "16 steps as one graph",
-    "collision-once": "contacts found once a frame",
-    "our-engine-steps": "contacts and rows as Newton makes them",
+    "collision-once": "contacts found once per frame",
+    "our-engine-steps": "contacts and rows as built by Newton",
     "whole": "whole frames: control, IK, collision, recording",
 }
 COLUMNS = {

@@ -23,7 +23,7 @@ labels = {
     "as-shipped-untrimmed": "exactly as shipped",
     "stiff-pads-only": "stiff pads",
     "all-gaps-zero": "no contact gap",
-    "fixed": "stiff pads, all trimmed",
+    "fixed": "stiff pads, without all unneeded parts",
 }
 
 

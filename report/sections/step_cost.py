@@ -35,7 +35,7 @@ def derive(results: Results) -> Section:
     worst = resolution(results, "resolution", results.rows)
     doubled = results.value(
         "doubled",
-        "time of a frame with twice the shipped substeps over that with the shipped ones,"
+        "time of a frame with twice the shipped substeps divided by the time with the shipped ones,"
         " in one world",
         1 * rows[STIFF, 2 * AS_SHIPPED.substeps, 1].frame_ratio,
     )

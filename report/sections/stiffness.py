@@ -1,4 +1,4 @@
-"""Test the cause of the slip, and show the contact parameters that ke and kd give."""
+"""Test the cause of the slip, and show the contact parameters for each ke and kd."""
 
 from dataclasses import replace
 from functools import partial
@@ -43,7 +43,7 @@ labels = {
     "pad-ke-2.5e3": "shipped pads",
     "pad-ke-2.5e5": "stiff pads",
     "pad-ke-#-kd-100": "ke {} alone",
-    "pad-ke-#": "ke {}, kd with it",
+    "pad-ke-#": "ke {}, kd raised as well",
     "solimp-dmax-#": "dmax {}",
 }
 
@@ -67,9 +67,9 @@ COLUMNS = {
     "friction used": "cone_use",
     "slip": "slip_mm",
 }
-RESTORED = "that the slide ends when it is put back"
+RESTORED = "that the contacts stop sliding when it is restored"
 CONDITIONS = {  # of the cause: the section, its value and the bound that it must keep
-    "that the left-out acceleration gives the slide": (
+    "that the missing acceleration predicts the slide": (
         "contacts",
         "missing_term_departure",
         "missing_term_bound",
@@ -80,12 +80,12 @@ CONDITIONS = {  # of the cause: the section, its value and the bound that it mus
         "friction_residual",
         "friction_residual_bound",
     ),
-    "that sliding is the motion": (
+    "that the slide explains the motion of the cube": (
         "contacts",
         "slide_departure_as-shipped",
         "slide_departure_bound",
     ),
-    "that the drift needs the load cycle": ("hold", "hold_share", "hold_share_bound"),
+    "that the shake causes the drift": ("hold", "hold_share", "hold_share_bound"),
 }
 
 
@@ -257,7 +257,7 @@ def derive(results: Results) -> Section:
 
 
 def _result(row: Row, shipped: Quantity, bound: Quantity) -> str:
-    """Return in words whether a run holds, or slips farther or less than shipped pads."""
+    """Return how a run compares with shipped pads, such as "slips less"."""
     if None in (row.slip_mm.value, shipped.value, bound.value) or not is_held(row):
         return "lost" if row.dropped else ""
     if at_most(row.slip_mm, bound) == HOLDS:

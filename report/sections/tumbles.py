@@ -17,7 +17,8 @@ order = 142
 page = "cure"
 label = "bodies that tumble"
 
-# Columns with the numbers of pairs in which the body has more, and less, with the term.
+# Columns that count the pairs in which a quantity is larger, and smaller, with the
+# term.
 DIFFERENCES = {
     "gain": ("exact_alone_count", "plain_alone_count"),
     "rise": ("higher_count", "lower_count"),
@@ -109,9 +110,9 @@ def derive(results: Results) -> Section:
 
 
 def _excess(*counts: float) -> float:
-    """Return how many standard deviations the first of two kinds exceeds the second.
+    """Return the excess of the first count over the second, in standard deviations.
 
-    The counts of the two kinds alternate.
+    The arguments alternate between the two counts.
     """
     more = sum(counts[::2])
     fewer = sum(counts[1::2])

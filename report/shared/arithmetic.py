@@ -82,7 +82,7 @@ def extreme(choose: Callable[..., float], cells: Iterable[Quantity]) -> Term:
 
 
 def quantile(share: float, *numbers: float) -> float:
-    """Return the smallest number that is at least as large as this share of them.
+    """Return the smallest number that is at least as large as this share of the cells.
 
     Claims test a quantile, because the most extreme of many runs depends on chance.
     """
@@ -189,5 +189,5 @@ def joined(parts: Sequence[Section]) -> Section:
 
 
 def contiguous(flags: Sequence[bool], *quantities: Quantity) -> Outcome:
-    """Test whether the true flags are adjacent. The quantities are those that decided the flags."""
+    """Test whether the true flags, which depend on these quantities, are adjacent."""
     return decided(sum(flag for flag, _ in groupby(flags)) == 1, *quantities)

@@ -18,9 +18,10 @@ def change_of(results: Results, case: str) -> Quantity:
 def variants_claim(
     results: Results, baseline: str, apart: Collection[str] = ()
 ) -> Claim:
-    """Claim that no variant is the cause of the slip.
+    """Test whether any variant is the cause of the slip.
 
-    All rows of the section are compared with the baseline, except the cases ``apart``.
+    All rows of the section are compared with the baseline, except the cases in
+    ``apart``.
     """
     base = results.row[baseline]
     rows = [row for row in results.rows if row.case not in (baseline, *apart)]

@@ -17,7 +17,6 @@ from report.shared import (
 from report.story.public_advice import ADVICE, SOURCES
 from report.story.trials import Advice, Symptom, Verdict
 
-BREAK = Markup("<br>")
 COMMA = Markup(", ")
 
 
@@ -34,7 +33,9 @@ def derive(chapters: Chapters) -> Section:
             {
                 "advice": verdict.advice.words,
                 "depends": verdict.is_mixed,
-                "effect": Markup("; ").join(_effects(verdict, sections, COMMA)),
+                "effect": Markup("; ").join(
+                    trial.effect_in_words(sections) for trial in verdict.measured
+                ),
             },
             shared_wording="verdict",
         )
@@ -61,16 +62,13 @@ def _table(verdicts: Iterable[Verdict], symptom: Symptom, sections: Sections) ->
     columns = {
         "verdict": [verdict.html() for verdict in rows],
         "before → after": [
-            _lines(_effects(verdict, sections, BREAK)) for verdict in rows
+            _lines(trial.effect(sections) for trial in verdict.measured)
+            for verdict in rows
         ],
         "run time": [_times(verdict.advice, sections) for verdict in rows],
     }
     bound = sections.value("advice", "cause_bound")
     return table_of("advice", names, columns, bound=bound)
-
-
-def _effects(verdict: Verdict, sections: Sections, separator: Markup) -> list[Markup]:
-    return [trial.effect(sections, separator) for trial in verdict.measured]
 
 
 def _lines(parts: Iterable[Markup]) -> Markup:

@@ -36,7 +36,7 @@ class Suspect:
         return [row for row in results.rows if row.case in (self.cases or compared)]
 
     def verdict(self, chapter: Chapter) -> str:
-        """Return why it is not the cause, or that it is."""
+        """Return the reason why it is not the cause, or the words for the cause."""
         claims = chapter.section.claims
         holds = {test.name: test.outcome == HOLDS for test in claims}
         opposite = {test.name: test.outcome.is_opposite for test in claims}
@@ -67,7 +67,7 @@ SUSPECTS = (
         "solver",
         "iterations, tolerance, cone, step",
         claim="solver_has_converged",
-        why="it has converged, and cone and shorter steps change little",
+        why="it has converged, and the cone and shorter steps change little",
     ),
     Suspect(
         "contact gap [m]",

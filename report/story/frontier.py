@@ -44,7 +44,7 @@ class Setup:
     def is_offered(self, sections: Sections) -> bool:
         """Return whether a release contains this setup.
 
-        It does not if the release lacks the solver.
+        This is false if the release does not have the solver.
         """
         section, _, variant = self.timed.partition("/")
         cases = [row.case for row in sections.rows(section)]
@@ -127,7 +127,7 @@ SETUPS = (
         "error_runtime/as-shipped/newton-rk4/substeps-16",
     ),
     Setup(
-        "RK4, stiff pads",
+        "RK4 with stiff pads",
         ARGUMENT,
         "cure/newton-rk4-50-stiff-3cm-plain-rounded",
         "error_runtime/stiff/newton-rk4/substeps-16",
@@ -146,19 +146,19 @@ SETUPS = (
         "cure_cost/term",
     ),
     Setup(
-        "the term, RK4",
+        "the term with RK4",
         PATCH,
         "cure/newton-rk4-50-shipped-3cm-term-rounded",
         "cure_cost/term-rk4",
     ),
     Setup(
-        "the root cure on shipped pads",
+        "the root cure with shipped pads",
         PATCH,
         "cure/newton-euler-400-shipped-3cm-full-kept",
         "cure_cost/best",
     ),
     Setup(
-        "the root cure on stiff pads",
+        "the root cure with stiff pads",
         PATCH,
         "cure/newton-implicitfast-400-stiff-3cm-centred-kept",
         "cure_cost/firm",
@@ -190,7 +190,7 @@ def _unmeasured(
     times: dict[Setup, Quantity],
     effort: int,
 ) -> Outcome | None:
-    """Return unknown if the measurement of a setup is missing that may be recommended.
+    """Return unknown if a setup that could be recommended was not measured.
 
     Without this test, missing data could lead to the recommendation of a more expensive
     setup.

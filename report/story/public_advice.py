@@ -117,7 +117,7 @@ def _pinch(
     after: str,
     setting: str = "",
     engine: str = "c",
-    where: str = "still pinch",
+    where: str = "in the still pinch",
 ) -> Trial:
     runs = (f"{before}-{engine}", f"{after}-{engine}")
     names = ("pyramidal", "elliptic")
@@ -138,19 +138,23 @@ def _cured(before: str, after: str, *names: str) -> Trial:
 
 def _noslip(engine: str, where: str) -> Trial:
     run = f"as-shipped-{engine}"
-    return Trial("solver", run, f"{run}-noslip", where, names=("without it", "with it"))
+    return Trial(
+        "solver", run, f"{run}-noslip", where, names=("without NoSlip", "with NoSlip")
+    )
 
 
 def _solver(name: str) -> Trial:
     names = ("MuJoCo Warp", name)
     run = f"{name.lower()}-3cm"
-    return Trial("newton_solvers", "warp-3cm", run, name, names=names)
+    return Trial("newton_solvers", "warp-3cm", run, f"with {name}", names=names)
 
 
 def _hydroelastic(shape: str = "") -> Trial:
     names = ("contact points", "hydroelastic")
     runs = (f"points{shape}", f"area{shape}")
-    where = f"{shape.strip('/')} instead of the cube" if shape else "shake"
+    where = "in the shake"
+    if shape:
+        where = f"with the {shape.strip('/')} instead of the cube"
     return Trial("hydroelastic", *runs, where, names=names)
 
 
@@ -180,13 +184,13 @@ ADVICE = (
         "Raise ke and kd if friction is adequate but the grasp deflects",
         "contacts",
         (
-            Trial("stiffness", SOFT, HARD, "ke and kd"),
-            Trial("stiffness", SOFT, "pad-ke-2.5e5-kd-100", "ke alone"),
+            Trial("stiffness", SOFT, HARD, "with ke and kd raised"),
+            Trial("stiffness", SOFT, "pad-ke-2.5e5-kd-100", "with only ke raised"),
             Trial(
                 "upgrade",
                 "as-shipped-mujoco-contacts",
                 "stiff-pads-mujoco-contacts",
-                "ke and kd with MuJoCo’s contacts",
+                "with MuJoCo’s contacts",
                 names=("shipped pads", "stiff pads"),
             ),
         ),
@@ -252,7 +256,7 @@ ADVICE = (
                 "lab",
                 "impratio-1",
                 "as-shipped",
-                "shake in MuJoCo C",
+                "in the shake in MuJoCo C",
                 setting="impratio",
                 names=("", "shipped impratio"),
             ),
@@ -265,8 +269,8 @@ ADVICE = (
         "Enable the NoSlip solver",
         "slip",
         (
-            _noslip("mujoco-c", "shake in MuJoCo C"),
-            _noslip("warp", "shake in MuJoCo Warp"),
+            _noslip("mujoco-c", "in the shake in MuJoCo C"),
+            _noslip("warp", "in the shake in MuJoCo Warp"),
             _pinch("recipe", "noslip", "noslip_iterations"),
         ),
     ),
@@ -276,9 +280,9 @@ ADVICE = (
         "Enable NoSlip for an object that creeps in a still grip",
         "capsule",
         (
-            _pinch("recipe", "noslip", "noslip_iterations", "c", "MuJoCo C"),
-            _pinch("recipe", "noslip", "noslip_iterations", "warp", "MuJoCo Warp"),
-            _pinch("recipe", "noslip", "noslip_iterations", "newton", "Newton"),
+            _pinch("recipe", "noslip", "noslip_iterations", "c", "in MuJoCo C"),
+            _pinch("recipe", "noslip", "noslip_iterations", "warp", "in MuJoCo Warp"),
+            _pinch("recipe", "noslip", "noslip_iterations", "newton", "in Newton"),
         ),
     ),
     Advice(
@@ -309,7 +313,7 @@ ADVICE = (
         "Adjust solref; here its time constant is shorter",
         "soft",
         (
-            Trial("lab", "as-shipped", "stiff-pads", "shake in MuJoCo C"),
+            Trial("lab", "as-shipped", "stiff-pads", "in the shake in MuJoCo C"),
             _pinch("recipe", "stiff", "timeconst_s"),
         ),
     ),
@@ -319,8 +323,8 @@ ADVICE = (
         "Reduce the time step before you raise the stiffness",
         "guide",
         (
-            _steps("shipped pads", SHIPPED, 16, 64),
-            _steps("stiff pads with the same ke and kd", STIFF, 16, 64),
+            _steps("with shipped pads", SHIPPED, 16, 64),
+            _steps("with stiff pads of constant ke and kd", STIFF, 16, 64),
         ),
         "step_cost/stiff/substeps-64",
     ),
@@ -329,7 +333,7 @@ ADVICE = (
         SLIPS,
         "Take more substeps after porting from PhysX",
         "porting",
-        (_steps("shipped pads", SHIPPED, 1, 4),),
+        (_steps("with shipped pads", SHIPPED, 1, 4),),
     ),
     Advice(
         "richer_geometry",
@@ -372,7 +376,7 @@ ADVICE = (
     Advice(
         "friction_gain",
         SLIPS,
-        "Let kf set a time constant of friction",
+        "Set kf, which gives friction its own time constant",
         "newton_changes",
         (
             Trial(
@@ -411,8 +415,8 @@ ADVICE = (
         "Check the gripping force first",
         "contacts",
         (
-            _held("grip-0.5", "grip-2", "a weak grip", "grip_ratio"),
-            _held("grip-1.2", "grip-4", "a firm grip", "grip_ratio"),
+            _held("grip-0.5", "grip-2", "with a weak grip", "grip_ratio"),
+            _held("grip-1.2", "grip-4", "with a firm grip", "grip_ratio"),
         ),
     ),
     Advice(
@@ -421,8 +425,8 @@ ADVICE = (
         "Increase a sliding friction coefficient that is too low",
         "slip",
         (
-            _held("friction-0.001", "friction-1", "slippery pads", "pad_mu"),
-            _held("friction-1", "friction-100", "rough pads", "pad_mu"),
+            _held("friction-0.001", "friction-1", "with slippery pads", "pad_mu"),
+            _held("friction-1", "friction-100", "with rough pads", "pad_mu"),
         ),
     ),
     Advice(
@@ -430,7 +434,7 @@ ADVICE = (
         DROPS,
         "Enlarge nconmax and njmax if contacts disappear",
         "tune_warp",
-        (_held("buffers-contact-4", "buffers-ample", "shake", "contact_max"),),
+        (_held("buffers-contact-4", "buffers-ample", "in the shake", "contact_max"),),
     ),
     Advice(
         "hydroelastic",
@@ -442,7 +446,7 @@ ADVICE = (
     Advice(
         "hydroelastic_pinch",
         DROPS,
-        "Stay with Newton 1.3, which holds a hydroelastic pinch that 1.5 drops",
+        "Stay with Newton 1.3, because 1.5 drops a hydroelastic pinch that 1.3 holds",
         "pinch",
     ),
     Advice("multiccd", DROPS, "Enable multiccd", "flat"),
@@ -452,8 +456,8 @@ ADVICE = (
         "Reduce the time step",
         "slip",
         (
-            _steps("shipped pads", SHIPPED, 4, 16, "oscillation_mm"),
-            _steps("stiff pads", STIFF, 4, 16, "oscillation_mm"),
+            _steps("with shipped pads", SHIPPED, 4, 16, "oscillation_mm"),
+            _steps("with stiff pads", STIFF, 4, 16, "oscillation_mm"),
         ),
         "step_cost/stiff/substeps-16",
     ),
@@ -480,8 +484,8 @@ ADVICE = (
         "Reduce the time step first",
         "guide",
         (
-            _sunk("as-shipped", 16, 64, "shipped pads"),
-            _sunk("stiff", 4, 16, "stiff pads"),
+            _sunk("as-shipped", 16, 64, "with shipped pads"),
+            _sunk("stiff", 4, 16, "with stiff pads"),
         ),
     ),
     Advice(
@@ -490,9 +494,14 @@ ADVICE = (
         "Keep ke and raise kd toward critical damping",
         "contacts",
         (
-            _held("ke-kd-100-1e+05-4", "ke-critical-1e+05-4", "a long step", "pad_kd"),
             _held(
-                "ke-kd-100-1e+05-64", "ke-critical-1e+05-64", "a short step", "pad_kd"
+                "ke-kd-100-1e+05-4", "ke-critical-1e+05-4", "with a long step", "pad_kd"
+            ),
+            _held(
+                "ke-kd-100-1e+05-64",
+                "ke-critical-1e+05-64",
+                "with a short step",
+                "pad_kd",
             ),
         ),
     ),
@@ -505,7 +514,7 @@ ADVICE = (
             _held(
                 "ke-kd-100-2.15e+06-16",
                 "ke-kd-100-1e+05-16",
-                "ke too high for kd",
+                "if ke is too high for kd",
                 "pad_ke",
             ),
         ),
@@ -519,7 +528,7 @@ ADVICE = (
             _held(
                 "ke-kd-100-2.15e+06-8",
                 "ke-kd-100-2.15e+06-64",
-                "ke too high for kd",
+                "if ke is too high for kd",
                 "step_ms",
             ),
         ),
@@ -531,7 +540,10 @@ ADVICE = (
         "solref",
         (
             _held(
-                "clamp-direct-1", "clamp-direct-2", "direct solref", "timeconst_steps"
+                "clamp-direct-1",
+                "clamp-direct-2",
+                "with a direct solref",
+                "timeconst_steps",
             ),
         ),
     ),
@@ -544,7 +556,7 @@ ADVICE = (
             _held(
                 "overlap-pads-as-shipped-5mm",
                 "overlap-pads-as-shipped-0.1mm",
-                "shipped pads",
+                "with shipped pads",
                 "overlap_mm",
             ),
         ),

@@ -35,7 +35,9 @@ def table(sections: Sections) -> Table | None:
         columns[f"slip, {name}"] = [
             _slip(runs.get((setting, count))) for count in counts
         ]
-    columns["run time over shipped"] = [ratios.get(count, "") for count in counts]
+    columns["run time, relative to the shipped step"] = [
+        ratios.get(count, "") for count in counts
+    ]
     return table_of("step", [row.substep_ms for row in pads], columns)
 
 

@@ -70,7 +70,7 @@ class Trial:
     section: str
     before: str
     after: str
-    where: str = "shake"  # the condition under which both runs were made
+    where: str = "in the shake"  # the condition under which both runs were made
     column: str = "slip_mm"  # less of it is better
     setting: str = ""  # the column that differs; without it, the labels name the runs
     names: tuple[str, str] = ("", "")  # names of the two runs in place of labels
@@ -106,14 +106,26 @@ class Trial:
             return rise
         return (OPPOSITE if rise == HOLDS else FAILS).having_read(before, after, bound)
 
-    def effect(self, sections: Sections, separator: Markup) -> Markup:
+    def effect(self, sections: Sections) -> Markup:
         """Return the condition, the settings of both runs, and their numbers."""
         rows = self.rows(sections)
         names = map(self._name, rows, self.names)
         numbers = map(self._number, rows)
         arrow = Markup(" → ")
-        parts = (arrow.join(names), arrow.join(numbers))
-        return Markup("{}: {}").format(self.where, separator.join(parts))
+        parts = (self.where, arrow.join(names), arrow.join(numbers))
+        return Markup("{}: {}<br>{}").format(*parts)
+
+    def effect_in_words(self, sections: Sections) -> Markup:
+        """Return the condition, and both numbers with their settings, for a sentence."""
+        quoted = Markup("“{}”")
+        before, after = (
+            Markup("{} ({})").format(
+                quoted.format(self._number(row)) if is_lost(row) else self._number(row),
+                self._name(row, name),
+            )
+            for row, name in zip(self.rows(sections), self.names, strict=True)
+        )
+        return Markup("from {} to {} {}").format(before, after, self.where)
 
     def _name(self, row: Row, name: str) -> Markup:
         if self.setting and self.setting in row:

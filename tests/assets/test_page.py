@@ -427,7 +427,7 @@ FIRST_RESULTS = {
     "friction": ("Does too little friction cause the slip?",),
     "contact gap": ("Does the contact gap cause the slip?",),
 }
-"""Sections of which one must be found first."""
+"""A search for each word must find one of these sections first."""
 
 
 def test_a_search_finds_the_section_about_a_word_first(site, tab):

@@ -56,7 +56,7 @@ def _be_the_script(folder: Path, frame_count: int) -> None:
     newton.use_coord_layout_targets = (
         False  # as in a process in which no other scene has run
     )
-    sys.stdout = sys.stderr = Path("said").open("w", encoding="utf-8")  # noqa: SIM115 # how it ends is said later
+    sys.stdout = sys.stderr = Path("said").open("w", encoding="utf-8")  # noqa: SIM115 # the output is read after the script
     runpy.run_path("scene.py", run_name="__main__")
 
 

@@ -23,5 +23,5 @@ def test_a_section_has_something_to_measure_on_every_device(section, device):
     try:
         assert next(plan), "a stage without batches never ends"
     except StopIteration as end:
-        # It measures nothing on this device, and says why.
+        # It cannot measure anything on this device, and states the reason.
         assert all("slip_mm_reason" in row for row in end.value.rows)

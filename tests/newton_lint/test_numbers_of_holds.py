@@ -163,7 +163,7 @@ def test_a_touch_counts_by_its_share_of_the_last_fifth():
 def test_what_was_touched_within_a_tenth_or_a_hundredth_of_the_time_is_lost(
     above, speed, is_held
 ):
-    """Test a body that touches 40 to 50 ms after the start, after 4 to 5 ms, or never."""
+    """Test a body in contact from 40 to 50 ms, from 4 to 5 ms, or never."""
     target = Case(
         "incline", (("slope", 0.0), ("shape", "sphere"), ("solref", "0.02 0.25"))
     ).target

@@ -79,9 +79,9 @@ def found_in(target: Target) -> dict[str, Finding]:
 
 @pytest.mark.parametrize("speed", [0.0, 1.5])
 def test_what_a_force_gives_a_body_is_energy_that_it_gained(speed):
-    """Test 6 N on 2 kg for 0.2 s.
+    """Test a force of 6 N that acts on 2 kg for 0.2 s.
 
-    They add 0.6 m/s, so the energy grows by (v + 0.6)²/2 - v²/2. A falling body gains
+    It adds 0.6 m/s, so the energy grows by (v + 0.6)²/2 - v²/2. A falling body gains
     no energy.
     """
     seen = ran(of(), force=6.0, speed=(speed, 0, 0))

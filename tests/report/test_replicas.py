@@ -185,7 +185,7 @@ def test_the_least_change_that_would_have_rung_is_that_which_rings(
     }
     for share, rings in ((1.048, False), (1.052, True), (0.952, False), (0.948, True)):
         found = measured_as(plants[UNCHANGED], {cell: share * before / now})
-        # A smaller slip is better, which is listed and does not ring.
+        # A smaller slip is an improvement. It is listed, but does not raise an alarm.
         large = found.alarms if share > 1.0 else found.improvements
         assert [move.name for move in large] == [".".join(cell)] * rings
         assert found.alarms == [] or share > 1.0

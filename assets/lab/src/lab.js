@@ -30,7 +30,7 @@ const GROUPS = {
     { name: "gravity_m_s2", label: "gravity", unit: "m/s²" },
   ],
   Solver: [
-    { name: "substeps", label: "steps a frame" },
+    { name: "substeps", label: "steps per frame" },
     { name: "impratio", label: "impratio" },
     { name: "cone", label: "cone" },
     { name: "integrator", label: "integrator" },
@@ -58,9 +58,9 @@ const TURN_GROUPS = {
 const SHOWN = [
   ["slip", "slip_mm", "mm"],
   ["drift", "drift_mm_s", "mm/s"],
-  ["drift by the law", "predicted_drift_mm_s", "mm/s"],
+  ["drift predicted by the law", "predicted_drift_mm_s", "mm/s"],
   ["depth of the contacts", "penetration_mm", "mm"],
-  ["friction used, at most", "cone_use", "of 1"],
+  ["largest share of friction used", "cone_use", "of 1"],
   ["time of a step", "step_ms", "ms"],
 ];
 /** Names and colours of the tracked curves behind the reader's own curve. */
@@ -75,14 +75,14 @@ async function guarded(work, said) {
     await work();
   } catch (error) {
     const message = error instanceof Error ? error.message : String(error);
-    said.textContent = message === "cancelled" ? "Cancelled." : `This did not work: ${message}.`;
+    said.textContent = message === "cancelled" ? "Cancelled." : `The run failed: ${message}.`;
   }
 }
 
 function begin() {
   place.hidden = false;
   if (!isServed || typeof WebAssembly !== "object") {
-    const why = isServed ? "This browser has no WebAssembly" : "Opened from a file, a page may not load the engine";
+    const why = isServed ? "This browser has no WebAssembly" : "A page that is opened from a file cannot load the engine";
     place.append(h("p", { id: "lab-status" }, `${why}. The tracked runs are below.`));
     return;
   }
@@ -94,12 +94,12 @@ function begin() {
   const cases = Object.entries(CASES).map(([name, changes]) => h("button", { type: "button", click: () => (form.set({ ...SHIPPED, ...changes }), start()) }, name));
   const slip = h("output", { id: "lab-slip", "aria-live": "polite" }, NOT_RUN);
   const status = h("p", { id: "lab-status", role: "status" });
-  const view = new View(h("div", { id: "lab-stage", hidden: true }, h("canvas", { tabindex: 0, role: "img", "aria-label": "The arm and the cube in 3D. Arrow keys turn the view, plus and minus bring it closer and farther." })));
+  const view = new View(h("div", { id: "lab-stage", hidden: true }, h("canvas", { tabindex: 0, role: "img", "aria-label": "The arm and the cube in 3D. The arrow keys turn the view, and plus and minus zoom." })));
   const svg = curveElement("Displacement of the cube in the hand over the time of the shake");
   const results = h("div", { id: "lab-results" });
   const shared = h("div", { id: "lab-shared" });
-  const hint = h("p", {}, "Press Run, or change what you like first. The engine is loaded once, then, and nothing is sent anywhere.");
-  const set = h("div", {}, h("div", { class: "lab-cases", role: "group", "aria-label": "Settings that have a name" }, ...cases), form.element);
+  const hint = h("p", {}, "Press Run, or change the settings first. The engine is then loaded once, and no data leave your browser.");
+  const set = h("div", {}, h("div", { class: "lab-cases", role: "group", "aria-label": "Named settings" }, ...cases), form.element);
   const said = h("p", { class: "lab-actions" }, run, cancel, link, slip);
   const drawn = h("div", { class: "lab-shown" }, view.element, h("figure", {}, svg, h("figcaption", {}, legend())));
   place.append(hint, h("div", { class: "lab-bench" }, set, h("div", { class: "lab-found" }, said, status, drawn, results, shared)));
@@ -245,7 +245,7 @@ function sweepInto(pool, form) {
         },
       );
       const kept = found.filter((row) => row.class === "creeping" || row.class === "holding");
-      status.textContent = `${kept.length} of ${size} keep the cube${kept.length < size ? "; the others have no point" : ""}.`;
+      status.textContent = `${kept.length} of ${size} runs keep the cube${kept.length < size ? "; the others have no point" : ""}.`;
     }, status).finally(() => (run.disabled = false)),
   );
 }
@@ -255,10 +255,10 @@ function showSweep(svg, { name, isLog, chosen, found }) {
   const at = (/** @type {(row: any) => number} */ value) => found.flatMap((/** @type {any} */ row, /** @type {number} */ index) => (row && (row.class === "creeping" || row.class === "holding") ? [[chosen[index][name], value(row)]] : []));
   const law = at((row) => Math.abs(row.predicted_drift_mm_s) * row.shake_duration_s);
   const series = [
-    { name: "by the law", colour: "--series-6", points: law },
+    { name: "predicted by the law", colour: "--series-6", points: law },
     { name: "slip", colour: "--series-3", points: at((row) => row.slip_mm), isLine: false },
   ];
-  plot(svg, series, { x: name, y: "slip [mm]; line: by the law", isLog });
+  plot(svg, series, { x: name, y: "slip [mm]; line: predicted by the law", isLog });
 }
 
 /** @param {Pool} pool */
@@ -277,7 +277,7 @@ function turntableInto(pool) {
       const names = ["cone", "integrator", "term"].map((name) => [name, said.get(name)]);
       const row = await pool.run({ kind: "turntable", settings: Object.fromEntries([...numbers, ...names]) });
       growth.dataset.growthPerS = row.growth_per_s;
-      growth.textContent = row.reason ? `Not valid: ${row.reason}.` : `The radius grows by ${written(100 * row.growth_per_s, "% a second")}; by the law ${written(100 * row.predicted_growth_per_s, "%")}.`;
+      growth.textContent = row.reason ? `Not valid: ${row.reason}.` : `The radius grows by ${written(100 * row.growth_per_s, "% per second")}; the law predicts ${written(100 * row.predicted_growth_per_s, "%")}.`;
     }, growth);
   });
 }

@@ -18,7 +18,7 @@ class Bench {
     this.worker.addEventListener("message", ({ data }) => this.#heard(data));
     this.worker.addEventListener("error", (event) => {
       event.preventDefault();
-      for (const { reject } of this.waiting.values()) reject(new Error(event.message || "the engine can't be started"));
+      for (const { reject } of this.waiting.values()) reject(new Error(event.message || "the engine cannot be started"));
       this.waiting.clear();
     });
   }

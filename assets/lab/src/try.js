@@ -19,7 +19,7 @@ function begin() {
   const value = () => Number((least * (most / least) ** Number(kd.value)).toPrecision(2));
   const law = lawOf(place);
   const tell = () => {
-    said.textContent = `kd = ${value()}${law ? `, by the law ${written(law(value()), "mm")}` : ""}`;
+    said.textContent = `kd = ${value()}${law ? `: the law predicts ${written(law(value()), "mm")}` : ""}`;
     slip.textContent = ""; // the measured slip belongs to another kd
   };
   kd.addEventListener("input", tell);

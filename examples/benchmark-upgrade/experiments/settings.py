@@ -1,5 +1,6 @@
-"""Run tasks that a release changed with one different setting each, to find the setting
-that restores the old behaviour.
+"""Run the tasks that a release changed, each with one changed setting.
+
+The setting that restores the old behaviour shows the cause of the change.
 """
 
 import mujoco

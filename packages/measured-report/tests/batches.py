@@ -61,7 +61,7 @@ def fail(log: str) -> None:
 
 
 def die(log: str, times: int) -> dict:
-    """Kills its process this many times, and then measures."""
+    """Kill the process of this batch the given number of times, and then measure."""
     note(log, "begin die")
     if Path(log).read_text(encoding="utf-8").count("begin die") <= times:
         os.kill(os.getpid(), signal.SIGKILL)

@@ -251,7 +251,7 @@ def test_the_site_builds_and_what_cannot_be_read_is_named_everywhere(ground, wor
     ground.write(world)
     results = ground.toy.project.results.parent
     spoiled = [results / name for name in world.spoiled]
-    # If a folder cannot be read, its files are not named as well.
+    # If a folder cannot be read, its files are not named individually.
     outer = [path for path in spoiled if not {*path.parents} & {*spoiled}]
     for command in (page, status, check, audit):
         done, errors = ground.run(command)

@@ -35,7 +35,7 @@ def read_file(path: Path) -> bytes:
 
 
 def replace_file(path: Path, old: bytes, new: bytes) -> None:
-    """Replace the bytes ``old`` of a file by the bytes ``new``.
+    """Replace the bytes ``old`` of a file with the bytes ``new``.
 
     Raises:
         AuditError: The file contains other bytes, is read-only or cannot be written. It
@@ -56,7 +56,7 @@ def replace_file(path: Path, old: bytes, new: bytes) -> None:
             shutil.copymode(path, temporary)
             if path.read_bytes() != old:
                 raise AuditError(
-                    "the file was modified meanwhile and was left unchanged: run the command again"
+                    "the file was modified in the meantime and was left unchanged: run the command again"
                 )
             temporary.replace(path)
         finally:

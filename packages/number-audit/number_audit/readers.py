@@ -112,7 +112,7 @@ def _imported(module: str, extra: str) -> Any:
         return import_module(module)
     except ImportError:
         install = f"pip install number-audit[{extra}]"
-        raise AuditError(f"a package is missing to read this file: {install}") from None
+        raise AuditError(f"this file needs another package: {install}") from None
 
 
 READERS: Mapping[str, Callable[[str], Any]] = {

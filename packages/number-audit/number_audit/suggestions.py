@@ -69,7 +69,7 @@ class Results:
         return [f"{source.removesuffix(f' {unit}')} {unit}" for source in sources]
 
     def _values(self, unit: str) -> Iterator[tuple[str, float]]:
-        """Yield the value of each place in a unit, which the mark states if needed."""
+        """Yield the value of each place in one unit, which the mark states if needed."""
         for pointer, place in self.source.places.items():
             # The mean of samples is rarely printed, and the file states it beside them.
             if place.key in SAMPLES:

@@ -461,7 +461,7 @@ def test_a_fix_never_overwrites_what_was_saved_in_the_meantime(audit, monkeypatc
 
     monkeypatch.setattr("shutil.copymode", edit_and_copy)
     status, [line], after = audit(f"14.3 ms<!-- = {MEAN} -->", "--fix")
-    assert (status, after) == (1, edited) and "modified meanwhile" in line
+    assert (status, after) == (1, edited) and "modified in the meantime" in line
 
 
 @on_posix

@@ -75,7 +75,7 @@ def derive(results: Results) -> Section:
     def run(case: str, shake: str = "3cm") -> Row:
         return results.row[case.format(shake)]
 
-    # Test whether the cure on stiff pads keeps every cube that stiff pads keep, with
+    # Test whether the cure with stiff pads keeps every cube that stiff pads keep, with
     # less slip.
     slip = run(FIRM).slip_mm
     shipped = run(SHIPPED).slip_mm
@@ -87,7 +87,7 @@ def derive(results: Results) -> Section:
     )
     share = results.value(
         "held_share",
-        "slip of the root cure on stiff pads, relative to the slip as shipped",
+        "slip of the root cure with stiff pads, relative to the slip as shipped",
         PERCENT * slip / shipped,
     )
     lost = results.derived["limit_lost_firm"]

@@ -21,7 +21,7 @@ from report.shared.maps import HELD_HEIGHT_M, lost_count
 
 VARIANTS = {"term": "the term", "best": "the root cure"}
 STIFF_VARIANTS = {
-    "firm": "the root cure on stiff pads",
+    "firm": "the root cure with stiff pads",
     "firm-euler": "the same, Euler",
 }
 Runs = dict[str, Row]  # the runs of one setting, by variant
@@ -32,7 +32,7 @@ def derive(results: Results) -> Section:
     for row in rows_with(results, "of", "variant", "family", "kept"):
         runs[row.of][row.variant] = row
     lines = []
-    # A setting counts if it was run with all variants on its pads.
+    # A setting counts if it was run with all variants and its own pads.
     for variants in (VARIANTS, STIFF_VARIANTS):
         tried = [rows for rows in runs.values() if {"plain", *variants} <= set(rows)]
         lines += [_line(results, variant, tried) for variant in variants]
@@ -71,13 +71,13 @@ def _line(results: Results, variant: str, tried: list[Runs]) -> dict[str, Any]:
         return results.value(name, formula, lambda *_: len(counted), *sources)
 
     return {
-        "kept without it": count(
+        "kept without the cure": count(
             "kept", "runs that keep the cube without the cure", kept
         ),
-        "lost of these": count(
+        "of these, lost with the cure": count(
             "limit_lost", "runs among these that lose the cube with the cure", lost
         ),
-        "kept only with it": count(
+        "kept only with the cure": count(
             "won", "runs that keep the cube only with the cure", gained
         ),
         "lost cases": some_html([case_html(runs["plain"]) for runs in lost]) or "none",

@@ -34,11 +34,11 @@ VARIANTS = {  # labels by variant, in the order of the table
     "rk4": "RK4",
     "half-timeconst": "half the time constant",
     "half-step": "half the step",
-    "term": "term put back",
-    "term-pyramidal": "term put back, pyramidal cone",
-    "term-rk4": "term put back, RK4",
+    "term": "term restored",
+    "term-pyramidal": "term restored, pyramidal cone",
+    "term-rk4": "term restored, RK4",
     "term-centred": "term centred",
-    "term-rk4-impratio": "term put back, RK4, impratio raised",
+    "term-rk4-impratio": "term restored, RK4, impratio raised",
     "term-centred-impratio": "term centred, impratio raised",
 }
 
@@ -162,7 +162,7 @@ def derive(results: Results) -> Section:
     )
     columns = {
         "MuJoCo C": [growths[f"{variant}-c"] for variant in VARIANTS],
-        "by the law": [law[f"{variant}-c"] for variant in VARIANTS],
+        "predicted by the law": [law[f"{variant}-c"] for variant in VARIANTS],
         "Warp": [growths[f"{variant}-warp"] for variant in VARIANTS],
     }
     return Section(

@@ -73,7 +73,9 @@ def derive(results: Results) -> Section:
     columns = {
         "release": [line.release for line in lines],
         "walk": _measurable([line.walk for line in lines], walk_bound),
-        "half the step": _measurable([line.short_walk for line in lines], walk_bound),
+        "walk with half the step": _measurable(
+            [line.short_walk for line in lines], walk_bound
+        ),
         "sinks": _measurable([line.sink for line in lines], sink_bound),
     }
     step = results.chosen("step", "given: the time step", 2.0, "ms")

@@ -22,7 +22,8 @@ from report.shared import (
 class Published:
     """A published number, and the cell that is compared with it.
 
-    It is taken to be correct within half of its last digit, or the noise of its source.
+    We assume that it is correct to half of its last digit, or to the noise of its
+    source.
     """
 
     source: str

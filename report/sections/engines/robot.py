@@ -29,13 +29,13 @@ def derive(results: Results, labels: dict[str, str]) -> Section:
     columns = {
         "slip": "slip_mm",
         "creep": map(measurable_creep, near),
-        "slip, shaken 100 mm": [
+        "slip in a shake of 100 mm": [
             cell_or_lost(rows[model, "10cm"], "slip_mm") for model in models
         ],
-        "slip, held still": [
+        "slip with the arm held still": [
             cell_or_lost(rows[model, "held"], "slip_mm") for model in models
         ],
-        "tangential over normal force": "friction_share",
+        "ratio of tangential to normal force": "friction_share",
         "penetration": "penetration_mm",
         "path difference": "path_off_mm",
         "armature": [ARMATURES.get(row.plain.get("armature"), "") for row in near],

@@ -54,8 +54,8 @@ def derive(results: Results) -> Section:
     shipped = points[SHIPPED]
     floor = points.floors["as-shipped"]
 
-    # If the model is solved exactly, shipped pads keep their grasp error, and that of
-    # stiff pads is smaller.
+    # If the model is solved exactly, the grasp error of shipped pads remains, and stiff
+    # pads have a smaller one.
     soft, stiff = map(points.converged, runs.PADS)
     stays = results.value(
         "pads_stays",
@@ -218,7 +218,7 @@ def derive(results: Results) -> Section:
 
 
 def _crossover(results: Results, points: Points) -> Claim:
-    """Claim that C is faster with one world, and Warp with many."""
+    """Test whether C is faster with one world, and Warp with many."""
     rows = points.worlds
     if not rows or rows[0].worlds.value != 1:
         names = ("advantage", "engine", "crossover", "gain", "most")

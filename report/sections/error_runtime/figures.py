@@ -99,9 +99,7 @@ def _place(row: Row) -> tuple[float, float]:
 
 
 def _draw_engine(axes: Axes, best: list[Row], backend: str) -> None:
-    """Draw the settings of an engine that none of its other settings beats, the fastest
-    first.
-    """
+    """Draw the Pareto-optimal settings of an engine, the fastest first."""
     colour = COLOURS[backend]
     x, y = zip(*map(_place, best), strict=True)
     axes.step(

@@ -85,7 +85,7 @@ def derive(results: Results) -> Section:
         "sinks": "creep_mm_s",
         "published": [published.get(variant, "") for variant in VARIANTS],
         "steady rate": "steady_creep_mm_s",
-        "by the law": "predicted_creep_mm_s",
+        "predicted by the law": "predicted_creep_mm_s",
     }
     in_c = [results.row[f"{variant}-c"] for variant in VARIANTS]
     rates = table_of("in MuJoCo C", VARIANTS.values(), columns, in_c)

@@ -42,8 +42,8 @@ OTHERS = {
     "turntable": "cure",
     "contacts": "contacts",
 }  # the sections that have their rows
-# Columns with the measured and predicted motion, in scenes in which the plain creep
-# does not exist or also has jolts.
+# Columns with the measured and predicted motion, for scenes without a column of plain
+# creep, or with jolts in it.
 COLUMNS = {
     "turntable": ("growth_per_s", "predicted_growth_per_s"),
     "contacts": ("slide_mm", "predicted_slide_mm"),

@@ -130,8 +130,8 @@ def derive(results: Results) -> Section:
         rows = [
             results.row[f"{kind}-2ms-{setting}-{engine}"] for kind, setting in tried
         ]
-        columns[f"held, {name}"] = [row.held_count for row in rows]
-        columns[f"dropped, {name}"] = [
+        columns[f"shakes survived, {name}"] = [row.held_count for row in rows]
+        columns[f"time of the drop, {name}"] = [
             row.median_drop_s
             if row.median_drop_s.value or not row.held_count.value
             else "never"

@@ -68,7 +68,7 @@ most = partial(_end, max)
 def family_claim(
     results: Results, name: str, rows: list[Row], also: Outcome = HOLDS, **numbers: Any
 ) -> Claim:
-    """Claim that all rows with a criterion pass and that ``also`` holds."""
+    """Test whether all rows with a criterion pass and ``also`` holds."""
     judged = [row for row in rows if passes(row) is not None]
     failed = list(filterfalse(passes, judged))
     numbers["count"] = count(
@@ -90,7 +90,7 @@ def family_claim(
 
 
 def safe(results: Results, critical: list[Row], default_kd: list[Row]) -> Claim:
-    """Claim that stiff pads are far above the smallest ke that holds at every step.
+    """Test whether stiff pads are far above the smallest ke that holds at every step.
 
     That ke is measured with a damping ratio of 1. With kd at its default, the largest ke
     that holds at the shipped step is derived as well.
@@ -151,7 +151,8 @@ def safe(results: Results, critical: list[Row], default_kd: list[Row]) -> Claim:
     if not critical:
         unmeasured = Outcome("unknown", "the grid was not measured")
         return Claim("safe_settings", unmeasured, numbers)
-    # Runs that lose the cube set the limits, and are read as well.
+    # The claim also reads the runs that lose the cube, because they determine the
+    # limits.
     outcome = at_least(margin, bound).having_read(
         *(row.pad_ke for row in (*critical, *at_shipped))
     )
@@ -159,7 +160,7 @@ def safe(results: Results, critical: list[Row], default_kd: list[Row]) -> Claim:
 
 
 def gain_goes(results: Results) -> Claim:
-    """Claim that stiff pads lose their gain between the shipped step and the longest.
+    """Test whether stiff pads lose their gain between the shipped step and the longest.
 
     The gain is a ratio of creeps. Drifts are not used, because they vary at the longest
     step.
@@ -177,7 +178,7 @@ def gain_goes(results: Results) -> Claim:
     gains = [
         results.value(
             f"step_gain_{number}",
-            f"creep in shipped pads divided by the creep in stiff ones, {number} substeps",
+            f"creep with shipped pads divided by the creep with stiff ones, {number} substeps",
             creeps["as-shipped", number] / creeps["stiff", number],
         )
         for number in counts
@@ -197,9 +198,7 @@ def gain_goes(results: Results) -> Claim:
 
 
 def clamp(results: Results) -> Claim:
-    """Claim that without the clamp, runs with shorter timeconsts fail and runs with
-    longer ones hold.
-    """
+    """Test whether runs without the clamp fail with shorter timeconsts only."""
     rows = family(results, "clamp")
     holding = filter(is_stable, rows)
     failing = filterfalse(is_stable, rows)

@@ -1,4 +1,4 @@
-"""Find the range in which each setting holds, and the nearest setting that breaks."""
+"""Find the range of each setting in which the grasp holds, and where it fails next."""
 
 from collections.abc import Iterable
 from typing import NamedTuple
@@ -9,7 +9,7 @@ from report.sections.stability.claims import family
 from report.sections.stability.passing import is_stable
 from report.shared import FRAME_RATE, Quantity, Results, Row, absent
 
-NONE = absent("1", "no tested setting breaks")
+NONE = absent("1", "the grasp holds with every tested setting")
 
 
 class Limit(NamedTuple):
@@ -80,7 +80,7 @@ def number_of(cell: Quantity) -> float:
 
 
 def _nearest(lost: list[Quantity], low: Quantity, high: Quantity) -> Quantity:
-    """Return the value outside of a range that breaks and is nearest to it."""
+    """Return the nearest value outside of a range at which the grasp fails."""
     above = [cell for cell in lost if cell.number > high.number]
     below = [cell for cell in lost if cell.number < low.number]
     if above:

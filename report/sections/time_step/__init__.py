@@ -1,4 +1,4 @@
-"""Pads for each time step: the rule, the slip that the law predicts, and the price."""
+"""Show the pads for each time step, the predicted slip and the run time."""
 
 from experiments.facts.case import AS_SHIPPED
 from report.sections import step_cost
@@ -93,7 +93,7 @@ def _table(results: Results, ladder: Ladder, laws: dict) -> Table:
         "kd": [row.pad_kd for row in rows],
         "ke": [row.pad_ke for row in rows],
         "slip": [_slip_or_lost(row) for row in rows],
-        "by the law": [laws[NEWTON, RULE, count] for count in counts],
+        "predicted by the law": [laws[NEWTON, RULE, count] for count in counts],
     }
     for pads in ("stiff", "shipped"):
         columns[f"{pads} pads"] = [
@@ -101,7 +101,7 @@ def _table(results: Results, ladder: Ladder, laws: dict) -> Table:
         ]
     for worlds in (TIMED_WORLDS[0], TIMED_WORLDS[-1]):
         ratios = step_cost.ratios(others, worlds=worlds)
-        columns[f"time over shipped, {worlds_name(worlds)}"] = [
+        columns[f"run time relative to shipped, {worlds_name(worlds)}"] = [
             ratios.get(count, "") for count in counts
         ]
     steps = [row.substep_ms for row in rows]

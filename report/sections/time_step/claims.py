@@ -1,4 +1,4 @@
-"""The claims about pads at each time step."""
+"""Test the claims about pads at each time step."""
 
 from collections.abc import Mapping, Sequence
 from functools import partial
@@ -251,12 +251,12 @@ def margin(results: Results, ladder: Ladder) -> Claim:
 
 
 def fine(results: Results, ladder: Ladder, shipped_is_enough: Claim) -> Claim:
-    """Find the longest step at which pads end the creep, and its price."""
+    """Find the longest step at which pads end the creep, and its run time."""
     others = Sections(results.others)
     bound = results.chosen(
         "fine_bound", "a tenth of a slip that can be seen", 0.1, "mm"
     )
-    # Shipped pads need no change where they slip as little as the pads of the rule.
+    # Shipped pads need no change if they slip as little as the pads of the rule.
     pads = "shipped" if shipped_is_enough.outcome == HOLDS else RULE
     slips = {count: ladder.slip(NEWTON, pads, count) for count in ladder.substeps()}
     counts = [count for count, slip in slips.items() if at_most(slip, bound) == HOLDS]

@@ -1,4 +1,4 @@
-"""The figure of the slip against the time step."""
+"""Draw the slip against the time step."""
 
 from report.sections.time_step.ladder import NEWTON, RULE, Ladder
 from report.shared import Figure, Row, is_held

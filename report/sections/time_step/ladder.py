@@ -1,4 +1,4 @@
-"""The rows of section time_step by setting, pads and number of substeps."""
+"""Group the rows of section time_step by setting, pads and number of substeps."""
 
 from dataclasses import dataclass
 
@@ -58,5 +58,5 @@ class Ladder:
         return [count for count in self.substeps(setting) if count > 1]
 
     def usual(self, setting: str = NEWTON) -> list[int]:
-        """Return those of them at which rounding does not decide the slip."""
+        """Return the resolved numbers of substeps at which rounding is negligible."""
         return [count for count in self.resolved(setting) if count <= MOST_SUBSTEPS]

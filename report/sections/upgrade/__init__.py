@@ -132,7 +132,7 @@ def _change(
 def _in_one_step(
     results: Results, releases: Releases, bound: Value, slip_outcome: Outcome
 ) -> Claim:
-    """Claim that the slip changes by a relevant amount between only two releases."""
+    """Test whether the slip changes between two neighbouring releases only."""
     cells = {name: tables.SLIP.cell(releases[name], name) for name in releases}
     cells = {name: cell for name, cell in cells.items() if cell.value is not None}
     oldest = next(iter(cells.values()), None)
@@ -159,7 +159,7 @@ def _in_one_step(
 
 
 def _same_speed(results: Results, ends: Ends) -> Claim:
-    """Claim that the frames of all cases with one world take as long as before."""
+    """Test whether the frames of all cases with one world take as long as before."""
     frame = tables.SPEEDS["a frame with shipped pads [ms]"]
     frames = [replace(frame, text=f"speed.{case}.frame_ms") for case in speed.labels]
     pairs = [ends.cells(query) for query in frames]
@@ -244,7 +244,7 @@ def _cause(results: Results, ends: Ends, same_slip: Outcome) -> list[Claim]:
 
 
 def _as_before(results: Results, ends: Ends) -> list[Claim]:
-    """Claim that the slip is the same in settings that the change does not affect."""
+    """Test whether the slip is the same in settings that the change does not affect."""
     mujoco_before, mujoco = ends.cells(tables.MUJOCO_CONTACTS)
     c_before, c = ends.cells(tables.MUJOCO_C)
     before, after = ends.cells(tables.PYRAMID)

@@ -22,8 +22,8 @@ SPEEDS = {
     label: Query(f"{place}.frame_ms", label=label, device=device)
     for label, place, device in (
         ("a frame with shipped pads [ms]", f"speed.{SHIPPED}", ""),
-        ("a frame with stiff pads, all trimmed [ms]", "speed.fixed", ""),
-        ("a frame with the most worlds [ms]", "scaling.worlds-16384", ""),
+        ("a frame with stiff pads, without all unneeded parts [ms]", "speed.fixed", ""),
+        ("a frame of the largest batch [ms]", "scaling.worlds-16384", ""),
         ("on the CPU, a frame exactly as shipped [ms]", "leave_out.untrimmed", "cpu"),
         (
             "on the CPU, a frame without the unneeded parts [ms]",

@@ -140,9 +140,9 @@ def test_the_slider_tells_what_the_law_makes_of_it(tab, address):
     decreases until the timeconst is two steps.
     """
     tab.goto(f"{address}index.html")
-    assert "kd = 100, by the law 6.36 mm" in tab.inner_text("#try")
+    assert "kd = 100: the law predicts 6.36 mm" in tab.inner_text("#try")
     tab.locator("#try-kd").press("End")
-    assert "by the law 0.332 mm" in tab.inner_text("#try")
+    assert "the law predicts 0.332 mm" in tab.inner_text("#try")
 
 
 @pytest.mark.parametrize(

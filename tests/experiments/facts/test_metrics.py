@@ -169,7 +169,7 @@ def test_lines_are_fitted_as_scipy_fits_them():
 def test_the_drift_of_a_cycle_is_that_of_whole_pairs_after_the_first(
     cycles, frequency_hz
 ):
-    """Test 5 mm a cycle, with a swing that cancels in each pair, a jump in the first
+    """Test 5 mm per cycle, with a swing that cancels in each pair, a jump in the first
     cycle, and one after the last pair.
     """
     time_s = np.linspace(0.0, cycles / frequency_hz, 2001)

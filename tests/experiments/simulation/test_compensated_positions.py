@@ -120,7 +120,7 @@ def test_sums_keep_what_rounding_takes_joint_by_joint():
     for way, kept in (
         (0.9e-6, True),
         (1.4e-6, False),
-    ):  # relative to 2 m: a step with a larger error was set
+    ):  # relative to 2 m; with a larger error, the position counts as set
         place = np.float32(2.0 * (1.0 + way))
         state = [
             wp.array([[each] * 12], dtype=float, device="cpu")

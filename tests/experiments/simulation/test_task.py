@@ -66,7 +66,7 @@ def planned(phase: int, time_s: float, in_hand: bool = False):
 def test_each_phase_goes_to_its_goal_along_a_smooth_step(
     phase, goal, end, fingers, share
 ):
-    """Test 3 s² − 2 s³ of the time s in a phase. At s = 1.4 the phase is over."""
+    """Test the smooth step 3 s² − 2 s³ in a phase, which is over at s = 1.4."""
     place, turn, finger, found = planned(phase, share * SECONDS[phase])
     s = np.polyval((-2.0, 3.0, 0.0, 0.0), min(share, 1.0))
     np.testing.assert_allclose(found, goal, atol=1e-6)

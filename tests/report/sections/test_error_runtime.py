@@ -1,4 +1,4 @@
-"""Test which settings no other setting beats, and from how many worlds on Warp is ahead."""
+"""Test which settings are Pareto-optimal, and when Warp is faster."""
 
 from dataclasses import replace
 

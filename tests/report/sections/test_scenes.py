@@ -131,9 +131,9 @@ GRASPS = {
                 "ball_creeps_out": "holds",
                 "cube_drop_share": 51.85185,
                 "cube_is_shaken_out": "holds",
-                "drops/dropped, MuJoCo C/1": "never",
-                "drops/dropped, MuJoCo C/0": 14,
-                "drops/held, MuJoCo C/3": 0,
+                "drops/time of the drop, MuJoCo C/1": "never",
+                "drops/time of the drop, MuJoCo C/0": 14,
+                "drops/shakes survived, MuJoCo C/3": 0,
             },
         ),
         (

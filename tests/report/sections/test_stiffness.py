@@ -42,7 +42,7 @@ CAUSE = {
             },
             {
                 "cause": "fails",
-                "cause/lacking": "that the left-out acceleration gives the slide",
+                "cause/lacking": "that the missing acceleration predicts the slide",
                 "together_they_hold": "fails",
             },
         ),
@@ -50,7 +50,7 @@ CAUSE = {
             {("contacts", "restored_share"): 5.1},
             {
                 "cause": "fails",
-                "cause/lacking": "that the slide ends when it is put back",
+                "cause/lacking": "that the contacts stop sliding when it is restored",
             },
         ),
         (
@@ -65,7 +65,7 @@ CAUSE = {
         ({("contacts", "slide_departure_as-shipped"): 15.1}, {"cause": "fails"}),
         (
             {("hold", "hold_share"): 10.1},
-            {"cause": "fails", "cause/lacking": "that the drift needs the load cycle"},
+            {"cause": "fails", "cause/lacking": "that the shake causes the drift"},
         ),
         (
             {"pad-ke-2.5e3": {"slip_mm": 0.9}},

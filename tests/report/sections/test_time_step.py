@@ -1,4 +1,4 @@
-"""Test the pads, the slip and the price at each time step."""
+"""Test the pads, the slip and the run time at each time step."""
 
 import pytest
 from deriving import NOISE, assert_found

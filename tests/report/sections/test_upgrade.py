@@ -46,7 +46,7 @@ def derive(results):
 
 
 def measure_upgrade(toy: Toy, ends: dict[str, str]) -> None:
-    """Return the section on these releases, as one of the two ends derives it."""
+    """Return the section as the oldest or the newest of these releases derives it."""
     for release, end in ends.items():
         rows = [
             {

@@ -195,7 +195,7 @@ def with_cells(results: Results, column: str, cells: dict[str, float]) -> Result
 
 @pytest.mark.parametrize(
     ("ratio", "said"),
-    [(1.5, "at 1.5 times the run time"), (0.05, "20 times as fast")],
+    [(1.5, "a frame takes 1.5 times as long"), (0.05, "20 times as fast")],
 )
 def test_a_faster_way_is_said_to_be_so_many_times_as_fast(
     editions, templates, ratio, said
@@ -224,24 +224,24 @@ NOT_KAMINO = {"kamino-3cm": 5.0}
         (
             NOT_KAMINO,
             ("holds", "stiff pads"),
-            ("fails", "the root cure on shipped pads"),
+            ("fails", "the root cure with shipped pads"),
         ),
         (
             {"kamino-weight": 5.0},
             ("holds", "stiff pads"),
-            ("fails", "the root cure on shipped pads"),
+            ("fails", "the root cure with shipped pads"),
         ),
         (
             {"stiff-pads": 5.0, **NOT_KAMINO},
-            ("holds", "RK4, stiff pads"),
-            ("fails", "the root cure on shipped pads"),
+            ("holds", "RK4 with stiff pads"),
+            ("fails", "the root cure with shipped pads"),
         ),
         (
             {"stiff-pads": 5.0, RK4: 5.0, **NOT_KAMINO},
             ("fails", "the term"),
-            ("fails", "the root cure on shipped pads"),
+            ("fails", "the root cure with shipped pads"),
         ),
-        ({RK4: 0.05}, ("holds", "stiff pads"), ("holds", "RK4, stiff pads")),
+        ({RK4: 0.05}, ("holds", "stiff pads"), ("holds", "RK4 with stiff pads")),
         ({"as-shipped": 0.05}, ("holds", "as shipped"), ("holds", "as shipped")),
     ],
 )
@@ -261,7 +261,7 @@ def test_an_argument_of_the_solver_at_hand_is_advised_before_a_faster_solver(edi
     found = results_of(editions, "1.8.0")
     assert advised(found)[1].numbers["way"] == "Steel"
     found["cure"] = with_cells(found["cure"], "slip_mm", {RK4: 0.05})
-    assert advised(found)[1].numbers["way"] == "RK4, stiff pads"
+    assert advised(found)[1].numbers["way"] == "RK4 with stiff pads"
 
 
 def test_a_short_step_is_advised_before_another_solver_and_a_patch(editions):

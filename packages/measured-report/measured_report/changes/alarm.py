@@ -161,7 +161,7 @@ def _details(comparison: Comparison, say: Say) -> list[str]:
 
 
 def _counts(comparison: Comparison) -> dict[str, Counter[str]]:
-    """Return by section how many values moved, got better and got worse."""
+    """Return for each section how many values moved, got better and got worse."""
     counts: dict[str, Counter[str]] = {}
     for move in comparison.moves:
         of_section = counts.setdefault(
@@ -234,14 +234,14 @@ def summary(comparison: Comparison) -> str:
         return f"0 of {count} numbers changed by more than their noise"
     text = f"{changed} of {count} numbers changed; changes above their threshold: {len(comparison.alarms)}"
     better_count = len(comparison.improvements)
-    return f"{text}, and for the better: {better_count}" if better_count else text
+    return f"{text}; improvements: {better_count}" if better_count else text
 
 
 def largest(comparison: Comparison) -> list[str]:
     """Return lines for the columns with the largest changes, alarms first.
 
-    A line contains the largest change of a column for the better, or otherwise, and the
-    number of its other rows that changed so.
+    Improvements and other changes of a column have a line each. It contains the largest
+    change, and the number of other rows that changed in the same way.
     """
     columns: dict[tuple[str, bool], list[Move]] = {}
     rank = partial(_rank, rules=comparison.report.settings.changes)
@@ -256,7 +256,7 @@ def largest(comparison: Comparison) -> list[str]:
             is_better = move.direction == "better"
             columns.setdefault((move.column.name, is_better), []).append(move)
     shown = [*columns][:LINES]
-    # Alarms come first, so one line is kept for changes for the better.
+    # Alarms come first, so one line is reserved for improvements.
     shown += [key for key in columns if key[1] and key not in shown][:1]
     lines = []
     for lead, *lesser_moves in map(columns.__getitem__, shown):

@@ -43,7 +43,7 @@ NEAR_ZERO = 0.01
 """Chosen: a number below this share of the median of its column is close to zero."""
 ODD_SHARE = 0.4
 """Chosen: at most this share of the rows of a section may differ by chance if no row
-was measured twice, because a single run can end in one of two ways.
+was measured twice, because a single run can end in either of two ways.
 """
 LEAST_SWEEP = 6
 """Chosen: in a section with fewer rows, each row that changed counts as a change."""
@@ -69,7 +69,7 @@ class Move:
     place: Mapping[str, Any] = field(default_factory=dict)  # the key of its row
     rows: Sequence[Row] = ()  # its row in both editions; empty for a mean or a median
     rules: Changes = field(default_factory=Changes, repr=False)
-    limit: float = FALSE_SHARE  # the largest chance that counts as a change
+    limit: float = FALSE_SHARE  # the largest probability that counts as a change
     scale: float = 0.0  # a number below this size is close to zero
     is_single: bool = False  # whether one edition has measured it only once
     is_odd: bool = False  # whether it may be due to a run that ended oddly by chance
@@ -459,7 +459,7 @@ def _with_both_sides(
 
 
 def _without_chance(moves: Sequence[Move], sides: Sequence[Results]) -> list[Move]:
-    """Return the moves, and mark those that one unusual run may explain as odd.
+    """Return the moves; a move is marked as odd if one unusual run may explain it.
 
     Occasionally a run ends differently although nothing changed. If one edition
     measured a number only once, this looks like a change. Such rows therefore count

@@ -1,6 +1,6 @@
 """Check whether runs of the old and the new code of a section cover all changes.
 
-A quick run covers a change in a function that it calls. However, it may not use a
+A quick run covers a change in a function that it calls. However, it might not use a
 constant, an operator or a name that only the full profile needs. Therefore the changed
 functions together must contain the same constants, operators and names before and after
 the change.
@@ -122,14 +122,14 @@ def uncovered(old: Program, new: Program, called: set[Place]) -> str:
     for (kind, text), count in sorted(counts.items()):
         if count and not (kind == "name" and text in renamed):
             return (
-                f"the quick run may not use the changed {kind} {text} in "
+                f"the quick run might not use the changed {kind} {text} in "
                 f"{', '.join(changed)}: measure again with make rerun"
             )
     return ""
 
 
 def _resolve_imports(tree: ast.Module, name: str) -> None:
-    """Replace imported names by the dotted paths that they stand for."""
+    """Replace imported names with the dotted paths that they stand for."""
     package = PurePosixPath(name).parts[:-1]
     imports: dict[str, str] = {}
     for node in ast.walk(tree):

@@ -83,7 +83,9 @@ class Query:
             f" with {columns.settings.name_of(release)}" if columns and release else ""
         )
         unit = columns[self.column].unit if columns else PLAIN
-        return absent(unit, f"{self.section} has not been measured this way{edition}")
+        return absent(
+            unit, f"section {self.section} has not been measured in this way{edition}"
+        )
 
     def _row(self, results: Results) -> Row | None:
         if not self.device:

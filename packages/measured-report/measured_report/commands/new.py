@@ -33,7 +33,7 @@ FROM_FILE = SKELETON / "from_file"
 """The files that replace those about the pendulum in a report from a file."""
 GENERATOR = "measured-report"
 OLDER: Mapping[str, str] = {}
-"""Marks for a Python that the release of NumPy in the skeleton does not run on."""
+"""Placeholders for a Python on which the skeleton's release of NumPy does not run."""
 if sys.version_info < (3, 11):
     OLDER = {"numpy==2.4.6": f"numpy=={metadata.version('numpy')}", ">=3.11": ">=3.10"}
 
@@ -112,13 +112,17 @@ def new(folder: Path, file: Path | None = None) -> int:
 
 
 def marks_of(file: Path) -> dict[str, str]:
-    """Return the marks for a report from a file; raise ReportError if it is unreadable."""
+    """Return the placeholders for a report from a file.
+
+    Raise ReportError if the file cannot be read."""
     try:
         rows = rows_of(str(file))
     except OSError as error:
         raise UsageError(f"{file} cannot be read: {error.strerror}") from None
     if sum("of" not in row for row in rows) < 2:
-        raise UsageError(f"{file} has less than two cases, which a claim needs")
+        raise UsageError(
+            f"{file} has less than two cases: add one, because a claim compares cases"
+        )
     column = next((name for name in rows[0] if name not in ("case", "of")), "")
     if not re.fullmatch(NAME, column):
         raise UsageError(

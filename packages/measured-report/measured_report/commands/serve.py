@@ -48,8 +48,8 @@ class _Handler(SimpleHTTPRequestHandler):
     def translate_path(self, path: str) -> str:
         """Return the file that is sent for a path, with the index of a folder.
 
-        Return an empty string, which is not a file, unless it is a regular file or a
-        folder of the site without any link on the way.
+        Return an empty string for anything other than a regular file or a folder of the
+        site, and if there is a link on the way.
         """
         name = super().translate_path(path)
         name += "index.html" if name.endswith("/") else ""

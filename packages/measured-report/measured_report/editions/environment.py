@@ -194,7 +194,8 @@ def _make(
         if _is_ready(folder, declared):
             return
         try:
-            # Cleared, because a killed process may have left a part of one.
+            # The folder is cleared, because a killed process may have left a part of an
+            # environment.
             _run(["venv", "--clear", "--python", sys.executable, str(folder)], name)
             write_file(overrides, "\n".join(pins))
             _run([*install, "--overrides", str(overrides), *arguments], name)

@@ -77,7 +77,7 @@ def read_text(path: Path) -> str:
     except OSError as error:
         raise ReportError(f"{name} cannot be read: {error.strerror}") from None
     except UnicodeDecodeError as error:
-        raise ReportError(f"{name} is not a text in UTF-8: {error}") from None
+        raise ReportError(f"{name} is not UTF-8 text: {error}") from None
 
 
 def remove(path: Path) -> None:
@@ -183,7 +183,7 @@ def digests_below(folder: Path) -> dict[str, str]:
 
 
 def put_in_place(folder: Path, fresh: Path) -> None:
-    """Replace ``folder``, or the folder that it links to, by ``fresh``."""
+    """Replace ``folder``, or the folder that it links to, with ``fresh``."""
     folder = folder.resolve()
     before = fresh.with_name(f"{fresh.name}-before")
     remove(before)

@@ -84,7 +84,7 @@ class Report:
         report()._follow(exited)
 
     def _follow(self, former: "Report") -> None:
-        """Replace the root and the modules of the former report by those of this
+        """Replace the root and the modules of the former report with those of this
         report. The former report keeps its modules for the next time it is entered.
         """
         if self is former:

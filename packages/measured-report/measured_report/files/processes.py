@@ -45,7 +45,8 @@ def workers(
         pool.shutdown(cancel_futures=True)
 
 
-# The function that the forks call. They inherit it, so that it need not be pickled.
+# The function that the forks call. They inherit it, so that it does not have to be
+# pickled.
 _task: list[Callable[[int], Any]] = []
 
 

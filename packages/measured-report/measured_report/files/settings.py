@@ -115,13 +115,13 @@ class Changes:
 
 @dataclass(frozen=True)
 class Page:
-    """Describe a page. A release has it if it has one of the sections of the page."""
+    """Describe a page. A release has the page if it has one of its sections."""
 
     name: str
-    label: str = ""  # the text of links to it; empty: its name
+    label: str = ""  # the text of links to it; by default its name
     texts: tuple[str, ...] = ()
-    """Its templates, the one with its title first; empty for `pages/NAME.md.j2`."""
-    always: bool = False  # whether an edition has it without any of its sections
+    """Its templates, the one with its title first; by default `pages/NAME.md.j2`."""
+    always: bool = False  # whether an edition always has it, even without its sections
 
     def __post_init__(self) -> None:
         object.__setattr__(
@@ -143,7 +143,7 @@ class Config:
     """Other packages whose versions a record depends on; `edition` is added in front.
     """
     implied: Mapping[str, str] = field(default_factory=dict)
-    """Packages that another package requires in its own version, with that package.
+    """Packages that another package requires in the same version, with that package.
 
     A record without such a package was measured with this version, or without it.
     """
@@ -153,7 +153,7 @@ class Config:
     short_names: Mapping[str, str] = field(default_factory=dict)
     """Short names of other packages in labels."""
     trials: Mapping[str, str] = field(default_factory=dict)
-    """Names in sentences for labels with other packages."""
+    """Names that sentences use for labels with other packages."""
     host: str = "measured_report.measuring.host"
     """The module that measures on a host; the default measures on the CPU."""
     accelerator: str = "measured_report.measuring.host"
@@ -295,7 +295,7 @@ def read_settings(root: Path) -> Config:
         for name, share in {**shares, **config.changes.thresholds}.items():
             if not 0 < share <= 1:
                 raise ValueError(
-                    f"the threshold of {name} is {share:g}, and a share is above 0 and "
+                    f"the threshold of {name} is {share:g}, but a share is above 0 and "
                     "at most 1: write 0.05 for 5 %"
                 )
         if not 0 < len(config.pages) == len({page.name for page in config.pages}):

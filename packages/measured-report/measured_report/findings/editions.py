@@ -67,8 +67,9 @@ class Edition:
     """By section: the count of measurements that decide its claims, in words."""
     replicas: Sequence[str] = ()  # names of its replicas
     calibration: Mapping[str, tuple[int, int]] = field(default_factory=dict)
-    """By kind of number: the count of measurements within the noise that the others
-    predict, and the count of all. They include all editions."""
+    """For each kind of number: the count of measurements that lie within the noise
+    predicted by the others, and the count of all measurements, over all editions.
+    """
     stories: dict[str, Section] = field(default_factory=dict)  # rendered texts by name
 
     @cached_property
@@ -121,14 +122,14 @@ class Edition:
 
     @property
     def uncompared(self) -> dict[str, Chapter]:
-        """Return the chapters, without findings in the chapters that compare releases."""
+        """Return all chapters; those that compare releases have no findings yet."""
         return {
             name: replace(chapter, section=Section()) if chapter.compares else chapter
             for name, chapter in self.chapters.items()
         }
 
     def update(self, change: Callable[[Chapter], Chapter]) -> None:
-        """Replace each chapter by its changed copy, and leave out chapters whose change
+        """Replace each chapter with a changed copy, and leave out chapters whose change
         fails.
         """
         for name, chapter in list(self.chapters.items()):
@@ -215,7 +216,7 @@ class Edition:
             if (order, name_read) >= (outline.order, name):
                 raise ReportError(
                     f"{outline.source} reads {name_read}, which comes after it: "
-                    "give it a higher order"
+                    f"give {name} a higher order"
                 )
         results = replace(
             chapter.results,
@@ -370,7 +371,7 @@ def _derive(editions: Mapping[str, Edition], releases: Releases | None = None) -
 
 
 def derive_edition(project: Project) -> Edition:
-    """Derive one edition. Sections that compare releases have only this one."""
+    """Derive one edition. Sections that compare releases then see no other release."""
     edition = read_edition(project, DerivedCache(project.root, project.report))
     edition.set_keys()
     edition.derive()

@@ -155,7 +155,7 @@ def replicas_text(project: Project) -> list[str]:
 
 
 def alike(tracked: Records, records: Records) -> Records:
-    """Return the records of a replica that measured the same as the tracked ones."""
+    """Return the records of a replica that can be compared with the tracked ones."""
     return {
         name: record
         for name, record in records.items()

@@ -35,14 +35,14 @@ class Measurement:
 
 
 def measurement_of(returned: Any) -> Any:
-    """Return what ``measure`` returned as a measurement.
+    """Convert the result of ``measure`` to a measurement.
 
-    It can also return only rows: a list of dicts or of dataclasses, or a data frame,
-    whose index names the cases unless it has a column ``case``.
+    ``measure`` can also return only rows: a list of dicts or of dataclasses, or a data
+    frame, whose index names the cases unless it has a column ``case``.
     """
     if hasattr(returned, "traces"):
         return returned
-    # By its methods, because pandas need not be installed.
+    # A data frame is recognized by its methods, because pandas may not be installed.
     if hasattr(returned, "reset_index"):
         table = returned if "case" in returned else returned.rename_axis("case")
         table = table.reset_index(drop="case" in returned)

@@ -166,7 +166,7 @@ class Section:
                 )
 
     def _write(self, returned: Any) -> None:
-        """Write the record and the traces of what ``measure`` returned."""
+        """Write the record and the traces that ``measure`` returned."""
         report = self.project.report
         path = self.project.record_path(self.name)
         results = list(self.results.values())
@@ -189,7 +189,7 @@ class Section:
             )
         self._refuse_undeclared(results)
         measured_on = {}
-        # A section may find that it can measure nothing on this device.
+        # A section may not be able to measure anything on this device.
         machines = [result.machine for result in results] or [machine(self.device)]
         for name in machines[0]:
             properties = {each[name] for each in machines}

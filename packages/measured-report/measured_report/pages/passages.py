@@ -8,8 +8,9 @@
 
 A need is the name of a claim, which must hold, or its name and another required
 outcome: ``fails`` or ``opposite``. A passage can print the numbers of these claims as
-``section.claim.number``, and every name of the template around it. If a need is not
-met, the text after ``otherwise`` is shown, or without one the sentences of the claims.
+``section.claim.number``, and can use every name of the surrounding template. If a need
+is not met, the text after ``otherwise`` is shown, or without one the sentences of the
+claims.
 
 A passage on one line is a part of a paragraph. On several lines it contains whole
 paragraphs. ``answer="why"`` after ``needs`` sets the attribute ``data-answer``.
@@ -85,7 +86,7 @@ def _attribute(parser: Parser, name: str) -> str:
 def passages(find: Callable[[str, str], Claim | None]) -> Callable[..., str]:
     """Return the function that prints passages.
 
-    ``find`` returns the claim with a section and a name.
+    ``find`` returns a claim by its section and its name.
     """
 
     @pass_context

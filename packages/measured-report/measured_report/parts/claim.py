@@ -103,15 +103,16 @@ class Claim:
         """Return the sentence for the outcome.
 
         If the template has no sentence for it, this is the question with a verdict,
-        such as "Whether the tower leans cannot be told".
+        such as "We cannot tell whether the tower leans".
         """
         outcome = self.outcome
         parts = ["opposite", "fails"] if outcome.is_opposite else [outcome.name]
         for sentence in filter(None, map(self.render, parts)):
             return sentence
         question = self.render("asks")
-        verdict = "cannot be told" if outcome.name == "unknown" else "is not shown"
-        sentence = Markup("{}{} {}").format(question[:1].upper(), question[1:], verdict)
+        is_open = outcome.name == "unknown"
+        verdict = "We cannot tell" if is_open else "It is not shown"
+        sentence = Markup("{} {}").format(verdict, question)
         reason = Markup(" ({})").format(outcome.reason) if outcome.reason else ""
         return sentence + reason + "."
 

@@ -290,7 +290,8 @@ class Section:
                     )
                 if hasattr(part, "wording"):
                     wording = wordings[kind, wording_name]
-                    # Render all texts now, because other numbers may need another one.
+                    # Render all texts now, because other numbers may select another
+                    # text.
                     for text in wording.values():
                         text(part.numbers)
                     part = replace(part, wording=wording)

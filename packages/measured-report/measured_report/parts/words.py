@@ -131,7 +131,7 @@ def _parse_parts(
             blocks[part] = nodes.Block(block, body, False, False, lineno=line)
         elif not _is_blank(body):
             parser.fail(
-                f"{kind} {name} has text before its first tag: move it behind a tag",
+                f"{kind} {name} has text before its first tag: move it after a tag",
                 line,
             )
         tag = next(parser.stream)

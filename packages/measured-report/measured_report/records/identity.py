@@ -55,7 +55,7 @@ def identity_of(
     packages: Mapping[str, str] | None = None,
     code: Code | None = None,
 ) -> Identity:
-    """Return the identity that a record of a section would have if measured now.
+    """Return the identity that a section's record would have if it were measured now.
 
     The default of ``packages`` is the installed packages.
     """
@@ -178,7 +178,7 @@ def full_version(version: str) -> str:
 
 
 def package_changes(before: Mapping[str, str], after: Mapping[str, str]) -> list[str]:
-    """Return the packages whose versions differ; one that is not listed is missing."""
+    """Return the packages whose versions differ; an unlisted one counts as missing."""
     before, after = _with_implied(before, after), _with_implied(after, before)
     versions = {
         name: (before.get(name, MISSING), after.get(name, MISSING))

@@ -133,7 +133,7 @@ class Record:
 
     @property
     def codes(self) -> frozenset[str]:
-        """Return the digests of all codes that are proven to measure the same rows."""
+        """Return the digests of all versions of the code that measure the same rows."""
         return frozenset(
             {self.identity.code, *(carried.code for carried in self.carried)}
         )

@@ -122,7 +122,7 @@ def _notes(edition: Edition) -> list[str]:
 def _stray_results(edition: Edition) -> list[str]:
     """Return a line for each folder, record and trace in results/ that no code reads.
 
-    For example, a section was renamed, or the name of a folder has a typing error.
+    They occur, for example, if a section was renamed or a folder's name is misspelt.
     """
     results = edition.project.results
     settings = edition.report.settings

@@ -30,7 +30,7 @@ from measured_report.parts.prose import Prose
 from measured_report.values.format import format_number, unit_label
 
 PAGE = Page("compare")
-SHOWN = 3  # chosen: a table lists at most so many changed numbers of each column
+SHOWN = 3  # chosen: the largest number of changes that a table lists for each column
 
 
 @dataclass(frozen=True)

@@ -10,7 +10,7 @@ from measured_report.findings.chapters import Chapter
 from measured_report.findings.editions import Edition
 from measured_report.values.results import MEANS
 
-FEW = 6  # chosen: at most so many rows of a derived number are listed
+FEW = 6  # chosen: the largest number of rows that are listed for a derived number
 ROW = re.compile(
     rf"""
     (?P<folder>[^/]+)/

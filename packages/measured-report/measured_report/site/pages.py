@@ -41,7 +41,7 @@ IDS = re.compile(r' id="([^"]+)"')
 LINK = re.compile(r'(?<= href=")#([\w-]+)(?=")')
 """Matches a link to an id, which may be on another page."""
 CITED = re.compile(r'(?<=<sup class="cited">)(\w+)(?=</sup>)')
-"""Matches the name of a source, which each page replaces by its own number."""
+"""Matches the name of a source, which each page replaces with its own number."""
 File = str | bytes | Path
 ICON = "favicon.svg"  # an optional file in the report's folder ``assets/``
 LOGO = "static/logo.svg"

@@ -76,7 +76,9 @@ NumberKey = tuple[
 Samples = Mapping[NumberKey, Sequence[float | None]]  # each number by measurement
 SamplesByColumn = Mapping[tuple[str, ColumnKey], Samples]  # by section and column
 Fits = Mapping[tuple[str, ColumnKey], Fit]
-Chances = Mapping[tuple[str, ColumnKey], Mapping[NumberKey, Any]]  # arrays of chances
+Chances = Mapping[
+    tuple[str, ColumnKey], Mapping[NumberKey, Any]
+]  # arrays of probabilities
 
 
 @dataclass(frozen=True)
@@ -210,7 +212,7 @@ class _Gathered:
         """Return the measurements of a row without the few that end differently.
 
         If more than ``MOST_DISSENT`` of them end unlike the tracked one, all of them
-        are returned, because the row is at an edge.
+        are returned, because the end of the row is random.
         """
         endings = [ending_of(row, self.columns) if row else None for row in rows]
         dissents = [ending not in (None, endings[0]) for ending in endings]
@@ -423,7 +425,7 @@ def _chances(samples: SamplesByColumn, fits: Fits) -> Chances:
 def _row_chances(
     chances: Chances, edition: str, section: str
 ) -> list[tuple[RowKey, Any]]:
-    """Return the chances of each number in a section, with its row."""
+    """Return the probabilities of each number in a section, with its row."""
     return [
         (row_key, of_number)
         for (name, _), numbers in chances.items()

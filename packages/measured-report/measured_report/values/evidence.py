@@ -1,10 +1,10 @@
 """Estimate an edition's numbers from all their measurements.
 
-A measurement differs from the truth by errors of its host and card, of its process and
-of its run. The estimate of a number that was measured several times is the mean of its
-measurements; their scatter is estimated from all editions, see ``scatter.py``. If no
-number of a column was ever measured twice, its scatter is estimated from repeated runs
-of one case, or from the repeats within its own row.
+A measurement differs from the true value by several errors: those of its host and card,
+of its process, and of its run. The estimate of a number that was measured several times
+is the mean of its measurements; their scatter is estimated from all editions, see
+``scatter.py``. If no number of a column was ever measured twice, its scatter is
+estimated from repeated runs of one case, or from the repeats within its own row.
 """
 
 import math
@@ -120,7 +120,7 @@ class Repeats(NamedTuple):
 
 
 def repeats_of(rows: Iterable[Cells], columns: Schema) -> Repeated:
-    """Return the repeats of each case, as ``of`` names it, by case and column."""
+    """Return the repeats of each case that ``of`` names, by case and column."""
     repeats: dict[str, dict[str, Repeats]] = {}
     for case, runs in grouped((row["of"], row) for row in rows if "of" in row).items():
         repeats[case] = {}

@@ -11,7 +11,7 @@ from functools import cache
 from statistics import NormalDist, fmean, median
 from typing import Any, NamedTuple
 
-SURE = 0.95  # chosen: the probability that the truth lies within the noise of a number
+SURE = 0.95  # chosen: the probability that the true value lies within the noise
 FALSE_SHARE = 0.01  # chosen: the share of the listed changes that may be false
 OUTLIER = 5.0
 """Chosen: a measurement that is more deviations away from the median of its row is moved to
@@ -44,7 +44,7 @@ def t_quantile(share: float, freedom: float) -> float:
 
 
 def chance_of(difference: Any, error: Any, freedom: Any) -> list[float]:
-    """Return the probability that two means of one truth differ by as much or more.
+    """Return the probability that means of one true value differ by at least as much.
 
     All arguments are arrays: the size of the difference, its standard error, and the
     degrees of freedom of this error. If the error is 0, any difference is certain.
@@ -61,7 +61,7 @@ def chance_of(difference: Any, error: Any, freedom: Any) -> list[float]:
 
 
 def discoveries(chances: Sequence[float]) -> float:
-    """Return the largest of these chances that counts as a discovery, or 0.
+    """Return the largest of these probabilities that counts as a discovery, or 0.
 
     The method is by Benjamini and Hochberg (1995), J. R. Stat. Soc. B 57, 289.
     """
@@ -75,8 +75,8 @@ def discoveries(chances: Sequence[float]) -> float:
 def exceeds_chance(count: int, expected: float) -> bool:
     """Return whether there are more rare events than chance explains.
 
-    Their count has Poisson's distribution. Chance would give as many in less than
-    ``FALSE_SHARE`` of all comparisons.
+    Their count has Poisson's distribution. Chance alone produces as many in fewer
+    than ``FALSE_SHARE`` of all comparisons.
     """
     if not count:
         return False

@@ -139,7 +139,7 @@ class Quantity:
 
     def __round__(self, places: int = 0) -> float:
         raise ReportError(
-            f"{self} is rounded by its noise: print it without the filter round"
+            f"{self} is rounded according to its noise: print it without the filter round"
         )
 
     @property
@@ -160,7 +160,7 @@ class Quantity:
 
     @property
     def written(self) -> str:
-        """Return the number as text without its unit, rounded by its noise."""
+        """Return the number as text without its unit, as exact as its noise allows."""
         return format_number(self.value, noise=self.noise)
 
     @property
@@ -383,7 +383,7 @@ def _shifted(
     values: Sequence[Any],
     shifts: Iterable[Mapping[int, float]],
 ) -> float:
-    """Return how far shifts of its values move a function; infinite if it fails.
+    """Return how much a function changes if its values shift; infinite if it fails.
 
     A shift contains the number that is added to each value, by index. The effects of
     all shifts add in squares. Each shift is also subtracted, and the larger of its two
@@ -537,10 +537,10 @@ def combined(
 
 
 def _across(source: Any, terms: dict[int, Any]) -> Any:
-    """Return a source.
+    """Return a source, or a copy of a term that may combine several editions.
 
-    If it is a term, the copy may combine several editions. ``terms`` contains the terms
-    made so far, because a term that occurs twice has to stay one operand.
+    ``terms`` contains the terms made so far, because a term that occurs twice has to
+    stay one operand.
     """
     if not isinstance(source, Term):
         return source

@@ -231,7 +231,7 @@ class Results:
         return Rows(single((row.plain["case"], row) for row in self.rows), self)
 
     def means(self, names: Iterable[str]) -> dict[str, Value]:
-        """Return the means over measurements that have these names among the values."""
+        """Return the means over measurements that have these names as values."""
         values = {}
         for name in sorted(names):
             _, index, column = name.split(".")

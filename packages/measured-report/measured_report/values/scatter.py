@@ -2,11 +2,11 @@
 
 The numbers of a column in a section scatter alike. Each row has a variance of its own,
 estimated from the measurements of that row in every edition. It is shrunk towards the
-variance of its column; how strongly is estimated from the spread of the variances:
-Smyth (2004), Statistical Applications in Genetics and Molecular Biology 3, article 3. A
-row that was never measured twice has the variance of its column. A row with an outlying
-variance keeps it, and has no influence on other rows: Phipson et al. (2016), Annals of
-Applied Statistics 10, 946-963.
+variance of its column. The strength of the shrinkage is estimated from the spread of
+the variances: Smyth (2004), Statistical Applications in Genetics and Molecular Biology
+3, article 3. A row that was never measured twice has the variance of its column. A row
+with an outlying variance keeps it, and has no influence on other rows: Phipson et al.
+(2016), Annals of Applied Statistics 10, 946-963.
 """
 
 from collections.abc import Hashable, Sequence
@@ -31,7 +31,7 @@ Array = Any  # an array of NumPy's
 MOST_FREEDOM = 100.0
 """The prior degrees of freedom of a column whose variances differ only by chance.
 
-Smyth uses infinity, but a few rows cannot exclude that some scatter more.
+Smyth uses infinity, but with few rows some rows may scatter more.
 """
 LEAST_FREEDOM = 0.2
 """Chosen: the fewest prior degrees of freedom. With fewer, Student's t has no finite

@@ -191,7 +191,7 @@ def test_one_line_is_kept_for_changes_for_the_better(toy, monkeypatch):
     comparison = changed(toy.of("1.8.0").project, before="1.4.0")
     worse, better = largest(comparison)
     assert worse.startswith("alarm: ") and "better" in better
-    assert "and for the better: 1" in summary(comparison)
+    assert "improvements: 1" in summary(comparison)
 
 
 def test_diff_and_check_say_it_in_every_format_and_no_record_ends_the_block_of_markdown(

@@ -292,9 +292,7 @@ def carry_all(project: Project, *names: str) -> dict[str, str]:
 
 @pytest.fixture(scope="module")
 def answers(tmp_path_factory):
-    """Return for each planted change why it is refused, and the record before and
-    after.
-    """
+    """Return the reason for refusing each planted change, and both records."""
     with measured(
         tmp_path_factory.mktemp("carry") / "project",
         {name: old for name, (old, _) in PLANTED.items()},

@@ -279,9 +279,7 @@ def test_a_change_that_nobody_knows_the_noise_of_has_to_exceed_a_tenth(chapter):
 
 
 def test_false_changes_are_bounded_within_a_section(chapter):
-    """Test the limit of 40 chances by Benjamini and Hochberg, and the limit of 1 % for
-    one number.
-    """
+    """Test the limits of Benjamini and Hochberg for 40 numbers and for one."""
     chance = np.random.default_rng(1)
     shifts = np.where(np.arange(40) < 10, 0.65, 0.0) + chance.normal(0, 0.1, 40)
     after = {f"c{index}": 10.0 + float(shift) for index, shift in enumerate(shifts)}
@@ -301,7 +299,7 @@ def test_false_changes_are_bounded_within_a_section(chapter):
 def test_single_runs_count_if_more_end_otherwise_than_chance_explains(
     chapter, odd_rows, wild, listed
 ):
-    """Test Poisson's chances for a row in a hundred, one in two, and eight usual ones."""
+    """Test the limits of Poisson's distribution for 0.01, 0.5 and 8 expected odd rows."""
     after = cases(40) | cases(wild, 30.0)
     once = side(chapter, cases(40), odd_rows=odd_rows / 2)
     again = side(chapter, after, odd_rows=odd_rows / 2)
@@ -329,7 +327,7 @@ def test_a_number_that_is_named_counts_even_if_its_run_may_be_odd(chapter, monke
 def test_a_number_that_is_named_is_tested_by_itself(
     chapter, monkeypatch, shift, is_listed
 ):
-    """A change by 3.5 standard errors has a chance of 0.2 %, one by 1.4 of 17 %."""
+    """A change of 3.5 standard errors has a probability of 0.2 %, and 1.4 have 17 %."""
     settings = report().settings
     rules = replace(settings.changes, headlines={"drift": "toy.c0.drift_mm_s"})
     monkeypatch.setitem(vars(report()), "settings", replace(settings, changes=rules))
@@ -392,9 +390,9 @@ def test_a_number_close_to_zero_changed_by_a_share_of_its_column(chapter):
 def test_a_section_is_blind_if_its_noise_exceeds_its_own_threshold(
     chapter, column, deviation, is_blind
 ):
-    """Test the t of 2.845 for 20 degrees at 99 %: 0.3 of 10 gives 12 %, and 0.48 gives
-    19 %.
-    """
+    """Test t = 2.845 (20 degrees of freedom, 99 %).
+
+    A noise of 0.3 in 10 gives 12 %, and one of 0.48 gives 19 %."""
     noisy = {"column": column, "deviation": deviation}
     moves = moves_between(
         side(chapter, cases(9), **noisy), side(chapter, cases(9), **noisy)
@@ -425,7 +423,7 @@ def test_thresholds_are_10_percent_and_20_percent_of_times(
 
 
 def test_relevance_is_the_share_over_its_threshold_whichever_way_it_moves_and_two_of_three_comparisons_tell_a_change():
-    """Test a change by 1 with a noise of 0.25758, which is 2.5758 standard errors of
+    """Test a change of 1 with a noise of 0.25758, which is 2.5758 standard errors of
     0.1 and contains 99 % of a normal distribution, and a threshold of 0.05.
     """
     load, value = (report().columns[name] for name in ("load", "value"))

@@ -62,7 +62,7 @@ ALL = {*ROW} - {"case"}
     ("changed", "columns"),
     [
         ({}, ALL),
-        # A rate does not depend on the length of a run, and all else may.
+        # A rate does not depend on the length of a run, but all other numbers may.
         ({"frame_count": 200}, ALL - {"slip_mm"}),
         ({"pad_ke": 2e4}, ALL - {"slip_mm", "drift_mm_s"}),
         ({"pad_ke": 2e4, "frame_count": 200}, ALL - {"slip_mm", "drift_mm_s"}),

@@ -150,7 +150,7 @@ def root(tmp_path_factory, index) -> Path:
     uv("venv", "--python", sys.executable, str(root / ".venv"), index=index)
     uv("pip", "install", "--python", str(python), *packages, index=index)
     [site] = root.glob(".venv/lib/python*/site-packages")
-    # What derives and draws is that of the tests.
+    # The packages for deriving and drawing are those of the tests.
     (site / "lent.pth").write_text(f"{sysconfig.get_path('purelib')}\n")
     return root
 
@@ -170,7 +170,7 @@ def make(root: Path, index: str, words: str) -> tuple[int, str]:
     environment |= {
         "UV_DEFAULT_INDEX": index,
         "PATH": f"{UV.parent}{os.pathsep}{os.environ['PATH']}",
-        "TZ": "Asia/Kathmandu",  # the day of a release is one of UTC everywhere
+        "TZ": "Asia/Kathmandu",  # the day of a release is a day in UTC
     }
     done = subprocess.run(
         ["make", *words.split(), "PYTHON=.venv/bin/python"],

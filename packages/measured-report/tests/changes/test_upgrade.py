@@ -224,5 +224,5 @@ def test_why_names_what_was_set_otherwise_and_an_edition_without_a_name_is_not_n
         )
         assert (
             Query("toy.firm.slip_mm").quantity(sides[0].chapters).reason
-            == "toy has not been measured this way"
+            == "section toy has not been measured in this way"
         )

@@ -76,7 +76,7 @@ TEXT = (SKELETON / "report.toml").read_text(encoding="utf-8")
         (
             'mj" = 0.05',
             'mj" = -0.05',
-            "the threshold of pendulum.euler.energy_error_mj is -0.05, and a share is",
+            "the threshold of pendulum.euler.energy_error_mj is -0.05, but a share is",
         ),
         (
             'mj" = 0.05',

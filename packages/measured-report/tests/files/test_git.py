@@ -1,4 +1,4 @@
-"""Test that files are written and git is started in one place each."""
+"""Test that only one module writes files, and that only one starts git."""
 
 import ast
 from pathlib import Path

@@ -1,6 +1,4 @@
-"""Test that each of several reports finds its own packages if these have the same
-names.
-"""
+"""Test that each of several reports finds its own packages, even with equal names."""
 
 import sys
 

@@ -1,6 +1,4 @@
-"""Test that a part of the site is made again if one of its sources changed, and only
-then.
-"""
+"""Test that a part of the site is built again only if one of its sources changed."""
 
 import pickle
 import shutil

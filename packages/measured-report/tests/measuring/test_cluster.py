@@ -1,6 +1,4 @@
-"""Test sections that a cluster measures although its workers are killed, are unfit or
-have other code.
-"""
+"""Test measuring on a cluster with workers that are killed, unsuitable or outdated."""
 
 import gc
 import os

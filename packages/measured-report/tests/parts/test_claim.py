@@ -146,7 +146,7 @@ def test_each_outcome_has_its_wording_and_an_explanation_only_where_it_holds():
     assert make_claim(FAILS).text == "It is not 6.36 mm."
     assert (
         make_claim(Outcome("unknown", "a < b")).text
-        == "Whether it is cannot be told (a < b)."
+        == "We cannot tell whether it is (a < b)."
     )
     html = make_claim(HOLDS).html("toy")
     assert html.startswith(

@@ -80,7 +80,7 @@ ASKS = "{% asks %} whether it helps\n"
         (
             "It helps {{ gain }}",
             "It helps {{ gain | round(2) }}",
-            r"toy.md.j2:4: 20.* is rounded by its noise: print it without the filter",
+            r"toy.md.j2:4: 20.* is rounded according to its noise: print it without the filter",
         ),
         (
             "Stiff is {{",

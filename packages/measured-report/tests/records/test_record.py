@@ -154,7 +154,7 @@ def test_traces_are_the_same_bytes_for_the_same_numbers_and_go_with_their_cases(
 
 
 def test_a_trace_has_at_most_so_many_columns_and_cells(toy, monkeypatch):
-    """Test that each limit is the largest accepted number. The header counts as a line."""
+    """Test that a trace can be as large as each limit, including its header."""
 
     def trace(width: int, length: int) -> dict[str, list[float]]:
         return {f"x{number}_mm": [0.0] * length for number in range(width)}

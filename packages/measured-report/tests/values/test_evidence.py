@@ -1,6 +1,4 @@
-"""Test evidence with measurements that are drawn from known truths with errors of hosts
-and runs.
-"""
+"""Test evidence with measurements that are drawn around known true values."""
 
 from dataclasses import replace
 
@@ -105,7 +103,7 @@ def measured(
 def drawn(
     seed: int, *counts: int, column: str = DRIFT, host: float = 0.0
 ) -> tuple[list[np.ndarray], list[list[Record]]]:
-    """Return truths and measurements of editions that were measured this many times.
+    """Return the true values and the measurements of editions measured this many times.
 
     The rows scatter equally in all editions, and each has its own deviation.
     """
@@ -122,7 +120,7 @@ def drawn(
 def known(
     of: Evidence, shown: Record, column: str = DRIFT
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Return the printed values, and their distances from the truth."""
+    """Return the printed values, and their distances from the true values."""
     estimates = [estimate(of, column, row) for row in shown.rows]
     values = np.array([each.value for each in estimates])
     return values, np.array([each.noise for each in estimates])
@@ -400,7 +398,7 @@ def test_the_noise_of_trials_is_theirs_alone():
 
 
 def test_a_change_that_is_certain_counts_as_a_false_alarm():
-    """Test that a chance of 0 becomes the smallest possible number."""
+    """Test that a probability of 0 becomes the smallest possible number."""
     chances = [((row,), np.array([0.0 if row < 3 else 0.5])) for row in range(12)]
     assert _changed(chances, 0.02) == [(12, 3)]
 

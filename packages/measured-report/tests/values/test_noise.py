@@ -63,9 +63,9 @@ def test_a_chance_is_of_the_difference_in_standard_errors():
 
 
 def test_the_chances_that_count_are_those_of_benjamini_and_hochberg():
-    """Test ten chances at 1 %: the third may be 0.003 and the fourth 0.004.
+    """Test ten probabilities at 1 %: the third may be 0.003 and the fourth 0.004.
 
-    A smaller chance after a larger one also counts.
+    A smaller probability that follows a larger one counts, too.
     """
     chances = [0.0005, 0.0021, 0.0029, 0.02, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0]
     assert discoveries(chances) == 0.0029 and discoveries(chances[::-1]) == 0.0029

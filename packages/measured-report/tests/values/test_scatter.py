@@ -26,7 +26,7 @@ ROUNDING = (1e-6) ** 2 / 12
 def variances(
     freedom: int, strength: float, count: int = 4000, level: float = 2.0
 ) -> np.ndarray:
-    """Draw sample variances whose truth is level · strength / χ², as in Smyth's model."""
+    """Draw sample variances around level · strength / χ², as in Smyth's model."""
     chance = np.random.default_rng(7)
     true = level * strength / chance.chisquare(strength, count)
     return true * chance.chisquare(freedom, count) / freedom
@@ -160,7 +160,7 @@ def test_two_rows_that_scatter_count_unless_most_others_repeat():
 
 
 def test_a_number_close_to_zero_does_not_make_its_row_noisy_elsewhere():
-    """Test a last row of about 1e-6 in one edition and 1.0 in another."""
+    """Test a row that is about 1e-6 in one edition and 1.0 in another."""
     samples = drawn(np.full(60, 0.01), 4)
     samples[59] = [1e-6, 2e-6, -1e-6, 3e-6]
     scatter = fit_of(samples, [*range(59), 58]).scatter
@@ -199,7 +199,7 @@ def test_a_column_with_two_rows_scatters_as_it_does_elsewhere():
 
 @pytest.mark.parametrize(("lent", "level"), [(6.0, 9.0), (0.0, 0.0)])
 def test_each_measurement_is_predicted_by_the_others(lent, level):
-    """Test 1, 2, 3 and 10: the last is 8 from the mean of the others.
+    """Test the numbers 1, 2, 3 and 10; the mean of the first three is 2.
 
     The squares of the first three add up to 2, and those of all four to 50; the
     column's deviation applies.

@@ -420,7 +420,7 @@ function entriesOf(page, address) {
     if (block.closest(".provenance, .source, .pairs, nav") || block.parentElement.closest("li, figcaption")) continue;
     const text = block.textContent.replace(/ #$/, "").replace(/[ \n]+/g, " ").trim();
     if (block.closest(".foot")) {
-      // All pages end with the same lines, of which those of the front page are listed.
+      // All pages end with the same lines, so only the lines of the front page are listed.
       if (page.getElementById("cite")) entries.push({ title: block.id === "cite" ? "Cite it" : "Sources, licence and data", text, address: `${address}#${block.id}` });
     }
     else if (/^H/.test(block.tagName)) {
