@@ -62,7 +62,7 @@ FILE_KINDS = {
     "cut off": lambda path: path.write_bytes(path.read_bytes()[:-9]),
     "huge": lambda path: os.truncate(path, 1 << 40),
 }
-ALIKE = {"a file", "a link to itself", "a folder", "a link to a copy", "huge"}
+ALIKE = {"a file", "a link to itself", "a folder", "huge"}
 """Kinds that the suite leaves out, because test_every_damage_to_a_record_is_named_in_one_line
 tries them with the function that reads all files. The weekly workflow tries them.
 """

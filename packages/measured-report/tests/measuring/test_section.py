@@ -194,6 +194,7 @@ def test_numbers_of_numpy_are_kept_as_numbers(toy):
             batches.Rows([{"case": "a"}], {"a": {"time_s": [1.0], "slip_mm": []}}),
             "its columns have different lengths",
         ),
+        ([{"cas": "a"}], "returns no rows or a row without a case"),
         (
             batches.Rows([{"case": "a"}], {1: {1: [1.0]}}),
             "'1' is not a valid column name",
