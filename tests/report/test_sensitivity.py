@@ -21,9 +21,9 @@ from measured_report.records.record import Record
 from measured_report.values.body import body_of
 from measured_report.values.evidence import Evidence, repeats_of, scatters
 
-STEP = 1 if IS_WEEKLY else 11
+STEP = 1 if IS_WEEKLY else 10
 """Step between the measurements that are compared: all of them in the weekly workflow,
-and each eleventh in the suite.
+and each tenth in the suite.
 """
 SIDES = [(1.05, True), (1.2, False)]
 """Factors, each with whether one measurement is compared or all of them."""
