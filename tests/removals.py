@@ -225,6 +225,20 @@ class World:
             )
         return replace(results, record=record, evidence=evidence)
 
+    def changed(self, removal: Removal) -> dict[Sentence, str | None]:
+        """Return the sentences that a removal changes, or None for those that are gone."""
+        releases, changed = self.without(removal)
+        after = self._said_of(releases, changed)
+        derived = {(release, name) for release in changed for name in changed[release]}
+        derived |= {(release, name) for release in releases for name in self.texts}
+        derived.add((removal.release, removal.section))
+        now = {key: each.text for key, each in after.items()}
+        return {
+            key: now.get(key)
+            for key, each in self.said.items()
+            if key[:2] in derived and now.get(key) != each.text
+        }
+
     def unread(self, removal: Removal) -> dict[Sentence, tuple[str, str]]:
         """Return sentences that changed without reading removed data, as pairs of
         before and after.

@@ -13,7 +13,7 @@ from measured_report.editions.project import own_release
 pytestmark = [pytest.mark.words, pytest.mark.usefixtures("unchanged")]
 pytestmark += [pytest.mark.filterwarnings("error::RuntimeWarning")]
 SAMPLE = [scenario for scenario in SCENARIOS if scenario.name != "moving-x-20"]
-"""All scenarios except one of the three in which the cube moves farther or less far."""
+"""All scenarios except one of the two in which the cube moves farther or less far."""
 BY_NAME = {scenario.name: scenario for scenario in SCENARIOS}
 RECOMMENDING = (
     "front.title",

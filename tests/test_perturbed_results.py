@@ -11,6 +11,7 @@ from dataclasses import replace
 import pytest
 from altered import NEWEST
 from current_columns import REASON
+from toys import IS_WEEKLY
 
 from measured_report.editions.project import own_release
 from measured_report.files.root import ROOT
@@ -103,7 +104,7 @@ def test_a_damaged_record_takes_nothing_down(perturbation):
         for release, chapters in perturbation.releases.items()
         for name in chapters
     ]
-    for _ in range(60):
+    for _ in range(300 if IS_WEEKLY else 30):
         release, name = chance.choice(pairs)
         chapter = perturbation.releases[release][name]
         results, held = (

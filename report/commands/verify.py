@@ -1,16 +1,21 @@
 """Measure the headline on this machine and compare it with the tracked one, without storing it."""
 
 import argparse
+import json
 from collections.abc import Iterator, Mapping
 from itertools import product
+from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import Any
 
 from measured_report.commands.options import refuse_unmeasured, shared
+from measured_report.editions.environment import python_of
 from measured_report.editions.project import Project
+from measured_report.editions.status import expected_packages
 from measured_report.files.errors import ReportError
 from measured_report.findings.editions import Edition, derive_edition
 from measured_report.measuring.machine import measuring_device
-from measured_report.measuring.measure import measure_headline
+from measured_report.measuring.measure import running
 from measured_report.parts.claim import at_most
 from measured_report.values.quantities import Quantity
 from measured_report.values.results import Row
@@ -36,10 +41,13 @@ def run(project: Project, arguments: argparse.Namespace) -> int:
         arguments.device or ("cuda" if accelerators() else "cpu"),
         project.profile,
     )
-    headline = measure_headline(
-        project, arguments.release, device, PROGRAM, lambda: derive_edition(project)
-    )
-    text, agrees = verify(*headline)
+    python = python_of(arguments.release, expected_packages(project), project.root)
+    with TemporaryDirectory() as folder:
+        path = Path(folder) / "headline.json"
+        with running(project, python, PROGRAM, device, "--json", str(path)):
+            edition = derive_edition(project)
+        measured = json.loads(path.read_text(encoding="utf-8"))
+    text, agrees = verify(edition, measured)
     print(text)
     return int(not agrees)
 

@@ -3,6 +3,7 @@
 # ruff: noqa: F401
 
 from collections.abc import Iterable, Sequence
+from decimal import ROUND_HALF_UP, Decimal
 
 from matplotlib import ticker
 from matplotlib.axes import Axes
@@ -11,7 +12,6 @@ from matplotlib.figure import Figure as Drawing
 from matplotlib.text import Annotation
 
 from measured_report.parts.figures import FAINT, INK, SERIES, is_narrow, new_figure
-from measured_report.values.format import format_short
 from measured_report.values.quantities import Quantity
 
 MAP_INK = "#101418"
@@ -98,3 +98,23 @@ def tick_at(axis: Axis, places: Sequence[float], *, digits: int = 6) -> None:
     axis.set_ticks(places)
     axis.set_minor_locator(ticker.NullLocator())
     axis.set_major_formatter(plain_labels(digits=digits))
+
+
+def format_short(value: float) -> str:
+    """Write a ``value`` below 100 with two digits and as few characters as possible."""
+    if value <= -0.005:
+        return "−" + format_short(-value)
+    if value < 0.005:
+        return "<.01"
+    exact = Decimal(repr(float(value)))
+    places = next(
+        (
+            places
+            for places, limit in ((2, "0.095"), (1, "9.95"))
+            if exact < Decimal(limit)
+        ),
+        0,
+    )
+    return str(exact.quantize(Decimal(1).scaleb(-places), ROUND_HALF_UP)).removeprefix(
+        "0" if places == 2 else ""
+    )

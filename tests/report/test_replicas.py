@@ -12,7 +12,7 @@ from pathlib import Path
 
 import pytest
 from conftest import SOURCES
-from toys import derived, link
+from toys import IS_WEEKLY, derived, link
 
 from measured_report.changes.alarm import (
     false_alarm_counts,
@@ -171,10 +171,8 @@ def test_what_is_hidden_in_the_kernels_is_told_as_changed(measured_as, plants, p
     )
 
 
-@pytest.mark.parametrize("case", ["as-shipped", "stiff-pads"])
-def test_the_least_change_that_would_have_rung_is_that_which_rings(
-    measured_as, plants, case
-):
+def test_the_least_change_that_would_have_rung_is_that_which_rings(measured_as, plants):
+    case = "as-shipped"
     cell, same = ("upgrade", case, "slip_mm"), measured_as(plants[UNCHANGED])
     assert sensitivity(same)["upgrade"] < 0.05
     [before] = {each.before for each in same.cells if each.name == ".".join(cell)}
@@ -194,7 +192,7 @@ def test_the_least_change_that_would_have_rung_is_that_which_rings(
 def test_a_replica_that_is_left_out_rings_nothing(edition, measured_as):
     """Test a replica, which is one of the measurements that it is compared with."""
     tracked = {record.section: record for record in records_of(edition.project)}
-    for path in replica_files(edition.project):
+    for path in replica_files(edition.project)[:: 1 if IS_WEEKLY else 3]:
         records = alike(tracked, read_replica(path))
         if records.keys() >= {"noise", "upgrade"}:
             found = measured_as(records)

@@ -2,7 +2,7 @@
 
 from itertools import combinations
 
-from report.shared.drawing import name_ends, new_figure, tick_125, tick_at
+from report.shared.drawing import format_short, name_ends, new_figure, tick_125, tick_at
 
 
 def test_ticks_stand_at_one_two_and_five_of_each_decade_or_where_they_are_asked_for():
@@ -38,3 +38,18 @@ def test_names_of_lines_that_end_close_together_do_not_overlap():
     boxes = {text.get_text(): text.get_window_extent() for text in axes.texts}
     assert not any(boxes[a].overlaps(boxes[b]) for a, b in combinations(boxes, 2))
     assert [text.xy[1] for text in axes.texts if text.get_text() == "far away"] == [0.1]
+
+
+def test_a_short_number_has_two_digits_and_halves_go_up():
+    short = {
+        0.0: "<.01",
+        0.00499: "<.01",
+        0.005: ".01",
+        0.0949: ".09",
+        0.095: "0.1",
+        0.25: "0.3",
+        1.25: "1.3",
+    }
+    short |= {9.949: "9.9", 9.95: "10", 10.5: "11", 98.4: "98"}
+    short |= {-5.0: "−5.0", -0.02: "−.02", -0.001: "<.01"}
+    assert {value: format_short(value) for value in short} == short

@@ -20,7 +20,7 @@ from measured_report.parts.claim import Claim
 from measured_report.records.replicas import FOLDER
 from measured_report.values.format import format_share
 from measured_report.values.noise import FALSE_SHARE, SURE
-from measured_report.values.quantities import VALUES_FILE, Quantity, Value
+from measured_report.values.quantities import VALUES_FILE, Value
 
 SCHEMA = 1
 LINES = 5  # chosen: the largest number of changes that a text lists
@@ -211,14 +211,15 @@ def _claim_data(section: str, claim: Claim, say: Say) -> dict[str, str]:
 
 
 def _move_data(move: Move) -> dict[str, Any]:
-    before = move.sides[0]
+    # Looking up the cells of all numbers would take as long as the comparison.
+    side = move.column if move.chance is not None else move.sides[0]
     return {
         "section": move.section,
         **move.place,
         "column": move.column.name,
         "before": move.before,
         "after": move.after,
-        "unit": before.unit if isinstance(before, Quantity) else None,
+        "unit": getattr(side, "unit", None),
         "noise": move.noise,
         "noise_is_chosen": move.is_chosen,
         "rows": move.row_count,
@@ -369,7 +370,7 @@ def false_alarm_counts(edition: Edition) -> Counter[str]:
     if no section was measured three times.
     """
     counts: Counter[str] = Counter()
-    for evidence in edition.evidence.values():
+    for evidence in edition.measurements.evidence.values():
         for numbers, moves in evidence.changed:
             if numbers:
                 counts.update(
@@ -391,7 +392,7 @@ def calibration_values(edition: Edition) -> dict[str, Value]:
     measurements in all editions.
     """
     values = {}
-    for kind, (inside, total) in edition.calibration.items():
+    for kind, (inside, total) in edition.measurements.calibration.items():
         if not total:
             continue
         formula = (

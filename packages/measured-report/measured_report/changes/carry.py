@@ -15,7 +15,12 @@ from functools import partial
 from pathlib import Path
 
 from measured_report.changes import executed
-from measured_report.changes.program import Place, Program, uncovered
+from measured_report.changes.program import (
+    Place,
+    Program,
+    changed_functions,
+    refuse_uncalled,
+)
 from measured_report.editions.environment import python_of
 from measured_report.editions.project import Project
 from measured_report.editions.release import Release
@@ -74,16 +79,16 @@ def carry(project: Project, name: str, sides: Sequence[Project], python: Path) -
         raise ReportError("its code has uncommitted changes: commit them first")
     old_commit = _check_out_measured(record, old)[:SHORT]
     new_commit = git(new, "rev-parse", "HEAD")[:SHORT]
+    changed = changed_functions(Program(name, old), Program(name, new))
     with tempfile.TemporaryDirectory() as folder:
         log = Path(folder) / "executed"
         log.touch()
         with ThreadPoolExecutor() as pool:
             before, after = pool.map(partial(_run, name, python, log), sides)
         called = _places(log)
-    reason = first_difference(before, after)
-    reason = reason or uncovered(Program(name, old), Program(name, new), called)
-    if reason:
+    if reason := first_difference(before, after):
         raise ReportError(reason)
+    refuse_uncalled(changed, called)
     change = Carried(
         recorded.code,
         old_commit,

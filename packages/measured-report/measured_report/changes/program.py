@@ -12,6 +12,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path, PurePosixPath
 from typing import Any
 
+from measured_report.files.errors import ReportError
 from measured_report.records.code import (
     GENERATOR,
     Code,
@@ -24,6 +25,7 @@ FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef, ast.Lambda)
 OPERATORS = (ast.operator, ast.unaryop, ast.boolop, ast.cmpop)
 Place = tuple[str, int, str]  # file, first line and name of a code object
 Token = tuple[str, str]  # kind and text
+AGAIN = "measure again with make rerun"
 
 
 class Program:
@@ -81,16 +83,15 @@ class Program:
                 yield "name", node.id.rpartition(".")[2]
 
 
-def uncovered(old: Program, new: Program, called: set[Place]) -> str:
-    """Return the first change that the runs do not cover, or an empty string.
+def changed_functions(old: Program, new: Program) -> list[tuple[str, list[Program]]]:
+    """Return the functions that differ, each with the programs that contain it.
 
-    ``called`` contains the functions that the runs of both codes called.
+    Raise ReportError if no quick run can cover the change.
     """
     for name in sorted({*old.statements, *new.statements}):
         if old.statements.get(name, []) != new.statements.get(name, []):
-            return (
-                f"a statement that runs at the import of {name} has changed: measure "
-                "again with make rerun"
+            raise ReportError(
+                f"a statement that runs at the import of {name} has changed: {AGAIN}"
             )
     counts = Counter[Token]()
     changed = []
@@ -101,31 +102,39 @@ def uncovered(old: Program, new: Program, called: set[Place]) -> str:
             if plain(trees[0]) == plain(trees[1]):
                 continue
             if plain(_header(trees[0])) != plain(_header(trees[1])):
-                return (
-                    f"a default or a decorator of {name} has changed: measure again "
-                    "with make rerun"
+                raise ReportError(
+                    f"a default or a decorator of {name} has changed: {AGAIN}"
                 )
         for side in sides:
-            places = side.places(name)
-            # Two functions at the same place cannot be distinguished in the log.
-            if not called.issuperset(places) or len({*places}) < len(places):
-                return (
-                    f"the quick run does not call all of {name}: measure again with "
-                    "make rerun"
-                )
             for token in side.tokens(name):
                 # A token that only moved between functions cancels out.
                 counts[token] += 1 if side is new else -1
-        changed.append(name)
+        changed.append((name, sides))
     # A function with a new name changes each of its calls.
     renamed = old.defined ^ new.defined
     for (kind, text), count in sorted(counts.items()):
         if count and not (kind == "name" and text in renamed):
-            return (
-                f"the quick run might not use the changed {kind} {text} in "
-                f"{', '.join(changed)}: measure again with make rerun"
+            names = ", ".join(name for name, _ in changed)
+            raise ReportError(
+                f"the quick run might not use the changed {kind} {text} in {names}: "
+                f"{AGAIN}"
             )
-    return ""
+    return changed
+
+
+def refuse_uncalled(
+    changed: Iterable[tuple[str, list[Program]]], called: set[Place]
+) -> None:
+    """Raise ReportError for a changed function that the runs did not call.
+
+    ``called`` contains the functions that the runs of both codes called.
+    """
+    for name, sides in changed:
+        for side in sides:
+            places = side.places(name)
+            # Two functions at the same place cannot be distinguished in the log.
+            if not called.issuperset(places) or len({*places}) < len(places):
+                raise ReportError(f"the quick run does not call all of {name}: {AGAIN}")
 
 
 def _resolve_imports(tree: ast.Module, name: str) -> None:

@@ -31,12 +31,6 @@ class Query:
     It is ``section.claim``, ``section.value`` or ``section.case.column``.
     """
     is_claim: bool = False
-    label: str = ""
-    device: str = ""
-    """The device of the case, if the case ran on several devices.
-
-    If a case ran several times on a device, the row with the lowest cost counts.
-    """
 
     @property
     def section(self) -> str:
@@ -74,7 +68,7 @@ class Query:
         equivalent = columns.settings.changes.equivalent_sections if columns else ()
         sections = (self.section, *(equivalent if self.section in equivalent else ()))
         rows = [
-            self._row(chapters[name].results) for name in sections if name in chapters
+            self.row_of(chapters[name].results) for name in sections if name in chapters
         ]
         row = next(filter(None, rows), None)
         if row and self.column in row:
@@ -87,17 +81,9 @@ class Query:
             unit, f"section {self.section} has not been measured in this way{edition}"
         )
 
-    def _row(self, results: Results) -> Row | None:
-        if not self.device:
-            return results.row[self.case]
-        terms = results.columns.settings.cost_terms
-        rows = [
-            row
-            for row in results.rows
-            if row.case == self.case and row.plain.get("device") == self.device
-        ]
-        costs = [[row.plain.get(term) or 0 for term in terms] for row in rows]
-        return rows[costs.index(min(costs))] if rows else None
+    def row_of(self, results: Results) -> Row | None:
+        """Return the row of its case; a report can choose one among several."""
+        return results.row[self.case]
 
     def claim(self, chapters: Chapters) -> Claim | None:
         chapter = chapters.get(self.section)

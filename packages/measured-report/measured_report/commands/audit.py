@@ -9,7 +9,6 @@ from pathlib import Path
 
 from measured_report.commands.status import print_damage_of
 from measured_report.editions.project import Project, own_release
-from measured_report.editions.status import records_of
 from measured_report.files.config import report
 from measured_report.files.errors import ReportError
 from measured_report.findings.cache import DerivedCache
@@ -61,6 +60,5 @@ def evidence_of(folder: str) -> dict[str, Evidence]:
     """
     settings = report().settings
     project = Project(settings.edition_in(folder), root=report().root)
-    tracked = {record.section: record for record in records_of(project)}
     derived_cache = DerivedCache(project.root, project.report)
-    return dict(measurements_of(project, tracked, derived_cache).evidence)
+    return dict(measurements_of(project, derived_cache).evidence)

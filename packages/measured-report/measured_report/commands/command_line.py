@@ -10,7 +10,6 @@ import os
 import re
 import signal
 import sys
-import time
 from collections.abc import Callable, Iterator, Mapping
 from functools import partial
 from importlib import import_module
@@ -23,7 +22,6 @@ from measured_report.editions.release import release_of
 from measured_report.files.config import Config, Report
 from measured_report.files.config import report as current
 from measured_report.files.errors import (
-    NO_MEMORY,
     ReportError,
     UsageError,
     print_line,
@@ -31,7 +29,6 @@ from measured_report.files.errors import (
 )
 from measured_report.records.code import cached_sources
 
-OLDEST = 946_684_800  # seconds from 1970 to 2000
 OWN = "report.commands"  # the package of the commands that a report defines itself
 
 
@@ -57,26 +54,12 @@ def status_of(run: Callable[[], int]) -> int:
     Print an error that the user can fix as one line.
     """
     try:
-        if time.time() < OLDEST:
-            raise UsageError(
-                "the clock of this machine shows a time before 2000: set it, because "
-                "every record would be from the future"
-            )
         status = run()
         sys.stdout.flush()
         return status
     except KeyboardInterrupt:
         print("stopped: measurements that were completed are kept", file=sys.stderr)
         return 130
-    except MemoryError:
-        print_line(NO_MEMORY)
-        return 1
-    except UnicodeEncodeError as error:
-        print_line(
-            f"{error.object[:200]} cannot be written as {error.encoding}: rename the "
-            "file or folder, or use a locale with UTF-8"
-        )
-        return 1
     except OSError as error:
         # A program that reads the output, such as head, may close it early.
         if not isinstance(error, BrokenPipeError):

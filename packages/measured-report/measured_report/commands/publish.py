@@ -39,7 +39,6 @@ SUBJECT = "Publish the report with make publish"
 MARK = ".published"
 ASIDE = ".site-copy"  # a folder beside the site for the temporary copy
 DOMAIN = "CNAME"  # a file of GitHub that stays on the branch
-NOT_UTF8 = "\ufffd"  # replaces bytes in the output of git that are not UTF-8
 # Settings of the clone that must not apply to the copy.
 OVERRIDES = (
     "core.autocrlf=false",
@@ -196,18 +195,9 @@ def _to_branch(copy: Path, location: str, site: Path) -> str:
         raise UsageError(
             f"{branch} is not a valid branch name: use TARGET=git:REMOTE#BRANCH"
         )
-    is_named = remote in run_in_clone("remote").splitlines()
-    addresses = [remote]
-    if is_named:
-        addresses = run_in_clone(
-            "remote", "get-url", "--push", "--all", remote
-        ).splitlines()
-    if len(addresses) > 1:
-        raise UsageError(
-            f"{remote} has {len(addresses)} addresses to push to: publish to each of "
-            f"them with TARGET=git:ADDRESS#{branch}"
-        )
-    [address] = addresses
+    address = remote
+    if remote in run_in_clone("remote").splitlines():
+        address = run_in_clone("remote", "get-url", "--push", remote)
     if (root / address).exists():  # a relative path, which the copy would not find
         address = str((root / address).resolve())
     # Use the clone's settings to authenticate, and override settings that affect the
@@ -222,24 +212,14 @@ def _to_branch(copy: Path, location: str, site: Path) -> str:
     before = _tip(run_in_copy, address, ref)
     if before:
         run_in_copy("fetch", "--quiet", "--depth", "1", "--no-tags", address, ref)
-        lines = run_in_copy("ls-tree", before).splitlines()
-        kinds = {
-            name: kind for kind, _, name in (line.partition("\t") for line in lines)
-        }
-        if MARK not in kinds:
+        names = run_in_copy("ls-tree", "--name-only", before).splitlines()
+        if MARK not in names:
             raise UsageError(
                 f"the branch {branch} of {remote} has files that make publish did "
                 "not write: use another branch"
             )
-        if DOMAIN in kinds and not (copy / DOMAIN).exists():
-            domain = run_in_copy("show", f"{before}:{DOMAIN}")
-            # The modes of regular files begin with 100; those of links with 120.
-            if not kinds[DOMAIN].startswith("100") or NOT_UTF8 in domain:
-                raise UsageError(
-                    f"{DOMAIN} on the branch {branch} of {remote} is not a text file "
-                    "in UTF-8: correct or remove it there"
-                )
-            write_file(copy / DOMAIN, f"{domain}\n")
+        if DOMAIN in names and not (copy / DOMAIN).exists():
+            run_in_copy("checkout", before, "--", DOMAIN)
     write_file(copy / ".nojekyll", "")
     run_in_copy("add", "--all", "--force")
     run_in_copy("commit", "--quiet", "--no-gpg-sign", "--message", SUBJECT)

@@ -7,12 +7,19 @@ from importlib import import_module
 from measured_report.commands.command_line import OWN, commands
 from measured_report.commands.options import Arguments, refuse_unmeasured, shared
 from measured_report.editions.project import Project
-from measured_report.editions.status import Kind, State, aligned, states_of
+from measured_report.editions.status import (
+    Kind,
+    State,
+    aligned,
+    other_damage,
+    states_of,
+)
 from measured_report.files.groups import grouped
 from measured_report.findings.editions import Edition
-from measured_report.findings.replicas import damage_of, replicas_text
+from measured_report.findings.replicas import read_replicas, replicas_text
 from measured_report.records.code import Code
 from measured_report.records.identity import sections
+from measured_report.records.replicas import FOLDER
 
 OPTIONS = shared("edition", "profile")
 
@@ -59,10 +66,16 @@ def print_damage_of(project: Project) -> bool:
 
 
 def damage(project: Project, states: States) -> Iterator[State]:
-    """Yield the states of all results that cannot be read, in all editions."""
+    """Yield the states of all results of all editions.
+
+    ``print_damage`` prints those that cannot be read.
+    """
     for release, section_states in states.items():
         edition = project.of(release)
-        yield from damage_of(edition, [*section_states, *_states_of_commands(edition)])
+        yield from [*section_states, *_states_of_commands(edition)]
+        yield from other_damage(edition)
+        for fault in read_replicas(edition)[1]:
+            yield State(FOLDER, Kind.DAMAGED, notes=(fault,))
 
 
 def print_damage(states: Iterable[State]) -> bool:

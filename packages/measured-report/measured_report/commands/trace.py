@@ -26,6 +26,7 @@ from measured_report.values.quantities import (
     Value,
     local,
 )
+from measured_report.values.results import Row
 
 OPTIONS = {
     "value": {**SHARED["value"], "required": True},
@@ -86,7 +87,7 @@ def provenance(project: Project, editions: Mapping[str, Edition], name: str) -> 
                 answer = claim.outcome.answer
                 lines.append(f"  decides     {section}.{claim.name}: {answer}")
     pointers = sorted(read for read in quantity.reads if VALUES_FILE not in read)
-    for file, file_pointers in groupby(pointers, key=_file_of):
+    for file, file_pointers in groupby(pointers, lambda text: Pointer(text).file):
         # The record of a trace has the name of the trace without its case.
         record_file = re.sub(r"\.[^/]*\.csv\.gz$", ".json", file)
         owner = chapters_by_file.get(record_file)
@@ -99,10 +100,6 @@ def provenance(project: Project, editions: Mapping[str, Edition], name: str) -> 
         cell_lines = _lines_of_record(project, owner, chapters_by_file, file_pointers)
         lines += ["", f"from {file}", *cell_lines]
     return "\n".join(lines)
-
-
-def _file_of(pointer: str) -> str:
-    return pointer.partition("#")[0]
 
 
 def _pages(project: Project, source: str) -> list[str]:
@@ -125,10 +122,7 @@ def _cell(chapters_by_file: Mapping[str, Chapter], text: str) -> Quantity | None
     if not pointer.cell or pointer.file not in chapters_by_file:
         return None
     index, column = pointer.cell
-    for row in chapters_by_file[pointer.file].results.rows:
-        if row.source.endswith(f"/{index}"):
-            return row[column]
-    return None
+    return Row(chapters_by_file[pointer.file].results, index)[column]
 
 
 def _lines_of_record(

@@ -30,9 +30,6 @@ UNPRINTABLE = re.compile(
 """Characters that can hide or change the text around them and that no text needs."""
 
 
-NO_MEMORY = "there is not enough memory: close other programs or raise ulimit -v"
-
-
 class ReportError(Exception):
     """Signal an error that the user can fix.
 
@@ -64,13 +61,7 @@ def suggestion(name: str, names: Iterable[str]) -> str:
 
 
 def bug_of(error: BaseException) -> str:
-    """Return an error in a report's code as one line: file, line, type and message.
-
-    Raise the error itself if memory was insufficient.
-    """
-    if isinstance(error, MemoryError):
-        # The code is right, and pages without the part that failed would be wrong.
-        raise error
+    """Return an error in a report's code as one line: file, line, type and message."""
     frames = [
         (Path(frame.filename), frame.lineno)
         for frame in extract_tb(error.__traceback__)
@@ -98,8 +89,8 @@ def bug_of(error: BaseException) -> str:
 def _print_error(
     kind: type[BaseException], error: BaseException, trace: TracebackType | None
 ) -> None:
-    if issubclass(kind, ReportError | MemoryError):
-        print_line(str(error) or NO_MEMORY)
+    if issubclass(kind, ReportError):
+        print_line(str(error))
     else:
         sys.__excepthook__(kind, error, trace)
 

@@ -61,18 +61,11 @@ class DerivedCache(Cache):
         own_file = Path(__file__).resolve()
         # Sections do not import the modules that evaluate replicas, but depend on them.
         starts = filter(None, (own_file, own_file.with_name("replicas.py"), module))
-        closure = {file for start in starts for file in code.closure(str(start))}
-        sources = {code.name_of(file): code.source(file) for file in closure}
+        digests = code.digests(map(str, starts), self.report.root)
         # Modules do not import report.toml, which describes the columns.
-        named = set(self.report.settings.sources)
-        named.update(name for source in sources.values() for name in source.assets)
-        paths = {name: self.report.root / name for name in named}
-        paths[macros.FILE.name] = macros.FILE
-        digests = {
-            name: code.digest(path) for name, path in paths.items() if path.is_file()
-        }
-        digests |= {name: source.digest for name, source in sources.items()}
-        return digest_of([installed(), digests])
+        paths = [self.report.root / name for name in self.report.settings.sources]
+        others = [code.digest(path) for path in (macros.FILE, *paths) if path.is_file()]
+        return digest_of([installed(), digests, others])
 
     def value(
         self,

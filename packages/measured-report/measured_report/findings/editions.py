@@ -62,14 +62,6 @@ class Edition:
     chapters: dict[str, Chapter] = field(default_factory=dict)  # in order
     left_out: list[State] = field(default_factory=list)
     """Sections, replicas and texts that were not measured or cannot be shown."""
-    evidence: Mapping[str, Evidence] = field(default_factory=dict)  # by section
-    confirmed: Mapping[str, str] = field(default_factory=dict)
-    """By section: the count of measurements that decide its claims, in words."""
-    replicas: Sequence[str] = ()  # names of its replicas
-    calibration: Mapping[str, tuple[int, int]] = field(default_factory=dict)
-    """For each kind of number: the count of measurements that lie within the noise
-    predicted by the others, and the count of all measurements, over all editions.
-    """
     stories: dict[str, Section] = field(default_factory=dict)  # rendered texts by name
 
     @cached_property
@@ -189,22 +181,14 @@ class Edition:
         chapters.
         """
         if releases is None:
-            measurements = self.measurements
-            self.evidence = measurements.evidence
-            self.confirmed = measurements.words
-            self.replicas = measurements.names
-            self.calibration = measurements.calibration
-            for fault in measurements.damaged:
+            for fault in self.measurements.damaged:
                 self.left_out.append(State(FOLDER, Kind.DAMAGED, notes=(fault,)))
         self.update(partial(self._derived, releases=releases))
 
-    @property
+    @cached_property
     def measurements(self) -> Measurements:
         """Return the evidence from all measurements of this edition."""
-        records = {
-            name: chapter.results.record for name, chapter in self.chapters.items()
-        }
-        return measurements_of(self.project, records, self.cache)
+        return measurements_of(self.project, self.cache)
 
     def _derived(self, chapter: Chapter, releases: Releases | None) -> Chapter:
         name, outline = chapter.name, chapter.outline
@@ -220,7 +204,7 @@ class Edition:
                 )
         results = replace(
             chapter.results,
-            evidence=self.evidence.get(name, Evidence()),
+            evidence=self.measurements.evidence.get(name, Evidence()),
             others={
                 name_read.name: name_read.results
                 for name_read in self._read_by(chapter).values()
@@ -246,7 +230,7 @@ class Edition:
         has_traces = any(Pointer(pointer).is_trace for pointer in claim.outcome.reads)
         if claim.outcome.name == "unknown" or has_traces:
             return claim
-        return replace(claim, confirmed=self.confirmed.get(section, ""))
+        return replace(claim, confirmed=self.measurements.words.get(section, ""))
 
     def story(self, name: str, releases: Releases) -> Section:
         """Derive the findings of a text; its module takes chapters or all releases."""

@@ -1,11 +1,11 @@
 """The measurements of an edition: its tracked records and its replicas."""
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from measured_report.editions.project import Project
-from measured_report.editions.status import Kind, State, other_damage, records_of
+from measured_report.editions.status import records_of
 from measured_report.files.atomic import RecordError, files_in
 from measured_report.files.config import Report
 from measured_report.files.errors import ReportError
@@ -29,12 +29,8 @@ class Measurements:
     calibration: Mapping[str, tuple[int, int]] = field(default_factory=dict)
 
 
-def measurements_of(
-    project: Project, tracked: Records, cache: DerivedCache
-) -> Measurements:
+def measurements_of(project: Project, cache: DerivedCache) -> Measurements:
     """Return the evidence of an edition, from the cache if its inputs did not change."""
-    if not tracked:
-        return Measurements(damaged=read_replicas(project)[1])
     by_edition = cache.value(
         f"{project.aside}{project.profile}.evidence",
         None,
@@ -130,16 +126,6 @@ def read_replicas(project: Project) -> tuple[dict[str, Records], list[str]]:
         except RecordError as error:
             damaged.append(str(error))
     return replicas, damaged
-
-
-def damage_of(project: Project, states: Iterable[State]) -> Iterator[State]:
-    """Yield each record, replica, folder and manifest of an edition that cannot be
-    read. ``states`` contains the states of the edition's records.
-    """
-    yield from (state for state in states if state.kind == Kind.DAMAGED)
-    yield from other_damage(project)
-    for fault in read_replicas(project)[1]:
-        yield State(FOLDER, Kind.DAMAGED, notes=(fault,))
 
 
 def replicas_text(project: Project) -> list[str]:

@@ -1,15 +1,12 @@
 """Measure sections in another process, which loads the simulator."""
 
-import json
 import os
 import subprocess
 import sys
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import suppress
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager, suppress
 from dataclasses import replace
 from pathlib import Path
-from tempfile import TemporaryDirectory
-from typing import Any, TypeVar
 
 from measured_report.editions.environment import python_of
 from measured_report.editions.project import (
@@ -26,7 +23,6 @@ from measured_report.files.processes import end_with_parent
 from measured_report.measuring.machine import machine_name, machine_of, needs_device
 from measured_report.records.identity import sections as all_sections
 
-T = TypeVar("T")
 MODULE = "measured_report.measuring.run"
 FAILED = 1
 UNFIT = 2
@@ -89,7 +85,8 @@ def measure_available(
             f"cannot write results to {edition.results}: make the folder writable"
         )
     try:
-        _run(edition, python, MODULE, device, *sections, *options)
+        with running(edition, python, MODULE, device, *sections, *options):
+            pass
     except UsageError:
         raise
     except ReportError as error:
@@ -104,34 +101,11 @@ def measure_available(
     return edition, True
 
 
-def measure_headline(
-    project: Project,
-    release: Release,
-    device: str,
-    program: str,
-    beside: Callable[[], T],
-) -> tuple[T | None, Mapping[str, Any]]:
-    """Run ``program``, which measures the headline, and ``beside`` at the same time.
-
-    ``beside`` runs in this process. Return its result and the data that ``program``
-    writes, which is not stored.
-    """
-    python = python_of(release, expected_packages(project), project.root)
-    with TemporaryDirectory() as folder:
-        path = Path(folder) / "headline.json"
-        options = ("--json", str(path))
-        result = _run(project, python, program, device, *options, beside=beside)
-        return result, json.loads(path.read_text(encoding="utf-8"))
-
-
-def _run(
-    project: Project,
-    python: Path,
-    module: str,
-    device: str,
-    *options: str,
-    beside: Callable[[], T] | None = None,
-) -> T | None:
+@contextmanager
+def running(
+    project: Project, python: Path, module: str, device: str, *options: str
+) -> Iterator[None]:
+    """Run a module that measures in another process, and wait for it after the block."""
     # The log then has one line for each section instead of a progress bar.
     env = {**os.environ, "TQDM_DISABLE": "1"}
     if device == "cpu":
@@ -144,7 +118,7 @@ def _run(
         start_new_session=True,
     )
     try:
-        result = beside() if beside else None
+        yield
         status = process.wait()
     except BaseException:
         process.kill()
@@ -158,7 +132,6 @@ def _run(
             f"measuring ended with exit status {status}: run it again (existing "
             "records are kept)"
         )
-    return result
 
 
 def project_of(project: Project, machine: str) -> Project:

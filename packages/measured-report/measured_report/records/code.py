@@ -5,7 +5,7 @@ import hashlib
 import json
 import os
 import sys
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from functools import cache
@@ -124,6 +124,22 @@ class Code:
             closure |= dict.fromkeys(new)
             waiting += new
         return list(closure)
+
+    def digests(
+        self, starts: Iterable[str], root: Path, without: str = ""
+    ) -> tuple[dict[str, str], dict[str, str]]:
+        """Return the digests of files and of all files that they import, by name, and
+        those of the files below ``root`` that their strings name.
+        """
+        files = {file for start in starts for file in self.closure(start, without)}
+        sources = {self.name_of(file): self.source(file) for file in files}
+        names = {name for source in sources.values() for name in source.assets}
+        assets = {
+            name: self.digest(root / name)
+            for name in sorted(names)
+            if (root / name).is_file()
+        }
+        return {name: sources[name].digest for name in sorted(sources)}, assets
 
     def _digest(self, path: Path) -> str:
         return hashlib.sha256(path.read_bytes()).hexdigest()

@@ -80,14 +80,7 @@ def identity_at(
         raise ReportError(
             f"module {module} does not exist: create it or correct the section's name"
         )
-    sources = {
-        code.name_of(path): code.source(path) for path in code.closure(file, GENERATOR)
-    }
-    digests = {name: source.digest for name, source in sorted(sources.items())}
-    names = sorted({asset for source in sources.values() for asset in source.assets})
-    assets = {
-        name: code.digest(root / name) for name in names if (root / name).is_file()
-    }
+    digests, assets = code.digests([file], root, GENERATOR)
     versions = package_versions() if packages is None else packages
     return Identity(
         code=digest_of(digests),

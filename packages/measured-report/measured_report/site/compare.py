@@ -149,7 +149,7 @@ def _headlines(releases: Releases, columns: Schema) -> Any:
     """Return a table of the headlines that at least two editions have, or None."""
     rows = []
     for label, value in columns.settings.changes.headlines.items():
-        query = Query(value, label=label)
+        query = Query(value)
         marks = {point.release: point.mark for point in points(releases, query)}
         if len(marks) > 1:
             quantities = {name: query.quantity(releases[name]) for name in marks}

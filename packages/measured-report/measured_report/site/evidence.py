@@ -61,7 +61,8 @@ class Evidence:
             for name, (file, index) in shown.items():
                 edition, chapter = self.chapters[file]
                 rows.setdefault(name, _description(chapter, index))
-                records.setdefault(file, _measurement(edition, chapter))
+                if file not in records:
+                    records[file] = _measurement(edition, chapter)
             if value:
                 # Positions instead of names, because many numbers share their rows.
                 derived[pointer] = [len(cells_by_name), *map(list(rows).index, shown)]

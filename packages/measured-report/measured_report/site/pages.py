@@ -263,7 +263,7 @@ def _files(edition: Edition) -> dict[str, File]:
         data[f"{path.stem}.csv.gz"] = gzip.compress(table, mtime=0)
         data |= {file.name: file for file in (path, *traces_of(path, record))}
     for path in replica_files(project):
-        if path.stem in edition.replicas:
+        if path.stem in edition.measurements.names:
             data[f"{FOLDER}/{path.name}"] = path
     return {
         **{edition.folder + name: file for name, file in files.items()},

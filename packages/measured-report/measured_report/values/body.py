@@ -414,10 +414,7 @@ def _chances(samples: SamplesByColumn, fits: Fits) -> Chances:
     for key, fit in fits.items():
         numbers = samples[key]
         predicted = left_out(_array(numbers), _row_keys(numbers), fit)
-        of_column = np.array(
-            chance_of(predicted.distances, predicted.errors, predicted.freedoms)
-        )
-        of_column = np.where(np.isnan(predicted.distances), np.nan, of_column)
+        of_column = np.where(np.isnan(predicted[0]), np.nan, chance_of(*predicted))
         chances[key] = dict(zip(numbers, of_column, strict=True))
     return chances
 

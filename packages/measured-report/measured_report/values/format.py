@@ -147,26 +147,6 @@ def format_code(value: float | int | None) -> str:
     return ABSENT if value is None else f"{value:.{DIGITS_TYPED}g}"
 
 
-def format_short(value: float) -> str:
-    """Write a ``value`` below 100 with two digits and as few characters as possible."""
-    if value <= -0.005:
-        return "−" + format_short(-value)
-    if value < 0.005:
-        return "<.01"
-    exact = Decimal(repr(float(value)))
-    places = next(
-        (
-            places
-            for places, limit in ((2, "0.095"), (1, "9.95"))
-            if exact < Decimal(limit)
-        ),
-        0,
-    )
-    return str(exact.quantize(Decimal(1).scaleb(-places), ROUND_HALF_UP)).removeprefix(
-        "0" if places == 2 else ""
-    )
-
-
 def format_share(share: float, sign: str = "") -> str:
     """Write a share as a percentage with two digits.
 

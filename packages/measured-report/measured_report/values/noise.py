@@ -131,13 +131,6 @@ def rounding_variance(size: Any) -> Any:
     return (ROUNDED_SHARE * size) ** 2 / 12
 
 
-class RowScatter(NamedTuple):
-    """The scatter of one row that was measured more than once."""
-
-    level: float  # the variance for a number of size 1
-    freedom: float  # degrees of freedom of the variance
-
-
 @dataclass(frozen=True)
 class Scatter:
     """Gives the variance of one measurement of any number of a column in a section."""
@@ -145,7 +138,8 @@ class Scatter:
     level: float  # the variance for a number of size 1
     slope: float  # the exponent by which the variance grows with the size
     freedom: float  # degrees of freedom of the variance for a row measured once
-    rows: Mapping[Hashable, RowScatter] = field(default_factory=dict)
+    rows: Mapping[Hashable, tuple[float, float]] = field(default_factory=dict)
+    """The level and the freedom of each row that was measured more than once."""
     least_sizes: Mapping[Hashable, float] = field(default_factory=dict)
     """The size below which the numbers of a row scatter like a row of their own."""
     shared: float = 0.0
@@ -160,10 +154,10 @@ class Scatter:
 
         Also return its degrees of freedom. A mean does not reduce the shared error.
         """
-        column = RowScatter(self.level, self.freedom)
-        scatter = self.rows.get(self.key(row, size), column)
-        variance = max(scatter.level * size**self.slope, rounding_variance(size))
-        return variance + count * self.shared * size**2, scatter.freedom
+        column = self.level, self.freedom
+        level, freedom = self.rows.get(self.key(row, size), column)
+        variance = max(level * size**self.slope, rounding_variance(size))
+        return variance + count * self.shared * size**2, freedom
 
 
 class Estimate(NamedTuple):

@@ -12,7 +12,7 @@ with an outlying variance keeps it, and has no influence on other rows: Phipson 
 from collections.abc import Hashable, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 from scipy.optimize import brentq
@@ -22,7 +22,6 @@ from measured_report.values.noise import (
     OUTLIER,
     ROUNDED_SHARE,
     TO_DEVIATION,
-    RowScatter,
     Scatter,
     rounding_variance,
 )
@@ -200,27 +199,23 @@ def _with_rows(
         if -ndtri(fdtrc(freedom, prior.freedom, ratio)) > WILD:
             prior_freedom = 0.0
         level = (prior_freedom * prior.level + weighted) / (prior_freedom + freedom)
-        levels[row] = RowScatter(level, prior_freedom + freedom)
+        levels[row] = level, prior_freedom + freedom
     return replace(prior, rows=levels)
 
 
-class LeftOut(NamedTuple):
-    """Holds the difference of each measurement from the others, by number and
-    measurement.
-    """
-
-    distances: Array  # from the mean of the others; NaN if that cannot be tested
-    errors: Array  # standard errors of the distances
-    freedoms: Array
-
-
-def left_out(samples: Array, rows: Sequence[Hashable], fit: Fit) -> LeftOut:
+def left_out(
+    samples: Array, rows: Sequence[Hashable], fit: Fit
+) -> tuple[Array, Array, Array]:
     """Leave out each measurement in turn and predict it from the others.
+
+    Return by number and measurement the distance from the mean of the others, its
+    standard error, and the degrees of freedom. The distance is NaN if it cannot be
+    tested.
 
     Its contribution to the variance of its row is left out as well. The variance of the
     column, towards which the row's variance is shrunk, does not change.
     """
-    unknown = RowScatter(np.nan, np.nan)
+    unknown = np.nan, np.nan
     keys = map(fit.scatter.key, rows, abs(fit.values))
     row_scatters = [fit.scatter.rows.get(key, unknown) for key in keys]
     levels, freedoms = np.array(row_scatters).T[:, :, None]
@@ -239,4 +234,4 @@ def left_out(samples: Array, rows: Sequence[Hashable], fit: Fit) -> LeftOut:
     # Without half a degree of freedom, the variance of the others is hardly known.
     is_tested = ~np.isnan(samples) & (counts > 1) & (remaining >= 0.5)
     distances = np.where(is_tested, np.maximum(distances, 0), np.nan)
-    return LeftOut(distances, errors, remaining)
+    return distances, errors, remaining

@@ -452,7 +452,9 @@ def test_relevance_is_the_share_over_its_threshold_whichever_way_it_moves_and_tw
         "a": SimpleNamespace(changed=[(40, 0), (40, 1), (0, 0)]),
         "b": SimpleNamespace(changed=[(20, 3)]),
     }
-    found = false_alarm_counts(SimpleNamespace(evidence=evidence))
+    found = false_alarm_counts(
+        SimpleNamespace(measurements=SimpleNamespace(evidence=evidence))
+    )
     assert found == {"comparisons": 3, "told": 2, "numbers": 100, "moves": 4}
 
 

@@ -4,9 +4,9 @@ and a remedy, or has no effect.
 
 import os
 import re
-import shutil
 import subprocess
 import sys
+from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
@@ -16,28 +16,30 @@ from measured_report.commands.new import new
 from measured_report.files.root import ROOT
 
 X = "experiments/pendulum.py"
-MISTAKES = [
+RECORD = "results/quick/numpy-@/pendulum.json"
+Changes = dict[str, Callable[[str], str]]
+ALL_AT_ONCE: Changes = {
+    X: lambda text: text.replace("= max(map(abs, changes))", '= float("nan")'),
+    RECORD: lambda _: "{",
+}
+"""A number that is not one, and a damaged record that is measured again."""
+MISTAKES: list[tuple[Changes, list[str]]] = [
     (
-        X,
-        '"case": case,',
-        '"cas": case,',
-        "measure returns no rows or a row without a case",
+        ALL_AT_ONCE,
+        [
+            "pendulum: 10 rows in",
+            "cannot raise an alarm: euler: the measurement gave nan",
+            "built",
+        ],
     ),
     (
-        X,
-        "    seconds =",
-        "    1 / 0\n    seconds =",
-        r"experiments/pendulum\.py:\d+: ZeroDivisionError",
+        {X: lambda text: text.replace("    seconds =", "    1 / 0\n    seconds =", 1)},
+        [r"experiments/pendulum\.py:\d+: ZeroDivisionError", "built"],
     ),
     (
-        X,
-        "= max(map(abs, changes))",
-        '= float("nan")',
-        "cannot raise an alarm: euler: the measurement gave nan",
+        {"report.toml": lambda text: text.replace('edition = "numpy"', "")},
+        ['add edition = "NAME"'],
     ),
-    ("report.toml", 'edition = "numpy"', "", 'add edition = "NAME"'),
-    ("results/quick/*/pendulum.json", '"rows"', '"row"', "pendulum: 10 rows in"),
-    ("*", "\n", "\r\n", "built"),
 ]
 
 
@@ -50,35 +52,22 @@ def report(folder: Path) -> str:
     return done.stdout
 
 
-@pytest.fixture(scope="module")
-def measured(tmp_path_factory) -> Path:
-    new(folder := tmp_path_factory.mktemp("a folder") / "mine")
-    text = (folder / "pyproject.toml").read_text()
-    (folder / "pyproject.toml").write_text(
-        text.replace("numpy==2.4.6", f"numpy=={np.__version__}")
-    )
-    assert "built" in report(folder)
-    return folder
-
-
 @pytest.mark.slow
-@pytest.mark.parametrize(("names", "old", "put", "said"), MISTAKES)
-def test_a_mistake_is_one_line(measured, names, old, put, said):
-    folder = shutil.copytree(
-        measured, measured.with_name("planted"), dirs_exist_ok=True
-    )
-    for path in [
-        each
-        for each in folder.rglob(names)
-        if each.suffix in (".py", ".toml", ".j2", ".json", ".cff")
-    ]:
-        path.write_bytes(
-            (text := path.read_bytes()).replace(
-                old.encode(), put.encode(), 1 if put.strip() else -1
-            )
-        )
-        assert path.read_bytes() != text or names == "*"
+@pytest.mark.parametrize(("changes", "lines"), MISTAKES)
+def test_a_mistake_is_one_line(tmp_path, changes, lines):
+    """Test mistakes in a report whose files have the line breaks of Windows."""
+    new(folder := tmp_path / "a folder" / "mine")
+    for name, change in changes.items():
+        path = folder / name.replace("@", np.__version__)
+        path.parent.mkdir(parents=True, exist_ok=True)
+        before = path.read_text() if path.exists() else ""
+        path.write_text(change(before))
+        assert path.read_text() != before
+    for path in folder.rglob("*"):
+        if path.suffix in (".py", ".toml", ".j2", ".cff"):
+            text = path.read_text().replace("numpy==2.4.6", f"numpy=={np.__version__}")
+            path.write_text(text, newline="\r\n")
     found = report(folder)
-    assert "Traceback" not in found and [
-        line for line in found.splitlines() if re.search(said, line)
-    ], found
+    assert "Traceback" not in found, found
+    for line in lines:
+        assert re.search(line, found), found

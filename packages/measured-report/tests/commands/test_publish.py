@@ -219,37 +219,6 @@ def test_a_relative_remote_is_found_from_any_folder(
     assert git(remote, "rev-list", "--count", "gh-pages") == "1"
 
 
-def test_two_addresses_to_push_to_are_one_line(toy, remote, tmp_path):
-    root = toy.project.root
-    for address in (remote, tmp_path / "other.git"):
-        git(root, "remote", "set-url", "--add", "--push", "origin", str(address))
-    with pytest.raises(UsageError, match="origin has 2 addresses to push to: publish"):
-        publish(toy.project.site, "")
-    assert git(remote, "for-each-ref") == ""
-
-
-DOMAINS = {
-    "a folder": lambda path: (path.mkdir(), (path / "more").touch()),
-    "a link": lambda path: path.symlink_to("/etc/passwd"),
-    "not UTF-8": lambda path: path.write_bytes(b"report.ex\xffmple\n"),
-}
-
-
-@pytest.mark.parametrize("kind", DOMAINS)
-def test_a_domain_that_is_not_a_text_file_is_one_line(toy, remote, tmp_path, kind):
-    publish(toy.project.site, "")
-    git(tmp_path, "clone", "--quiet", "--branch", "gh-pages", str(remote), "work")
-    DOMAINS[kind](tmp_path / "work/CNAME")
-    for words in ("add CNAME", "commit --quiet -m CNAME", "push --quiet"):
-        git(tmp_path / "work", *words.split())
-    before = git(remote, "for-each-ref")
-    with pytest.raises(
-        UsageError, match=r"^not published: CNAME on .* not a text file"
-    ):
-        publish(toy.project.site, "")
-    assert git(remote, "for-each-ref") == before
-
-
 @pytest.mark.parametrize("name", ["www", "figures/www", ""])
 def test_the_site_is_not_published_into_itself(toy, tmp_path, name):
     (tmp_path / "alias").symlink_to(toy.project.site)

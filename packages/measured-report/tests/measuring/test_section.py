@@ -116,20 +116,14 @@ class Clock(datetime):
 TOLD: list[str] = []
 
 
-def test_a_clock_that_is_put_back_turns_no_times_around_and_one_that_does_not_go_is_said(
-    monkeypatch,
-):
+def test_a_clock_that_is_put_back_turns_no_times_around(monkeypatch):
     monkeypatch.setattr(batch, "datetime", Clock)
     TOLD[:] = (
         "2026-01-02T00:00:00+00:00",
         "2026-01-01T00:00:00+00:00",
-        "1970-01-01T00:00:00+00:00",
     )
     result = measure_batch(pickle.dumps(Batch("a", int)), "cpu")
     assert result.started <= result.ended
-    TOLD[:] = TOLD[-1:]
-    with pytest.raises(ReportError, match="the clock of this machine shows 1970-01-01"):
-        measure_batch(pickle.dumps(Batch("a", int)), "cpu")
 
 
 def test_a_file_that_a_process_read_before_a_batch_does_not_belong_to_it(monkeypatch):
@@ -200,6 +194,7 @@ def test_numbers_of_numpy_are_kept_as_numbers(toy):
             batches.Rows([{"case": "a"}], {"a": {"time_s": [1.0], "slip_mm": []}}),
             "its columns have different lengths",
         ),
+        ([{"cas": "a"}], "returns no rows or a row without a case"),
         (
             batches.Rows([{"case": "a"}], {1: {1: [1.0]}}),
             "'1' is not a valid column name",

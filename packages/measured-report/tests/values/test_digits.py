@@ -131,21 +131,6 @@ def test_dust_lies_behind_the_twelfth_digit_and_a_program_reads_six():
     )
 
 
-def test_a_short_number_has_two_digits_and_halves_go_up():
-    short = {
-        0.0: "<.01",
-        0.00499: "<.01",
-        0.005: ".01",
-        0.0949: ".09",
-        0.095: "0.1",
-        0.25: "0.3",
-        1.25: "1.3",
-    }
-    short |= {9.949: "9.9", 9.95: "10", 10.5: "11", 98.4: "98"}
-    short |= {-5.0: "−5.0", -0.02: "−.02", -0.001: "<.01"}
-    assert {value: module.format_short(value) for value in short} == short
-
-
 def test_powers_shares_and_numbers_of_cases_are_whole():
     assert module.format_power(-120) == "10⁻¹²⁰"
     shares = [module.format_share(share) for share in (4.0, 2.81, 0.0512, -0.5)]
