@@ -35,7 +35,10 @@ def derive(results: Results) -> Section:
         "runs equal to the first": [row.identical_count for row in rows],
         "range of the slip": [row.slip_range_mm for row in rows],
     }
-    columns["time of a frame"] = [timed[name, WORLDS].frame_ratio for name in settings]
+    timed_rows = [timed[name, WORLDS] for name in settings]
+    columns["time of a frame"] = [
+        row.frame_ratio if row else None for row in timed_rows
+    ]
     names = [SETTINGS[name] for name in settings]
     default, contacts = results.row["default"], results.row["contacts"]
     table = table_of(

@@ -30,7 +30,8 @@ NUMBER = r"""
     (?<!\b\d\d\d[ \xa0\u2009\u202f])
     (?P<digits>
         [−-]?
-        (\d{1,3}(?P<group>[,_'\u202f\u2009\xa0])\d{3}((?P=group)\d{3})*(?!\d)|\d+)
+        (\d{1,3}(?P<group>[,_'\u202f\u2009\xa0]|[ ](?=\d{3}[ ]\d{3}))\d{3}
+            ((?P=group)\d{3})*(?!\d)|\d+)
         (\.\d+)?
     )
     ((?P<ten>[eE]|\s?[×·x]\s?10(?=[⁻⁰¹²³⁴-⁹]))(?P<power>[+-]?\d{1,3}|[⁻⁰¹²³⁴-⁹]+))?
@@ -173,6 +174,8 @@ class Audit:
         )
         if match["ten"]:
             obstacle = "a power of ten"
+        elif match["group"] == " ":
+            obstacle = "a number with spaces, which may be several numbers"
         elif not same_unit(match["unit"] or mark.unit, quantity.unit):
             obstacle = "this number because its unit is not known: write it in the mark"
         # repr has the shortest digits of a float, so 1.005 is rounded as it is written.

@@ -59,7 +59,7 @@ COUNTS = {
     "k": 1e3,
     "thousand": 1e3,
 }
-COUNTS |= {"M": 1e6, "million": 1e6, "billion": 1e9}
+COUNTS |= {"K": 1e3, "M": 1e6, "million": 1e6, "billion": 1e9}
 UNITS |= {name: (factor, "count") for name, factor in COUNTS.items()}
 
 NO_UNIT = "1"

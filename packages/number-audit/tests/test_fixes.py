@@ -62,6 +62,7 @@ REFUSED = [
     ("plus and minus", "5.0 ± 0.2 ms", "wait_ms"),
     ("power of ten", "3×10⁻³ s", "plain s"),
     ("zero", "12", "tiny"),
+    ("digits that may be several numbers", "9 234 567", "users"),
 ]
 
 

@@ -5,18 +5,22 @@ import re
 from collections import Counter
 from collections.abc import Collection, Iterable, Mapping
 from itertools import chain
+from typing import Any
 
 from measured_report.changes.moves import CHOSEN_SHARE
 from measured_report.changes.query import Query
-from measured_report.files.columns import columns_of, implausible_cells
+from measured_report.files.columns import columns_of, implausible_cells, is_number
 from measured_report.files.config import FILE
 from measured_report.files.errors import ReportError, suggestion
 from measured_report.findings.editions import Edition
 from measured_report.parts.claim import WITHIN
-from measured_report.records.identity import sections
+from measured_report.parts.section import unrecorded
+from measured_report.records.identity import package_versions, sections
 from measured_report.values.evidence import key_of, split_repeats
 from measured_report.values.format import format_share
 from measured_report.values.quantities import Quantity
+
+JITTER = 0.01  # the largest relative change of a setting in a repeat
 
 
 def refuse_unknown_names(
@@ -107,6 +111,11 @@ def gaps(edition: Edition) -> list[str]:
     sources, claims that cannot tell, and claims that print untested numbers.
     """
     lines = []
+    every_case = {
+        row["case"]
+        for chapter in edition.chapters.values()
+        for row in chapter.results.record.rows
+    }
     for name, chapter in edition.chapters.items():
         columns = edition.report.columns
         rows, repeats = split_repeats(chapter.results.record.rows, name, columns)
@@ -118,13 +127,31 @@ def gaps(edition: Edition) -> list[str]:
                     "distinguished"
                 )
         cases = {row["case"] for row in rows if "of" not in row}
-        is_noise = name == columns.settings.noise_section
-        for row in [] if is_noise or not repeats else [*rows, *repeats]:
+        if name == columns.settings.noise_section:  # It can repeat any case.
+            cases = every_case
+        for row in [*rows, *repeats] if repeats else []:
             if row.get("of", row["case"]) not in cases:
                 lines.append(
                     f"{name}: case {row['case']} repeats {row['of']}, which is not a "
                     "case, or repeats another one"
                 )
+        originals = {row["case"]: row for row in rows}
+        set_columns = {
+            column
+            for column in columns_of(repeats)
+            if columns[column].is_setting or column in columns.settings.repeating
+        }
+        lines += {
+            f"{name}: {column} of {row['of']} is {original[column]}, and that of a repeat "
+            f"is {row[column]}: repeat a case with its own settings": None
+            for row in repeats
+            if (original := originals.get(row["of"]))
+            for column in sorted(set_columns & row.keys() & original.keys())
+            if not _is_same(row[column], original[column])
+        }
+        for column in chapter.results.record.units:
+            if problem := columns.unit_problem(column):
+                lines.append(f"{name}: {problem}")
         for row in rows:
             for column, reason in implausible_cells(row).items():
                 lines.append(f"{name}: {row['case']} has no {column}: {reason}")
@@ -134,6 +161,12 @@ def gaps(edition: Edition) -> list[str]:
                 lines.append(
                     f"{name}: figure {key} is left out: {[*reasons, 'no sources'][0]}"
                 )
+            else:
+                for reason in unrecorded(figure.sources):
+                    lines.append(f"{name}: figure {key} lacks a source: {reason}")
+        for key, table in chapter.section.tables.items():
+            for reason in getattr(table, "missing", ()):
+                lines.append(f"{name}: table {key} lacks a number: {reason}")
         for claim in chapter.section.claims:
             for number in claim.unread(columns):
                 lines.append(
@@ -191,4 +224,21 @@ def idle_settings(edition: Edition) -> list[str]:
             for row in chapter.results.record.rows
         }
         idle += [f"{name} = {cell}" for cell in cells if str(cell) not in present]
-    return [f"{FILE}: no row has {name}" for name in idle]
+    packages = {*package_versions(settings), *settings.implied}.union(
+        *(
+            chapter.results.record.identity.packages
+            for chapter in edition.chapters.values()
+        )
+    )
+    return [f"{FILE}: no row has {name}" for name in idle] + [
+        f"{FILE}: packages names {name}, which is not installed: correct the name"
+        for name in settings.packages
+        if name not in packages
+    ]
+
+
+def _is_same(first: Any, second: Any) -> bool:
+    """Return whether settings are the same, or differ as little as for a repeat."""
+    if is_number(first) and is_number(second):
+        return math.isclose(first, second, rel_tol=JITTER)
+    return first == second

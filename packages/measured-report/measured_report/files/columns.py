@@ -12,7 +12,7 @@ from typing import Any, TypeGuard
 
 from measured_report.files.errors import UNPRINTABLE, ReportError
 from measured_report.files.settings import FILE, Columns, Config, module_named
-from measured_report.files.units import SYMBOL
+from measured_report.files.units import LIKE_UNIT, SYMBOL
 
 _LENGTHS = {
     "mm": "mm",
@@ -70,6 +70,7 @@ NEVER_NEGATIVE = {
     "mm/cycle",
 }  # units of numbers that are never negative
 REASON = "_reason"
+PERCENTILE = re.compile("_p[0-9]+$")
 # The start of the reason for a number that a record must not contain, such as infinity.
 IMPLAUSIBLE = "the measurement gave "
 TEXT_LIMIT = 4096  # characters; a cell is printed on a page and in messages
@@ -154,7 +155,7 @@ class Schema:
                 f"{FILE}: column {name} is listed both as lower-is-better and "
                 "as higher-is-better"
             )
-        unit = self._unit(name)
+        unit = self.units.get(self._end(name), PLAIN)
         largest = LARGEST.get(unit, 1e18)
         signs = [table.signed for table in declared if table.signed is not None]
         # The first table that states the sign wins over the unit.
@@ -176,14 +177,30 @@ class Schema:
             **traits,
         )
 
-    def _unit(self, name: str) -> str:
-        """Return the unit by the longest known end of a name.
+    def _end(self, name: str) -> str:
+        """Return the longest known end of a name, which determines the unit.
 
         An end like ``_p95`` is ignored.
         """
-        pieces = re.sub("_p[0-9]+$", "", name).split("_")
+        pieces = PERCENTILE.sub("", name).split("_")
         ends = ("_".join(pieces[start:]) for start in range(len(pieces)))
-        return next((self.units[end] for end in ends if end in self.units), PLAIN)
+        return next((end for end in ends if end in self.units), "")
+
+    def unit_problem(self, name: str) -> str:
+        """Return the problem with the unit of a column, or an empty string.
+
+        For example, the unit of ``speed_km_s`` is s, because km_s is not known.
+        """
+        end = self._end(name)
+        unit = self[name].unit
+        match = LIKE_UNIT.search(PERCENTILE.sub("", name).removesuffix(f"_{end}"))
+        if not match or (end and (unit == PLAIN or len(match[1]) == 1)):
+            return ""
+        missing = "_".join(filter(None, (match[1], end)))
+        return (
+            f"column {name} has {f'the unit {unit}' if end else 'no unit'}: add "
+            f"{missing} to units in {FILE}, or rename the column"
+        )
 
     def _words(self, name: str, unit: str) -> str:
         ends = [
@@ -359,6 +376,10 @@ def name_problem(text: str) -> str:
 def text_problem(text: str) -> str:
     if len(text) > TEXT_LIMIT:
         return f"is longer than {TEXT_LIMIT} characters"
+    return unprintable(text)
+
+
+def unprintable(text: str) -> str:
     match = UNPRINTABLE.search(text)
     return (
         f"contains the character U+{ord(match[0][0]):04X}, which cannot be printed"

@@ -30,6 +30,19 @@ PREFIX = re.compile(
 )
 
 
+LIKE_UNIT = re.compile(
+    rf"""
+    (?<! per ) _
+    ( (?: [nuµmkMGT]{BASE} | [gJWVh] | m(?=[23]) | Pa | rad | mol | cm | deg
+        | km_?h | mph | bar | rpm
+      ) [23]?
+    ) $
+    """,
+    re.VERBOSE | re.IGNORECASE,
+)
+"""The end of a column's name that may be meant as a unit."""
+
+
 def unlike(units: Iterable[str]) -> list[str]:
     """Return two different units of one quantity, such as ms and s, if there are any."""
     kinds: dict[str, str] = {}

@@ -4,7 +4,7 @@ Their wordings are in the template of the section.
 """
 
 import re
-from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any
 
@@ -44,6 +44,7 @@ class Table:
     frame: "pd.DataFrame | Markup"  # HTML if it is already rendered
     numbers: Mapping[str, Any] = field(default_factory=dict)  # for its caption
     wording: Wording | None = None
+    missing: Sequence[str] = ()  # why cells are missing that no record has
 
     def __html__(self) -> Markup:
         return macros().captioned_table(self)
@@ -56,7 +57,9 @@ class Table:
         columns = [_column(name, self.frame[name]) for name in self.frame]
         cells = zip(*(column["cells"] for column in columns), strict=True)
         rows = zip(index, cells if columns else [()] * len(index), strict=True)
-        return replace(self, frame=macros().table(index.name or "", columns, rows))
+        html = macros().table(index.name or "", columns, rows)
+        cells = self.frame.to_numpy().flat
+        return replace(self, frame=html, missing=unrecorded(cells))
 
 
 def _column(name: str, values: "pd.Series") -> dict[str, Any]:
@@ -107,6 +110,20 @@ def _place_count(number: Quantity) -> int:
     """Return the count of printed decimals; 0 for a number without a source."""
     match = re.search(r"\.(\d*)$", number.written if number.source else "")
     return len(match[1]) if match else 0
+
+
+def unrecorded(sources: Iterable[Any]) -> list[str]:
+    """Return why numbers and traces are missing that no record has.
+
+    A number that was lost in the measurement has a pointer to its record.
+    """
+    return [
+        source.reason
+        for source in sources
+        if isinstance(source, Series | Quantity)
+        and source.value is None
+        and (isinstance(source, Series) or not source.source)
+    ]
 
 
 @dataclass(frozen=True)

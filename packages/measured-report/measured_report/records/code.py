@@ -4,6 +4,7 @@ import ast
 import hashlib
 import json
 import os
+import re
 import sys
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
@@ -31,6 +32,16 @@ DRAWING = (
 """Methods of Matplotlib and pandas that draw their arguments."""
 WRITING = ("annotate", "set", "set_title", "suptitle", "text")
 """Methods of Matplotlib that write their arguments."""
+UNREPEATABLE = re.compile(
+    r"""
+    (numpy\.)?random\.\w+ | (secrets|uuid)\.\w+
+    | time\.(time|perf_counter|monotonic)(_ns)? | datetime\.\w+\.(now|today|utcnow)
+    """,
+    re.VERBOSE,
+)
+"""Functions that return something else in each run."""
+SEEDED = ("default_rng", "Random", "RandomState", "SeedSequence")
+"""Generators of random numbers that repeat if they are called with a seed."""
 LISTS = (ast.Dict, ast.List, ast.Tuple)
 COMPUTED = ...  # stands for a value that is computed at import
 LAYOUT = ("ctx", "kind", "type_comment")
@@ -46,6 +57,7 @@ class Source:
     assets: tuple[str, ...]  # strings that may be paths of assets
     top: Mapping[str, Any]  # constants by name, and argument counts of functions
     typed: tuple[int, ...]  # lines that draw numbers which are typed in the code
+    random: tuple[int, ...]  # lines that call functions of UNREPEATABLE
 
 
 class Code:
@@ -206,7 +218,22 @@ def _source_of(tree: ast.Module, package: tuple[str, ...]) -> Source:
         assets,
         dict(_top(tree)),
         tuple(_typed(nodes)),
+        tuple(_random(nodes, package)),
     )
+
+
+def _random(nodes: Sequence[ast.AST], package: tuple[str, ...]) -> Iterator[int]:
+    """Yield the lines of calls that return random numbers or the time."""
+    paths = dict(chain.from_iterable(imported_names(node, package) for node in nodes))
+    for node in nodes:
+        if isinstance(node, ast.Call) and isinstance(
+            node.func, ast.Attribute | ast.Name
+        ):
+            name, dot, rest = ast.unparse(node.func).partition(".")
+            path = f"{paths.get(name, '')}{dot}{rest}"
+            is_seeded = path.endswith(SEEDED) and (node.args or node.keywords)
+            if UNREPEATABLE.fullmatch(path) and not is_seeded:
+                yield node.lineno
 
 
 def _typed(nodes: Sequence[ast.AST]) -> Iterator[int]:

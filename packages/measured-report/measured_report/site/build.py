@@ -12,7 +12,7 @@ from measured_report.changes.checks import (
     idle_settings,
     refuse_unknown_names,
 )
-from measured_report.editions.project import INPUTS, Project
+from measured_report.editions.project import INPUTS, MANIFEST, Project
 from measured_report.editions.status import Kind, State
 from measured_report.files import atomic
 from measured_report.files.atomic import files_in, short_path
@@ -31,7 +31,7 @@ from measured_report.records.identity import (
 )
 from measured_report.records.record import trace_path
 from measured_report.records.replicas import SUMS
-from measured_report.site.check import broken_links
+from measured_report.site.check import faults_of_pages
 from measured_report.site.pages import site_files
 from measured_report.values.quantities import lost_reason
 
@@ -64,7 +64,7 @@ def build(project: Project, address: str = "") -> Built:
             )
         if previous := cache.get(BUILT, (digest, digests)):
             return previous
-        _refuse_typed_figures(project.report.root)
+        _refuse_code(project.report.root)
         templates = Templates(project.templates)
         editions = worded_editions(project, templates)
         own = editions.get(project.own_release or project.release)
@@ -74,24 +74,32 @@ def build(project: Project, address: str = "") -> Built:
             if isinstance(content, Path):
                 content = content.read_bytes()
             atomic.write_file(fresh / name, content)
-        links = broken_links(fresh)
+        faults = faults_of_pages(fresh)
         # Written last, because it contains the digests of all other files.
         atomic.write_file(fresh / SUMS, atomic.sums(atomic.digests_below(fresh)))
         atomic.put_in_place(project.site, fresh)
         states = {name: [*_not_fresh(edition)] for name, edition in editions.items()}
         notes = _notes(own) if own else []
-        built = (states, [*notes, *links])
+        built = (states, [*notes, *faults])
         cache.put(BUILT, (digest, atomic.digests_below(project.site)), built)
     return built
 
 
-def _refuse_typed_figures(root: Path) -> None:
-    """Raise ReportError for the first figure that draws numbers typed in the code."""
+def _refuse_code(root: Path) -> None:
+    """Raise ReportError for the first figure that draws numbers typed in the code, and
+    for numbers that differ in each build.
+    """
     for path in sorted((root / "report").rglob("*.py")):
         if re.match("_(?!_)", path.name):  # a draft
             continue
         name = path.relative_to(root).as_posix()
-        for line in read_source(path, name).typed:
+        source = read_source(path, name)
+        for line in source.random:
+            raise ReportError(
+                f"{name}:{line} differs in each build, because it uses random numbers "
+                "or the time: measure them in experiments/, or use random.Random(1)"
+            )
+        for line in source.typed:
             raise ReportError(
                 f"{name}:{line} draws numbers that are typed in the code: draw numbers "
                 "of the results, or values of results.chosen(…)"
@@ -132,6 +140,12 @@ def _stray_results(edition: Edition) -> list[str]:
         f"{short_path(folder)} is not an edition: rename or remove it"
         for folder in sorted(folders)
         if folder.name not in edition_folders
+    ]
+    lines += [
+        f"{short_path(folder)} has no {MANIFEST}, so a lost record would not be "
+        "noticed: restore it or measure a section again"
+        for folder in sorted(folders)
+        if folder.name in edition_folders and not (folder / MANIFEST).exists()
     ]
     names = sections(edition.project.root)
     for path in files_in(results, "*.json"):

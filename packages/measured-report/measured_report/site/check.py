@@ -9,6 +9,7 @@ from html.parser import HTMLParser
 from pathlib import Path
 from urllib.parse import SplitResult, unquote, urlsplit
 
+from measured_report.files.columns import unprintable
 from measured_report.files.config import Report, module_named
 from measured_report.files.config import report as current
 from measured_report.pages.prose import LAYOUT
@@ -26,6 +27,13 @@ The attribute ``href`` is fetched, too, except in an element ``a``.
 """
 ACTIVE = "iframe frame object embed applet base form portal set animate"
 """Elements that run code, contain another page, or change the targets of links."""
+WITHOUT_END = (
+    "area base br col embed hr img input link meta source track wbr "
+    "dd dt li option p td th tr"
+)
+"""Elements without an end tag, or whose end tag can be left out."""
+MARKUP = re.compile(r"```|<!--|\|[ :]*---|\{ \w+ \}|\{\{|\{%")
+"""Markup that a page prints if it is not closed or has a mistake."""
 OUTCOMES = {"holds", "fails", "unknown"}
 FETCHING_STYLE = re.compile(r"@import|url\(\s*['\"]?(?!#|data:)", re.IGNORECASE)
 UNREADABLE = (
@@ -52,11 +60,14 @@ class PageReader(HTMLParser):
         self.numbers: list[Number] = []
         self.scripts: list[tuple[Mapping[str, str], list[str]]] = []
         self.styles = ""
+        self.faults = list(filter(None, [unprintable(html)]))
+        self._open: list[str] = []
         self._tag = ""  # the last start tag; empty after an end tag
         self._attributes: Mapping[str, str] = {}
         self._text = ""
         self._is_code = False
         self.feed(html)
+        self.faults += [f"<{tag}> is not closed" for tag in self._open]
 
     def handle_starttag(
         self, tag: str, attrs: Sequence[tuple[str, str | None]]
@@ -66,6 +77,13 @@ class PageReader(HTMLParser):
         self._attributes = attributes
         self._text = ""
         self._is_code |= tag == "code"
+        if tag not in WITHOUT_END.split():
+            self._open.append(tag)
+        if tag == "img" and not attributes.get("alt"):
+            self.faults.append(
+                f"the picture {attributes.get('src')} has no text for readers who "
+                "cannot see it: add one"
+            )
         is_named = attributes.get("rel") in ("canonical", "alternate")
         is_refresh = "refresh" in attributes.get("http-equiv", "").lower()
         if tag in ACTIVE.split() or is_refresh:
@@ -88,6 +106,9 @@ class PageReader(HTMLParser):
 
     def handle_data(self, data: str) -> None:
         self._text += data
+        is_text = not self._is_code and self._tag not in ("script", "style", "template")
+        if is_text and (match := MARKUP.search(data)):
+            self.faults.append(f"prints {match[0]}, which looks like broken markup")
         if self._tag == "script":
             self.scripts[-1][1].append(data)
         elif self._tag == "style":
@@ -96,6 +117,8 @@ class PageReader(HTMLParser):
     def handle_endtag(self, tag: str) -> None:
         if tag == "data":
             self.numbers.append((self._attributes, self._text, self._is_code))
+        while tag in self._open and (inner := self._open.pop()) != tag:
+            self.faults.append(f"<{inner}> is not closed")
         self._is_code &= tag != "code"
         self._tag = ""
 
@@ -112,14 +135,16 @@ def check_site(site: Path) -> list[str]:
         return [f"the site cannot be read: {type(error).__name__}: {text:.200}"]
 
 
-def broken_links(site: Path) -> list[str]:
-    """Return a line for each link to a page or an id that does not exist."""
+def faults_of_pages(site: Path) -> list[str]:
+    """Return a line for each fault of the HTML, and for each link to a page or an id
+    that does not exist.
+    """
     site = site.resolve()
     pages = _pages(site, "*.html")
     return [
         f"{path.relative_to(site)}: {problem}"
         for path, page in pages.items()
-        for problem in _check_links(page, path, pages, site)
+        for problem in (*page.faults, *_check_links(page, path, pages, site))
     ]
 
 

@@ -239,6 +239,114 @@ def test_links_to_no_page_are_named(toy):
     ]
 
 
+def test_faults_of_html_are_named(toy):
+    lines = ["![](robot.png) ![a robot](robot.png)", "<div>", "<i>a", "\u202eb</div>"]
+    toy.write("static/robot.png", "")
+    text = "\n\n".join(lines).replace("robot.png", "static/robot.png")
+    toy.write("templates/front.md.j2", f"# A report\n\n{text}\n")
+    assert [note for note in build(toy.project)[1] if "index.html: " in note] == [
+        "index.html: contains the character U+202E, which cannot be printed",
+        "index.html: the picture static/robot.png has no text for readers who cannot "
+        "see it: add one",
+        "index.html: <i> is not closed",
+    ]
+
+
+@pytest.mark.parametrize(
+    ("text", "part"),
+    [
+        ("It slips { slip }.", "{ slip }"),
+        ("Rods <!-- are long.", "<!--"),
+        ("```python\nx = y", "```"),
+        ("| a | b |\n|---|\n| x | y |", "|---"),
+    ],
+)
+def test_broken_markup_is_named(toy, text, part):
+    code = "`{ slip } <!-- |---`"
+    toy.write("templates/front.md.j2", f"# A report\n\n{code}\n\n{text}\n")
+    note = f"index.html: prints {part}, which looks like broken markup"
+    assert note in build(toy.project)[1]
+    toy.write("templates/front.md.j2", f"# A report\n\n{code}\n")
+    assert note not in build(toy.project)[1]
+
+
+def test_results_that_a_table_or_a_figure_lacks_are_named_one_by_one(toy):
+    module = MODULE.replace("[trace],", "[trace, results.trace('soft')],")
+    toy.write(
+        "report/sections/toy.py",
+        module.replace(
+            "row in rows]}", "row in [*rows, results.row['x']]]}", 1
+        ).replace("index=[row.case for row in rows]", "index=['soft', 'stiff', 'x']"),
+    )
+    assert [note for note in build(toy.project)[1] if "lacks" in note] == [
+        "toy: figure way lacks a source: there is no toy.soft.csv.gz",
+        "toy: table cases lacks a number: there is no single row of case x",
+    ]
+
+
+def test_columns_and_repeats_that_may_be_mistakes_are_named(toy):
+    units = {"mass_g": 1.0, "speed_km_s": 2.0, "rate_per_ms": 3.0, "top_k": 1.0}
+    rows = [{**row, **units, "substeps": 4} for row in ROWS]
+    for count, case in ((4, "soft"), (8, "soft"), (4, "sof")):
+        rows.append({**rows[0], "case": f"{case}-{count}", "of": case})
+        rows[-1]["substeps"] = count
+    toy.measure(rows)
+    notes = build(toy.project)[1]
+    for note in (
+        "toy: column mass_g has no unit: add g to units in report.toml, or rename the "
+        "column",
+        "toy: column speed_km_s has the unit s: add km_s to units in report.toml, or "
+        "rename the column",
+        "toy: substeps of soft is 4, and that of a repeat is 8: repeat a case with its "
+        "own settings",
+        "results/newton-1.4.0 has no edition.toml, so a lost record would not be "
+        "noticed: restore it or measure a section again",
+    ):
+        assert note in notes
+    assert not [note for note in notes if "rate_per_ms" in note or "top_k" in note]
+
+
+def test_a_repeat_of_no_case_is_named_in_the_section_on_noise(toy, monkeypatch):
+    settings = replace(report().settings, noise_section="toy")
+    monkeypatch.setitem(vars(report()), "settings", settings)
+    vars(report()).pop("columns", None)
+    for case in ("soft", "sof"):
+        repeats = [{**ROWS[0], "case": f"again-{n}", "of": case} for n in range(2)]
+        toy.measure([*ROWS, *repeats])
+        is_named = [f"repeats {case}," in note for note in build(toy.project)[1]]
+        assert any(is_named) == (case == "sof")
+
+
+@pytest.mark.parametrize(
+    "code",
+    [
+        "import random\nrandom.random()",
+        "from random import uniform as draw_one\ndraw_one(0, 1)",
+        "import numpy as np\nnp.random.default_rng()",
+        "from datetime import datetime\ndatetime.now()",
+    ],
+)
+def test_a_section_that_differs_in_each_build_is_refused(toy, code):
+    seeded = "import numpy as np\nnp.random.default_rng(1).normal()"
+    toy.write("report/sections/toy.py", f"{seeded}\n{MODULE}")
+    toy.build()
+    toy.write("report/sections/toy.py", f"{code}\n{MODULE}")
+    with pytest.raises(ReportError, match=r"toy\.py:2 differs in each build"):
+        toy.build()
+
+
+def test_a_package_that_is_not_installed_is_named(toy, monkeypatch):
+    settings = report().settings
+    packages = [*settings.packages, "nmpy"]
+    changed = replace(settings, packages=packages)
+    monkeypatch.setitem(vars(report()), "settings", changed)
+    vars(report()).pop("columns", None)
+    notes = build(toy.project)[1]
+    assert [note for note in notes if "installed" in note] == [
+        "report.toml: packages names nmpy, which is not installed: correct the name"
+    ]
+
+
 def test_a_section_whose_name_is_not_ascii_is_refused(toy):
     toy.write("report/sections/größe.py", MODULE)
     with pytest.raises(ReportError, match=r"größe.py has an invalid name: use a Pyth"):
