@@ -82,7 +82,7 @@ function markOn(figure, count) {
     pointerEvents: "none",
   });
   const frame = picture.closest("a");
-  Object.assign(frame.style, { position: "relative", display: "inline-block" });
+  frame.style.position = "relative";
   frame.append(mark);
   let places = [];
   let position = null;
@@ -91,9 +91,9 @@ function markOn(figure, count) {
     if (mark.hidden) return;
     const index = Math.min(Math.floor(position), count - 2);
     const share = position - index;
-    const [left, top] = [0, 1].map((axis) => (1 - share) * places[index][axis] + share * places[index + 1][axis]);
-    mark.style.left = `${left}%`;
-    mark.style.top = `${top}%`;
+    const [x, y] = [0, 1].map((axis) => (1 - share) * places[index][axis] + share * places[index + 1][axis]);
+    mark.style.left = `${picture.offsetLeft + x * picture.offsetWidth}px`;
+    mark.style.top = `${picture.offsetTop + y * picture.offsetHeight}px`;
   };
   const read = async () => {
     const answer = await fetch(picture.currentSrc || picture.src).catch(() => null);
@@ -103,12 +103,13 @@ function markOn(figure, count) {
     const drawing = new DOMParser().parseFromString(text, "image/svg+xml");
     const [, , width, height] = drawing.documentElement.getAttribute("viewBox").split(" ").map(Number);
     const runs = [...drawing.querySelectorAll("#line-by-rule use")];
-    places = runs.map((run) => [(100 * run.getAttribute("x")) / width, (100 * run.getAttribute("y")) / height]);
+    places = runs.map((run) => [run.getAttribute("x") / width, run.getAttribute("y") / height]);
     move();
   };
   // A page that is opened as a file must not read other files.
   if (location.protocol !== "file:") {
     picture.addEventListener("load", read);
+    addEventListener("resize", move);
     read();
   }
   return (to) => {

@@ -104,8 +104,16 @@ def test_the_circle_in_the_figure_follows_the_step(browser, site):
     def place(step: float) -> list[float]:
         tab.fill("#step-ms", str(step))
         mark.wait_for(state="visible")
-        found = mark.evaluate("mark => [mark.style.left, mark.style.top]")
-        return [float(part.removesuffix("%")) for part in found]
+        return mark.evaluate(
+            """mark => {
+                const [circle, picture] = [mark, document.querySelector("#story-frontier img")]
+                    .map((each) => each.getBoundingClientRect());
+                return [
+                    100 * (circle.x + circle.width / 2 - picture.x) / picture.width,
+                    100 * (circle.y + circle.height / 2 - picture.y) / picture.height,
+                ];
+            }"""
+        )
 
     (long, _), (short, _) = slips(tab, 4)[2:4]
     drawing = (site / "figures" / "story-frontier.svg").read_text(encoding="utf-8")
@@ -115,10 +123,10 @@ def test_the_circle_in_the_figure_follows_the_step(browser, site):
         [100 * float(x) / width, 100 * float(y) / height]
         for x, y in re.findall(r'<use [^>]*x="(\S+)" y="(\S+)"', line)[2:4]
     ]
-    assert place(long) == pytest.approx(runs[0], abs=0.05)
-    assert place(short) == pytest.approx(runs[1], abs=0.05)
+    assert place(long) == pytest.approx(runs[0], abs=0.3)
+    assert place(short) == pytest.approx(runs[1], abs=0.3)
     between = place((long * short) ** 0.5)
-    assert between == pytest.approx([sum(pair) / 2 for pair in zip(*runs)], abs=0.05)
+    assert between == pytest.approx([sum(pair) / 2 for pair in zip(*runs)], abs=0.3)
     tab.select_option("#step-contacts", index=1)
     mark.wait_for(state="hidden")
     assert messages == []
