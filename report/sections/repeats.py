@@ -2,7 +2,9 @@
 
 from report.shared import (
     Claim,
+    Outcome,
     Results,
+    Row,
     RowsBy,
     Section,
     cell_or_absent,
@@ -17,10 +19,10 @@ page = "error"
 label = "identical runs"
 
 SETTINGS = {
-    "default": "nothing",
-    "contacts": "Newton's list of contacts",
-    "engine": "the list of contacts and MuJoCo Warp",
-    "solver": "the list of contacts, and SolverMuJoCo by its option",
+    "default": "default",
+    "contacts": "sorted contacts",
+    "engine": "sorted contacts, option of MuJoCo Warp",
+    "solver": "sorted contacts, option of SolverMuJoCo",
 }
 WORLDS = 1
 ENGINE_CLAIMS = ("engine_repeats", "engine_costs")
@@ -42,44 +44,44 @@ def derive(results: Results) -> Section:
     names = [SETTINGS[name] for name in settings]
     default, contacts = results.row["default"], results.row["contacts"]
     table = table_of(
-        "deterministic",
+        "setting",
         names,
         columns,
         runs=default.run_count,
         resolution=resolution(results, "resolution", timed.values()),
     )
     claims = [
-        Claim("runs_differ", _differ(default), {"runs": default.run_count}),
-        Claim("contacts_repeat", _repeat(contacts), {"runs": contacts.run_count}),
+        Claim(
+            "runs_differ",
+            _repeats(default, expected=False),
+            {"runs": default.run_count},
+        ),
+        Claim("contacts_repeat", _repeats(contacts), {"runs": contacts.run_count}),
     ]
     if "engine" in settings:
         engine, cost = results.row["engine"], timed["engine", WORLDS].frame_ratio
         slower = greater(cost, 1.0, "the time by default")
         claims += [
-            Claim("engine_repeats", _repeat(engine), {"runs": engine.run_count}),
+            Claim("engine_repeats", _repeats(engine), {"runs": engine.run_count}),
             Claim("engine_costs", slower, {"ratio": cost}),
         ]
     if "solver" in settings:
         solver = results.row["solver"]
-        is_compiled = solver.plain.get("identical_count") is not None
         count = cell_or_absent(default, "identical_count")
+        has_run = solver.plain.get("identical_count") is not None
         reason = _sentences(solver.plain.get("identical_count_reason") or "")
-        compiles = decided(is_compiled, count)
-        claims.append(Claim("option_compiles", compiles, {"reason": reason}))
+        claims.append(
+            Claim("option_works", decided(has_run, count), {"reason": reason})
+        )
     missing = [] if "engine" in settings else [*ENGINE_CLAIMS]
-    missing += [] if "solver" in settings else ["option_compiles"]
+    missing += [] if "solver" in settings else ["option_works"]
     return Section({"settings": table}, claims=claims, unmeasured=missing)
 
 
-def _repeat(row):
-    """Test whether all runs of a row equal the first one."""
+def _repeats(row: Row, *, expected: bool = True) -> Outcome:
+    """Test whether all runs of a row equal the first one, or whether some differ."""
     is_equal = row.plain.get("identical_count") == row.plain.get("run_count", 0) - 1
-    return decided(is_equal, row.identical_count, row.run_count)
-
-
-def _differ(row):
-    is_equal = row.plain.get("identical_count") == row.plain.get("run_count", 0) - 1
-    return decided(not is_equal, row.identical_count, row.run_count)
+    return decided(is_equal is expected, row.identical_count, row.run_count)
 
 
 def _sentences(reason: str) -> str:

@@ -137,27 +137,27 @@ def grips(
         early = [hold_of(model, sample, body) for sample in run.samples[:first]]
         gripping = [hold for hold in early if hold and hold.opposed]
         late = [hold_of(model, sample, body) for sample in run.late]
-        held = [hold for hold in late if hold]
+        late_holds = [hold for hold in late if hold]
         lasts = bool(gripping) and all(hold and hold.opposed for hold in late)
         if gripping:
             load = _weight_n(scene, body, acceleration_m_s2)
             # The friction of the grip is averaged, because normal forces swing while it closes.
             bears = np.mean([_bearable_n(scene, body, hold) for hold in gripping])
             lost = not lasts and (_edge(gripping) or bears < load)
-            if lost or _edge(held) or (acceleration_m_s2 and bears < load):
+            if lost or _edge(late_holds) or (acceleration_m_s2 and bears < load):
                 under = acceleration_m_s2 if lasts else 0.0
                 yield _sliding(scene, run, body, gripping, load, bears, under)
         if lasts:
-            yield from _turning(scene, run, body, held[-1])
+            yield from _turning(scene, run, body, late_holds[-1])
         # A body that creeps out of its grip is judged while it is gripped.
-        creeping = gripping if gripping and not lasts else held
-        if (gripping or len(held) == len(late)) and not _edge(creeping):
+        creeping = gripping if gripping and not lasts else late_holds
+        if (gripping or len(late_holds) == len(late)) and not _edge(creeping):
             below = below_mm_s * (GRIPPED if gripping else 1.0)
             yield from _creeping(scene, run, body, creeping, bool(gripping), below)
 
 
-def _edge(held: list[Grip]) -> bool:
-    return bool(held) and bool(np.mean([hold.used for hold in held]) > AT_THE_EDGE)
+def _edge(holds: list[Grip]) -> bool:
+    return bool(holds) and bool(np.mean([hold.used for hold in holds]) > AT_THE_EDGE)
 
 
 def slip_mm_s(model: MjModel, run: Run, body: int) -> float:
@@ -174,11 +174,11 @@ def _creeping(
     scene: Scene,
     run: Run,
     body: int,
-    held: list[Grip],
+    holds: list[Grip],
     gripped: bool,
     below_mm_s: float,
 ) -> Iterator[Symptom]:
-    slips = np.array([hold.slip_m_s for hold in held])
+    slips = np.array([hold.slip_m_s for hold in holds])
     speed = M * np.linalg.norm(slips.mean(axis=0))
     path = M * np.linalg.norm(slips, axis=1).mean()
     # A body that shakes has a long path but a small mean velocity.
@@ -188,26 +188,26 @@ def _creeping(
     first, last = (
         np.linalg.norm(part.mean(axis=0)) for part in np.split(slips, [half])
     )
-    turned = held[0].rotation.T @ held[-1].rotation
+    turned = holds[0].rotation.T @ holds[-1].rotation
     # A body that comes to rest, or that rolls, does not creep.
     if last < STEADY * first or np.trace(turned) < ROLLS:
         return
     model = scene.model
-    hold = held[-1]
+    hold = holds[-1]
     supports = list(dict.fromkeys(hold.geoms))
     load = np.linalg.norm(hold.friction_n)
     # A body that lies level drifts at random, without any load.
     if load < LEAST * _weight_n(scene, body, 0.0):
         return
     turning = np.linalg.norm(run.samples[-1].arrays["cvel"][hold.support, :3]) > 0.1
-    where = "between" if gripped else "on the turning" if turning else "on"
+    relation = "between" if gripped else "on the turning" if turning else "on"
     yield Symptom(
         Finding(
             "slip",
             scene.bodies[body],
             "creep",
             speed,
-            f"$shape creeps at $value {where} $against{origin(run)} because"
+            f"$shape creeps at $value {relation} $against{origin(run)} because"
             f" friction yields to its load of {number(load)} N like a damper, although"
             f" at most {math.ceil(100.0 * hold.used)}% of the friction is used",
             against=tuple(scene.names[geom] for geom in supports),
@@ -227,8 +227,8 @@ def _firmer(scene: Scene, body: int, supports: list[int]) -> list[Changes]:
     firm = [elliptic(scene, ratio) for ratio in ratios if ratio <= MOST_IMPRATIO]
     pairs = {pair for geom in supports for pair in _pairs(scene, geom, body)}
     stiff = of_contacts(scene, sorted(pairs), lambda _: stiffest(scene))
-    both = [way + stiff for way in firm[:1]]
-    return [*firm, stiff, *both, *noslip(scene)]
+    combined = [way + stiff for way in firm[:1]]
+    return [*firm, stiff, *combined, *noslip(scene)]
 
 
 def _bearable_n(scene: Scene, body: int, grip: Grip) -> float:

@@ -297,11 +297,11 @@ def sample_of(model: MjModel, data: MjData) -> Sample:
 def touches_of(model: MjModel, data: MjData) -> Touches:
     """Return the contacts between geoms, with the forces of the last step."""
     contact = data.contact
-    kept = np.flatnonzero(contact.geom.min(axis=1, initial=0) >= 0)
-    geoms = contact.geom[kept]
-    frames = contact.frame[kept].reshape(-1, 3, 3)
-    forces = contact_forces(model, data, kept)
-    mu = np.maximum(contact.friction[kept, :2], mujoco.mjMINMU)
+    indices = np.flatnonzero(contact.geom.min(axis=1, initial=0) >= 0)
+    geoms = contact.geom[indices]
+    frames = contact.frame[indices].reshape(-1, 3, 3)
+    forces = contact_forces(model, data, indices)
+    mu = np.maximum(contact.friction[indices, :2], mujoco.mjMINMU)
     # A pyramid limits the sum of both axes, an elliptic cone their Euclidean length.
     shares = np.abs(forces[:, 1:]) / mu
     is_pyramid = model.opt.cone == int(mujoco.mjtCone.mjCONE_PYRAMIDAL)
@@ -310,12 +310,12 @@ def touches_of(model: MjModel, data: MjData) -> Touches:
     spins = data.cvel[bodies, :3]
     # cvel is the velocity at the centre of mass of the whole tree, so it is moved to
     # the contact point.
-    arms = contact.pos[kept][:, None] - data.subtree_com[model.body_rootid[bodies]]
+    arms = contact.pos[indices][:, None] - data.subtree_com[model.body_rootid[bodies]]
     speeds = data.cvel[bodies, 3:] + np.cross(spins, arms)
     return Touches(
         geoms=geoms,
         normal=frames[:, 0],
-        depth_m=-contact.dist[kept],
+        depth_m=-contact.dist[indices],
         normal_n=forces[:, 0],
         friction_n=np.einsum("ni,nij->nj", forces[:, 1:], frames[:, 1:]),
         used=load / np.maximum(forces[:, 0], mujoco.mjMINVAL),
@@ -323,11 +323,11 @@ def touches_of(model: MjModel, data: MjData) -> Touches:
     )
 
 
-def contact_forces(model: MjModel, data: MjData, kept: np.ndarray) -> np.ndarray:
+def contact_forces(model: MjModel, data: MjData, indices: np.ndarray) -> np.ndarray:
     """Return normal and friction forces of contacts in their frames, shape [n, 3]."""
-    forces = np.zeros((len(kept), 3))
+    forces = np.zeros((len(indices), 3))
     force = np.zeros(6)
-    for row, index in zip(forces, kept.tolist(), strict=True):
+    for row, index in zip(forces, indices.tolist(), strict=True):
         mujoco.mj_contactForce(model, data, index, force)
         row[:] = force[:3]
     return forces

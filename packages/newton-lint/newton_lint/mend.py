@@ -96,9 +96,9 @@ class Mending:
                 return f"in {path.name}, {reason}"
         return ""
 
-    def lines(self, written: bool) -> Iterator[str]:
+    def lines(self, is_written: bool) -> Iterator[str]:
         """Yield a line for each change that was tried."""
-        outcome = "written" if written else "can be written"
+        outcome = "written" if is_written else "can be written"
         for line, why in self.outcomes.items():
             yield f"{line}: {f'not written because {why}' if why else outcome}"
 
@@ -137,14 +137,14 @@ def fixed_again(
     """Mend scenes that may share files until no scene changes any more."""
     lines: list[str] = []
     for _ in range(PASSES):
-        written = []
+        new_lines = []
         for scene in map(read_target, targets):
             if scene.path and scene.model is not None:
                 _, changes = fixed(scene, request, paths, dry=False)
-                written += [line for line in changes if line.endswith(": written")]
-        if not written:
+                new_lines += [line for line in changes if line.endswith(": written")]
+        if not new_lines:
             break
-        lines += written
+        lines += new_lines
     return lines
 
 

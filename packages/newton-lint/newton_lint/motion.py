@@ -91,13 +91,13 @@ def motions(trials: Trials) -> list[Finding]:
             key = (item.rule, item.shape, item.against)
             findings[key] = max(findings.get(key, item), item, key=_weight)
     # One change that mends several findings of a rule is printed with the worst one.
-    seen: set[tuple] = set()
+    reported: set[tuple] = set()
     for key in sorted(findings, key=lambda key: _weight(findings[key]), reverse=True):
         item = findings[key]
         changes = item.rule, item.cures[:1] and item.cures[0].changes
-        if item.cures and changes in seen:
+        if item.cures and changes in reported:
             findings[key] = replace(item, severity="note")
-        seen.add(changes)
+        reported.add(changes)
     return list(findings.values())
 
 

@@ -166,8 +166,8 @@ def _newton_findings(
         target.model is not None
     )  # Files that only Newton reads are not handled here.
     gravity = target.model.opt.gravity[2]
-    taken = float(np.ravel(imported.newton_model.gravity.numpy())[2])
-    if not np.isclose(gravity, taken, rtol=1e-3):
+    imported_gravity = float(np.ravel(imported.newton_model.gravity.numpy())[2])
+    if not np.isclose(gravity, imported_gravity, rtol=1e-3):
         yield Finding(
             "importer",
             "",
@@ -175,7 +175,7 @@ def _newton_findings(
             gravity,
             "The scene has a gravity of $value m/s², but Newton's importer"
             " reads $used m/s²",
-            used=taken,
+            used=imported_gravity,
         )
     if target.model.npair:
         message = (

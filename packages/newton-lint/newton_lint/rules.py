@@ -162,14 +162,14 @@ def too_stiff(scene: Scene) -> Iterator[Hits]:
     first, second = contacts.solref.T
     # A contact accelerates by dmax · b and dmax² · k.
     gain = -second * step - 0.5 * first * step**2
-    taken = (first <= 0.0) & (second <= 0.0)
+    is_unclamped = (first <= 0.0) & (second <= 0.0)
     if not scene.option.refsafe:
         is_short = (first > 0.0) & (second > 0.0)
         own = 2.0 * step / first + 0.5 * (step / (first * second)) ** 2
-        taken = taken | is_short
+        is_unclamped = is_unclamped | is_short
         gain = np.where(is_short, own, gain)
     # The integrator discrete is stable with any of them, as both terms are implicit.
-    stiff = taken & (gain >= STIFF) & (not scene.option.discrete)
+    stiff = is_unclamped & (gain >= STIFF) & (not scene.option.discrete)
     why = "does not clamp it" if scene.option.refsafe else "is off"
     wording = Finding(
         "stiff",

@@ -256,11 +256,11 @@ def largest(comparison: Comparison) -> list[str]:
         ):
             is_better = move.direction == "better"
             columns.setdefault((move.column.name, is_better), []).append(move)
-    shown = [*columns][:LINES]
+    listed = [*columns][:LINES]
     # Alarms come first, so one line is reserved for improvements.
-    shown += [key for key in columns if key[1] and key not in shown][:1]
+    listed += [key for key in columns if key[1] and key not in listed][:1]
     lines = []
-    for lead, *lesser_moves in map(columns.__getitem__, shown):
+    for lead, *lesser_moves in map(columns.__getitem__, listed):
         # A percentage of a number close to zero has no meaning.
         is_near_zero = lead.share is None or abs(lead.before) < lead.scale
         share = ""

@@ -85,10 +85,10 @@ def carry(project: Project, name: str, sides: Sequence[Project], python: Path) -
         log.touch()
         with ThreadPoolExecutor() as pool:
             before, after = pool.map(partial(_run, name, python, log), sides)
-        called = _places(log)
+        called_places = _places(log)
     if reason := first_difference(before, after):
         raise ReportError(reason)
-    refuse_uncalled(changed, called)
+    refuse_uncalled(changed, called_places)
     change = Carried(
         recorded.code,
         old_commit,

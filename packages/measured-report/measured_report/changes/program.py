@@ -123,7 +123,7 @@ def changed_functions(old: Program, new: Program) -> list[tuple[str, list[Progra
 
 
 def refuse_uncalled(
-    changed: Iterable[tuple[str, list[Program]]], called: set[Place]
+    changed: Iterable[tuple[str, list[Program]]], called_places: set[Place]
 ) -> None:
     """Raise ReportError for a changed function that the runs did not call.
 
@@ -133,7 +133,7 @@ def refuse_uncalled(
         for side in sides:
             places = side.places(name)
             # Two functions at the same place cannot be distinguished in the log.
-            if not called.issuperset(places) or len({*places}) < len(places):
+            if not called_places.issuperset(places) or len({*places}) < len(places):
                 raise ReportError(f"the quick run does not call all of {name}: {AGAIN}")
 
 

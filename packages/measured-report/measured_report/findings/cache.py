@@ -64,8 +64,10 @@ class DerivedCache(Cache):
         digests = code.digests(map(str, starts), self.report.root)
         # Modules do not import report.toml, which describes the columns.
         paths = [self.report.root / name for name in self.report.settings.sources]
-        others = [code.digest(path) for path in (macros.FILE, *paths) if path.is_file()]
-        return digest_of([installed(), digests, others])
+        other_digests = [
+            code.digest(path) for path in (macros.FILE, *paths) if path.is_file()
+        ]
+        return digest_of([installed(), digests, other_digests])
 
     def value(
         self,

@@ -75,10 +75,10 @@ def _measurements(project: Project) -> dict[str, Measurements]:
     by_edition = {}
     for edition in _compared(project):
         label = edition.aside + edition.release
-        shown = {record.section: record for record in records_of(edition)}
+        tracked = {record.section: record for record in records_of(edition)}
         named_replicas, damaged = read_replicas(edition)
-        replicas = [alike(shown, records) for records in named_replicas.values()]
-        for name, record in shown.items():
+        replicas = [alike(tracked, records) for records in named_replicas.values()]
+        for name, record in tracked.items():
             repeated = [records.get(name) for records in replicas]
             measured[label, name] = [record, *repeated]
         by_edition[label] = Measurements(damaged=damaged, names=[*named_replicas])

@@ -141,11 +141,11 @@ def deprecations() -> Iterator[set[str]]:
             line = UNPRINTABLE.sub("?", " ".join(str(message).split()))
             lines.add(without_secrets(line)[:LINE_LIMIT])
         else:
-            shown(*warning)
+            show_others(*warning)
 
     with warnings.catch_warnings():
         warnings.simplefilter("default", DeprecationWarning)
-        shown = warnings.showwarning
+        show_others = warnings.showwarning
         warnings.showwarning = show  # type: ignore[assignment]
         yield lines
 

@@ -63,16 +63,17 @@ def cpu_name() -> str:
 def commit() -> str | None:
     """Return the commit that is checked out, marked as dirty if files differ from it.
 
-    A copy without a repository takes it from the environment variable GIT_COMMIT.
+    New results do not count, because measuring writes them. A copy without a repository
+    takes the commit from the environment variable GIT_COMMIT.
     """
     if name := os.environ.get("GIT_COMMIT"):
         return name
     root = current().root
-    name = git(root, "describe", "--always", "--abbrev=12", "--exclude=*", "--dirty")
+    name = git(root, "describe", "--always", "--abbrev=12", "--exclude=*")
     folders = ("experiments", "assets")
-    if git(root, "ls-files", "--others", "--exclude-standard", *folders) and name:
-        return f"{name.removesuffix('-dirty')}-dirty"
-    return name or None
+    changes = git(root, "diff", "--name-only", "HEAD", "--", ":/", ":!results")
+    changes += git(root, "ls-files", "--others", "--exclude-standard", *folders)
+    return f"{name}-dirty" if name and changes else name or None
 
 
 def said(*command: str) -> str:

@@ -229,8 +229,8 @@ def _random(nodes: Sequence[ast.AST], package: tuple[str, ...]) -> Iterator[int]
         if isinstance(node, ast.Call) and isinstance(
             node.func, ast.Attribute | ast.Name
         ):
-            name, dot, rest = ast.unparse(node.func).partition(".")
-            path = f"{paths.get(name, '')}{dot}{rest}"
+            name, dot, attribute = ast.unparse(node.func).partition(".")
+            path = f"{paths.get(name, '')}{dot}{attribute}"
             is_seeded = path.endswith(SEEDED) and (node.args or node.keywords)
             if UNREPEATABLE.fullmatch(path) and not is_seeded:
                 yield node.lineno

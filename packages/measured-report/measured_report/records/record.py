@@ -368,9 +368,9 @@ def read_record(content: bytes, path: Path) -> Record:
         date = record.measured["date"]
         texts = [record.measured.get(name) or date for name in ("started", "ended")]
         times = map(datetime.fromisoformat, convert([*texts, date], list[Time]))
-        began, ended, written = times
+        started, ended, written = times
         tomorrow = datetime.now(timezone.utc) + timedelta(days=1)
-        if began > ended or max(ended, written) > tomorrow:
+        if started > ended or max(ended, written) > tomorrow:
             raise ValueError("its end is before its start or in the future")
         if record.section != path.stem:
             raise ValueError(f"it belongs to section {record.section!r}")

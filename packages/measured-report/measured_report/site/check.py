@@ -32,7 +32,7 @@ WITHOUT_END = (
     "dd dt li option p td th tr"
 )
 """Elements without an end tag, or whose end tag can be left out."""
-MARKUP = re.compile(r"```|<!--|\|[ :]*---|\{ \w+ \}|\{\{|\{%")
+MARKUP = re.compile(r"`|<!--|\|[ :]*---|\{ \w+ \}|\{\{|\{%")
 """Markup that a page prints if it is not closed or has a mistake."""
 OUTCOMES = {"holds", "fails", "unknown"}
 FETCHING_STYLE = re.compile(r"@import|url\(\s*['\"]?(?!#|data:)", re.IGNORECASE)

@@ -71,8 +71,8 @@ class Pair:
             for move in self.comparison.moves
         )
         for column_moves in columns.values():
-            shown = column_moves[:SHOWN]
-            for number, move in enumerate(shown, 1):
+            largest = column_moves[:SHOWN]
+            for number, move in enumerate(largest, 1):
                 hidden_count = len(column_moves) - number if number == SHOWN else 0
                 is_finite = math.isfinite(move.relevance)
                 relevance = format_number(move.relevance) if is_finite else "new"

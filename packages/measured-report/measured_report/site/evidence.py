@@ -57,15 +57,15 @@ class Evidence:
                 for file, index in cells
                 if file in self.chapters
             }
-            shown = dict(islice(cells_by_name.items(), FEW))
-            for name, (file, index) in shown.items():
+            listed = dict(islice(cells_by_name.items(), FEW))
+            for name, (file, index) in listed.items():
                 edition, chapter = self.chapters[file]
                 rows.setdefault(name, _description(chapter, index))
                 if file not in records:
                     records[file] = _measurement(edition, chapter)
             if value:
                 # Positions instead of names, because many numbers share their rows.
-                derived[pointer] = [len(cells_by_name), *map(list(rows).index, shown)]
+                derived[pointer] = [len(cells_by_name), *map(list(rows).index, listed)]
         return {"derived": derived, "rows": rows, "records": records}
 
 

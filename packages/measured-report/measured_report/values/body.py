@@ -158,18 +158,18 @@ class _Gathered:
     """Gathers the measurements of one section in one edition."""
 
     def __init__(self, section: str, records: Sequence[Record | None], columns: Schema):
-        shown = records[0]
-        assert shown, "the record that is shown comes first"
+        tracked = records[0]
+        assert tracked, "the record that is shown comes first"
         self.columns = columns
-        self.rows = shown.rows
-        _, self.repeats = split_repeats(shown.rows, section, columns)
+        self.rows = tracked.rows
+        _, self.repeats = split_repeats(tracked.rows, section, columns)
         self.count = sum(record is not None for record in records)
         self.edges: set[RowKey] = set()  # rows that end in one of two ways, by chance
         self.dissenting = (
             0  # rows of one measurement that end differently from the others
         )
         self.is_alike = [
-            record is not None and record.machine_for_speed == shown.machine_for_speed
+            record is not None and record.machine_for_speed == tracked.machine_for_speed
             for record in records
         ]
         rows = [
@@ -182,18 +182,18 @@ class _Gathered:
         self, rows: Sequence[Mapping[RowKey, Cells]]
     ) -> Iterator[tuple[ColumnKey, RowKey, str, list[float | None]]]:
         """Yield each number of the tracked record with all its measurements."""
-        for row_key, shown in rows[0].items():
+        for row_key, cells in rows[0].items():
             measured_rows = self._agreeing(
                 row_key, [by_key.get(row_key) for by_key in rows]
             )
-            if is_lost(shown, self.columns):
+            if is_lost(cells, self.columns):
                 continue
-            for name in shown:
+            for name in cells:
                 column = self.columns[name]
-                number = self.columns.number_of(name, shown)
+                number = self.columns.number_of(name, cells)
                 if not (is_number(number) and scatters(column)):
                     continue
-                column_key = column_key_of(name, shown, self.columns)
+                column_key = column_key_of(name, cells, self.columns)
                 if row_key[0] == MEAN:
                     # A mean scatters less than one run, so it has a fit of its own.
                     column_key = MEAN, name

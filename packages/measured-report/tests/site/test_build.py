@@ -257,7 +257,8 @@ def test_faults_of_html_are_named(toy):
     [
         ("It slips { slip }.", "{ slip }"),
         ("Rods <!-- are long.", "<!--"),
-        ("```python\nx = y", "```"),
+        ("```python\nx = y", "`"),
+        ("It slips `far.", "`"),
         ("| a | b |\n|---|\n| x | y |", "|---"),
     ],
 )
