@@ -183,10 +183,11 @@ class Evidence:
         column_key = column_key_of(name, row, columns)
         if several := self.numbers.get((key, name)):
             return self._by_measurements(several, column, key, column_key)
-        # A count is exact unless several measurements show otherwise.
-        if isinstance(value, int):
+        scatter = self.scatters.get(column_key)
+        # A count is exact unless several measurements of its row show otherwise.
+        if isinstance(value, int) and not (scatter and scatter.varies(key)):
             return Estimate(value)
-        if scatter := self.scatters.get(column_key):
+        if scatter:
             variance, freedom = scatter.of(key, abs(value))
             return Estimate(
                 value,
@@ -248,12 +249,7 @@ class Evidence:
         # Measurements that agree on a count, or on zero, leave no doubt.
         if not reach and not (isinstance(value, float) and value):
             return Estimate(value, **common)
-        scatter = self.scatters.get(column_key)
-        if scatter is None:
-            freedom = several.total - 1
-            # The column has too few rows for a fit, so only these measurements count.
-            variance = variance_of(present) if freedom else 0.0
-            return Estimate(value, variance, freedom, **common)
+        scatter = self.scatters[column_key]
         return Estimate(value, *scatter.of(key, abs(value), several.total), **common)
 
     def _by_repeats(

@@ -149,6 +149,11 @@ class Scatter:
         """Return the key in ``rows`` for a number of this size."""
         return ("small", row) if size < self.least_sizes.get(row, 0.0) else row
 
+    def varies(self, row: Hashable) -> bool:
+        """Return whether measurements of this row differ."""
+        level, _ = self.rows.get(row, (0.0, 0.0))
+        return level > 0
+
     def of(self, row: Hashable, size: float, count: float = 1) -> tuple[float, float]:
         """Return the variance of one of ``count`` measurements of a number of this size.
 

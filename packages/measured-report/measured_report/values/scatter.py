@@ -111,7 +111,7 @@ def fit_of(
     general: Scatter | None = None,
     slopes: Sequence[float] = SLOPES,
 ) -> Fit | None:
-    """Fit the numbers of a column in a section; None if their scatter is not known.
+    """Fit the numbers of a column in a section; None if none was measured twice.
 
     Args:
         samples: by number and measurement, NaN for those that are missing.
@@ -123,8 +123,11 @@ def fit_of(
     medians = _medians(samples)
     sizes = np.maximum(abs(medians), 1e-12)
     prior = _column_scatter(samples, counts, sizes, slopes) or general
+    is_shrunk = prior is not None
     if prior is None:
-        return None
+        if counts.max() < 2:
+            return None
+        prior = _few_rows_scatter(samples, counts, sizes)
     usual = np.maximum(prior.level * sizes**prior.slope, rounding_variance(sizes))
     distances = samples - medians[:, None]
     deviations = TO_DEVIATION * _medians(abs(distances))
@@ -133,7 +136,15 @@ def fit_of(
     reach = np.where(counts > 2, reach, np.inf)[:, None]
     fenced = medians[:, None] + np.clip(distances, -reach, reach)
     sizes = np.maximum(abs(np.nanmean(fenced, axis=1)), 1e-12)
-    scatter = _with_rows(prior, fenced, counts, sizes, rows)
+    scatter = _with_rows(
+        prior,
+        fenced,
+        counts,
+        sizes,
+        rows,
+        is_shrunk=is_shrunk,
+        is_count=np.array_equal(samples, np.round(samples), equal_nan=True),
+    )
     return Fit(scatter, fenced, abs(distances) > reach)
 
 
@@ -165,16 +176,30 @@ def _column_scatter(
     return prior_of(variances, counts[is_repeated][moves] - 1.0, sizes[moves], slopes)
 
 
+def _few_rows_scatter(samples: Array, counts: Array, sizes: Array) -> Scatter:
+    """Return the mean relative variance of the few rows that were measured repeatedly."""
+    is_repeated = counts > 1
+    freedoms = counts[is_repeated] - 1.0
+    variances = np.nanvar(samples[is_repeated], axis=1, ddof=1)
+    shares = variances / sizes[is_repeated] ** 2
+    level = max(float(np.average(shares, weights=freedoms)), rounding_variance(1.0))
+    return Scatter(level, 2.0, float(freedoms.sum()))
+
+
 def _with_rows(
     prior: Scatter,
     samples: Array,
     counts: Array,
     sizes: Array,
     rows: Sequence[Hashable],
+    *,
+    is_shrunk: bool,
+    is_count: bool,
 ) -> Scatter:
     """Return the scatter, with its own variance for each row that was measured more
     than once. If the numbers of a row are close to zero in some editions and not in
-    others, these scatter separately.
+    others, these scatter separately. The variance of a row is not shrunk if its column
+    has few rows, or if the row is a count on which all measurements agree.
     """
     least_sizes: dict[Hashable, float] = {}
     for row, size in zip(rows, sizes, strict=True):
@@ -184,6 +209,7 @@ def _with_rows(
     is_repeated = counts > 1
     variances = np.full(len(samples), np.nan)
     variances[is_repeated] = np.nanvar(samples[is_repeated], axis=1, ddof=1)
+    wild: set[Hashable] = set()
     for index in np.flatnonzero(is_repeated):
         freedom = float(counts[index] - 1)
         level = float(variances[index] / sizes[index] ** prior.slope)
@@ -191,16 +217,27 @@ def _with_rows(
         entry = sums.setdefault(key, [0.0, 0.0])
         entry[0] += freedom * level
         entry[1] += freedom
+        # A row that repeats well in other editions does not hide that it is wild in one.
+        if _is_wild(level, freedom, prior):
+            wild.add(key)
     levels = {}
     for row, (weighted, freedom) in sums.items():
-        prior_freedom = prior.freedom
-        ratio = weighted / freedom / prior.level
-        # This is an F test, whose probability is converted to normal deviations.
-        if -ndtri(fdtrc(freedom, prior.freedom, ratio)) > WILD:
-            prior_freedom = 0.0
+        is_certain = is_count and not weighted
+        is_wild = row in wild or _is_wild(weighted / freedom, freedom, prior)
+        is_alike = is_shrunk and not is_certain and not is_wild
+        prior_freedom = prior.freedom if is_alike else 0.0
         level = (prior_freedom * prior.level + weighted) / (prior_freedom + freedom)
         levels[row] = level, prior_freedom + freedom
     return replace(prior, rows=levels)
+
+
+def _is_wild(level: float, freedom: float, prior: Scatter) -> bool:
+    """Return whether a row scatters more than its column; see ``WILD``.
+
+    This is an F test, whose probability is converted to normal deviations.
+    """
+    chance = fdtrc(freedom, prior.freedom, level / prior.level)
+    return bool(-ndtri(chance) > WILD)
 
 
 def left_out(

@@ -687,6 +687,23 @@ def test_measurements_that_agree_are_what_they_say_and_a_mean_says_of_what():
     ) and mean.samples == [1.0, 2.0, None]
 
 
+def test_a_count_that_varies_elsewhere_is_not_exact_if_it_was_measured_once():
+    """Test counts of 16 and 26, and of 8 and 8, beside one measurement of each."""
+    several = [
+        record([{"case": "a", "row_count": a}, {"case": "b", "row_count": 8}])
+        for a in (16, 26)
+    ]
+    once = [
+        record([{"case": case, "row_count": 20} for case in "abc"]),
+    ]
+    evidence = body(a=several, b=once).sections["b", "toy"]
+    noise = {
+        row["case"]: estimate(evidence, "row_count", row).noise for row in once[0].rows
+    }
+    assert noise["a"] > 10, "one of two measurements differs by 10"
+    assert noise["b"] == noise["c"] == 0
+
+
 def test_nothing_at_all_has_no_noise_where_all_measurements_say_so():
     one, two = (
         record(

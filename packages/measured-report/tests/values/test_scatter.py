@@ -186,9 +186,35 @@ def test_variances_that_have_nothing_in_common_leave_a_finite_quantile():
     assert math.isfinite(t_quantile(0.999, prior.freedom))
 
 
+def test_few_rows_keep_their_own_variance_and_lend_their_mean_to_others():
+    """Test variances of 0.02 around 1.1 and around 2.2, and a row that has none."""
+    samples = np.array([[1.0, 1.2], [2.1, 2.3], [4.0, np.nan]])
+    scatter = fit_of(samples, "abc").scatter
+    assert scatter.of("a", 1.1) == pytest.approx((0.02, 1.0))
+    mean = (0.02 / 1.21 + 0.02 / 4.84) / 2
+    assert scatter.of("c", 4.0) == pytest.approx((16 * mean, 2.0))
+
+
+def test_a_row_that_repeats_well_in_one_edition_can_be_wild_in_another():
+    """Test a variance of 14 times that of its column, and one of zero."""
+    general = Scatter(1e-4, 0.0, 100.0)
+    samples = np.array([[1.0, 1.0], [1.0, 1.0 + np.sqrt(2.8e-3)]])
+    scatter = fit_of(samples, "aa", general).scatter
+    assert scatter.of("a", 1.0) == pytest.approx((1.4e-3 / 2, 2.0))
+    apart = fit_of(samples, "ab", general).scatter
+    assert apart.of("a", 1.0) == pytest.approx((1e-4 * 100 / 101, 101.0))
+
+
+def test_a_count_on_which_all_measurements_agree_is_certain():
+    """Test counts of 8 and of about 10, where the relative variance is about 0.01."""
+    general = Scatter(0.01, 2.0, 4.0)
+    scatter = fit_of(np.array([[8.0, 8.0], [9.0, 11.0]]), "ab", general).scatter
+    assert scatter.of("a", 8.0) == pytest.approx((64 * ROUNDING, 1.0))
+    assert scatter.of("b", 10.0) == pytest.approx((100 * (0.04 + 0.02) / 5, 5.0))
+
+
 def test_a_column_with_two_rows_scatters_as_it_does_elsewhere():
     samples = drawn(np.full(2, 0.1), 3)
-    assert fit_of(samples, range(2)) is None
     general = Scatter(0.04, 0.0, 8.0)
     scatter = fit_of(samples, range(2), general).scatter
     assert (scatter.level, scatter.freedom) == (0.04, 8.0)
