@@ -19,7 +19,7 @@ from measured_report.pages.prose import Templates
 from measured_report.parts.section import Section
 from measured_report.values.results import ResultsError
 from report.media.clips import Clips
-from report.media.replay import REPLAY, replay_page, script
+from report.media.replay import REPLAY, SCRIPT, replay_page
 from report.shared.arithmetic import sections_of
 from report.shared.wheel import wheel
 
@@ -135,13 +135,14 @@ class Plugins(plugins.Plugins):
         return {
             f"download/{name}": packed,
             **{f"lab/{file.name}": file for file in files},
+            **({SCRIPT.name: SCRIPT} if self.replay else {}),
             **({STEP.name: STEP} if "time_step" in self.edition.chapters else {}),
         }
 
 
 def scripts() -> Sequence[str]:
     return (
-        script(),
+        SCRIPT.read_text(encoding="utf-8"),
         STEP.read_text(encoding="utf-8"),
         *(path.read_text(encoding="utf-8") for path in LAB.glob("dist/*.js")),
     )
