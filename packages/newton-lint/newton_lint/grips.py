@@ -289,7 +289,7 @@ def _sliding(
     def fall(run: Run) -> float:
         first = run.samples[0].arrays["xpos"]
         last = run.samples[-1].arrays["xpos"]
-        # The support may move by intention, so only the motion relative to it counts.
+        # The support may move on purpose, so only the motion relative to it counts.
         moved = (last - first)[body] - (last - first)[grip.support]
         return M * np.linalg.norm(moved)
 

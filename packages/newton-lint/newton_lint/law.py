@@ -1,8 +1,8 @@
 """Computes how fast a contact creeps under each integrator, cone and flag of MuJoCo C.
 
-A friction row asks for the acceleration -b v, and yields R f under its force f (MuJoCo
-documentation, "Computation", constraint model). At a steady speed these two balance the
-acceleration a that the row leaves out, such as J̇·q̇:
+A friction row has the reference acceleration -b v, and yields R f under its force f
+(MuJoCo documentation, "Computation", constraint model). At a steady speed these two
+balance the acceleration a that the row leaves out, such as J̇·q̇:
 
     b v = a + R f,    b = 2 / (dmax timeconst),    R = (1 - d) / d · w / impratio
 
@@ -106,7 +106,7 @@ def shared_slide_m_s(points: Sequence[tuple[Response, float]], load_n: float) ->
 
 
 def solref_taken(solref: Sequence[float]) -> tuple[float, float]:
-    """Return a solref as the engine uses it, which is the default if it mixes forms."""
+    """Return the solref that the engine uses: the default if it mixes both forms."""
     first, second = solref
     return DEFAULT_SOLREF if (first > 0.0) != (second > 0.0) else (first, second)
 

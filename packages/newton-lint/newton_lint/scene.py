@@ -127,7 +127,7 @@ class Scene:
 
     @cached_property
     def counts(self) -> np.ndarray:
-        """Return for each geom whether any pair uses its own parameters."""
+        """Return whether any pair uses the parameters of each geom itself."""
         contacts = self.contacts
         counting = np.zeros(self.model.ngeom, dtype=bool)
         # mj_collide reads the parameters of a <pair> instead of those of its geoms.
@@ -138,7 +138,7 @@ class Scene:
 
     @cached_property
     def free(self) -> np.ndarray:
-        """Return for each body whether it is welded to a body with a free joint."""
+        """Return whether each body is welded to a body with a free joint."""
         model = self.model
         loose = np.zeros(model.nbody, dtype=bool)
         loose[model.jnt_bodyid[model.jnt_type == FREE]] = True

@@ -198,7 +198,7 @@ class Source:
         return None
 
     def option(self, attribute: str = "") -> Element | None:
-        """Return the ``<option>`` that sets an attribute, or any if no one does."""
+        """Return the ``<option>`` that sets an attribute, or else any of them."""
         options = list(self.root.sections("option")) if self.root else []
         authoring = [
             element for element in options if attribute in element.attributes

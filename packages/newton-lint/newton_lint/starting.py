@@ -186,11 +186,12 @@ def _joining(
     model = scene.model
     rows = data.efc_id == equality
     rows &= data.efc_type == int(mujoco.mjtConstraint.mjCNSTR_EQUALITY)
-    # The first three rows are the place of the first side less that of the second.
+    # The first three rows are the position of the first side minus that of the second.
     gap = data.efc_pos[rows][:3]
     for body, shift in zip(bodies, (-gap, gap), strict=False):
         moved = data.xpos[body] + shift
-        # Either side may move to the other one, but only a mocap body is free to.
+        # Either side could move to the other one, but only a mocap body can be placed
+        # freely.
         mocap = model.body_mocapid[body]
         if mocap < 0:
             continue

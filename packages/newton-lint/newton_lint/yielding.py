@@ -33,15 +33,15 @@ FAR = 5.0
 MUCH = 3.0
 """For limits of joints and tendons, this one applies instead."""
 THIN = 0.1
-"""A depth is reported from this share of the thickness of a geom on."""
+"""A depth is reported if it is at least this share of the thickness of a geom."""
 DEEP_MM = 2.0
-"""A depth is a warning from here on."""
+"""A depth of at least this is a warning."""
 PADDED = 0.5
-"""A dmin below this one makes a contact soft by intention."""
+"""A dmin below this one makes a contact soft on purpose."""
 HARD = "0.999 0.999 0.001"
 FEW_ALIKE = 3
 SAGS = 5e-3
-"""A joint creeps from this speed on [m/s or rad/s]."""
+"""A joint that is at least this fast creeps [m/s or rad/s]."""
 HELD = 0.99
 """The friction of a joint must be below this share of its frictionloss."""
 AGREES = 0.7
@@ -61,7 +61,7 @@ COUPLINGS = {
 
 
 def when(run: Run, *bodies: int) -> str:
-    """Return when a reading holds: at rest only if these bodies rest."""
+    """Return the time of a reading in words: "at rest" only if these bodies rest."""
     state = "at rest" if run.still[list(bodies)].all() else "after 2 s"
     return f"{state}{origin(run)}"
 
@@ -107,16 +107,16 @@ def depths(scene: Scene, run: Run) -> Iterator[Symptom]:
         shape, partner = (partner, thin) if is_static[0] else (thin, partner)
         lies = scene.free[bodies].sum() == 1 and model.body_weldid[bodies].min() == 0
         first = M * run.first.get(pair, 0.0)
-        # A pair that overlaps from the start on has the rule overlap.
+        # A pair that overlaps at the start is reported by the rule overlap.
         if depth <= least or (depth < 2.0 * first and not lies):
             continue
         rests = run.still[bodies].all()
         lasts = min(late_depths(run, pair)) > 0.5 * depth / M
         # The stiffness of a contact depends on the product of both numbers. That of a
-        # direct solref, which was chosen by someone, is always large.
+        # direct solref, which is always chosen on purpose, is large.
         is_soft = contacts.solref[contact].prod() > DEFAULT_SOLREF[0]
         mu = contacts.friction[contact, 0]
-        # Someone chose a contact that is soft at first, and hard within its width.
+        # Such a contact was chosen to be soft at first, and hard within its width.
         dmin, _, width_m, *_ = contacts.solimp[contact]
         is_padded = not is_soft and dmin < PADDED and depth < M * width_m
         much = LEAST if is_soft else DEEP_MM
@@ -197,7 +197,7 @@ def _stiffening(
         for pair in sunk
         if np.array_equal(contacts.solref[pair], contacts.solref[contact])
     ]
-    # Many equal contacts have one change, and not each its own.
+    # Many equal contacts share one change instead of having one each.
     group = alike if len(alike) > FEW_ALIKE else [contact]
     yield of_contacts(scene, group, stiffer)
     yield of_contacts(scene, group, hardest)
@@ -479,7 +479,7 @@ def sagging(scene: Scene, run: Run) -> Iterator[Symptom]:
 
 
 def passing(scene: Scene, run: Run) -> Iterator[Symptom]:
-    """Yield geoms that pass through a plate that a thicker one would stop."""
+    """Yield geoms that pass through a plate and would not if it were thicker."""
     model = scene.model
     contacts = scene.contacts
     pairs = np.concatenate([contacts.geoms, contacts.geoms[:, ::-1]])
@@ -528,7 +528,7 @@ def passing(scene: Scene, run: Run) -> Iterator[Symptom]:
 def _crossing(
     model: MjModel, pairs: np.ndarray, run: Run, inside: float = 0.0
 ) -> np.ndarray:
-    """Return for each pair of a geom and a plate whether the geom passed through.
+    """Return whether each geom passed through its plate, for pairs of a geom and a plate.
 
     Args:
         inside: Share of a geom's half extent that has to stay on its side of the plate.

@@ -46,7 +46,7 @@ class Query:
         return self.text.rpartition(".")[2]
 
     def answer(self, chapters: Chapters) -> Answer | None:
-        """Return the answer of an edition, or None if the claim cannot tell."""
+        """Return the answer of an edition, or None if the claim is undecided."""
         if self.is_claim:
             claim = self.claim(chapters)
             is_known = claim and claim.outcome.name != "unknown"
