@@ -1,4 +1,4 @@
-"""Changes of a scene: where they are written, and how they are applied to a model."""
+"""Changes of a scene: their places in the files, and their application to a model."""
 
 import copy
 from collections.abc import Callable, Iterable, Mapping, Sequence
@@ -171,7 +171,7 @@ def of_geom(scene: Scene, geom: int, attributes: Mapping[str, str]) -> Changes:
     element = source.find("geom", geom)
     authored = source.authored(geom, items[0][0])
     # Several attributes may come from several defaults, so all are set on the geom.
-    # A priority in a default would apply to all of its geoms and outrank none of them.
+    # A priority in a default would apply to all of its geoms, so it would not help.
     if authored in (None, element) or len(items) > 1 or "priority" in attributes:
         return (Change("geom", (geom,), items, scene.names[geom], element),)
     ids = tuple(

@@ -244,7 +244,7 @@ def lint_parser() -> Parser:
         "--below",
         type=positive,
         metavar="MM/S",
-        help="speed from which creep is reported (a tenth of it in a grip); default: 1",
+        help="lowest speed of creep to report (a tenth of it in a grip); default: 1",
     )
     add(
         "--load",

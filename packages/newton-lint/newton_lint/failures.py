@@ -185,7 +185,7 @@ def _calmed(
 
 
 def is_servo(model: MjModel) -> np.ndarray:
-    """Return for each actuator whether it pulls a joint to a position."""
+    """Return whether each actuator pulls a joint to a position."""
     gain = model.actuator_gainprm[:, 0]
     bias = model.actuator_biasprm[:, 1]
     on_joint = model.actuator_trntype == ON_JOINT

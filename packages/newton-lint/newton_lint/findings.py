@@ -13,7 +13,7 @@ from newton_lint.source import Element
 
 SEVERITIES = ("note", "warning", "error")
 LEAST = 1e-3
-"""Smaller values are printed as being below this one."""
+"""Smaller values are printed as below this one."""
 HUGE = 1e12
 """Only larger values are printed with an exponent."""
 MANY = 1000

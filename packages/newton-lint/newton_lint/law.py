@@ -6,8 +6,8 @@ balance the acceleration a that the row leaves out, such as J̇·q̇:
 
     b v = a + R f,    b = 2 / (dmax timeconst),    R = (1 - d) / d · w / impratio
 
-Here d is the impedance of the contact, and w is the sum of both bodies'
-body_invweight0, or (1 + μ²) times that in a row of a pyramid.
+Here d is the impedance of the contact, and w is the sum of the body_invweight0 of the
+two bodies, or (1 + μ²) times that in a row of a pyramid.
 
 With the time step h, a contact also slides by a h/2 less under integrators that move
 bodies by their new velocity, and by a h/2 more under ``discrete``. This integrator also
@@ -56,7 +56,7 @@ class Contact:
     solimp: tuple[float, ...]
     mu: float
     weight_1_kg: float
-    """Diagonal of A along a tangent: the sum of both translational invweight0."""
+    """Diagonal of A along a tangent: the sum of the two translational invweight0."""
     solreffriction: tuple[float, float] = (0.0, 0.0)
     condim: int = 3
 

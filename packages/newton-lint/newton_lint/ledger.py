@@ -302,7 +302,7 @@ def touches_of(model: MjModel, data: MjData) -> Touches:
     frames = contact.frame[indices].reshape(-1, 3, 3)
     forces = contact_forces(model, data, indices)
     mu = np.maximum(contact.friction[indices, :2], mujoco.mjMINMU)
-    # A pyramid limits the sum of both axes, an elliptic cone their Euclidean length.
+    # A pyramid limits the sum of the two axes, an elliptic cone their Euclidean length.
     shares = np.abs(forces[:, 1:]) / mu
     is_pyramid = model.opt.cone == int(mujoco.mjtCone.mjCONE_PYRAMIDAL)
     load = shares.sum(axis=1) if is_pyramid else np.hypot(*shares.T)

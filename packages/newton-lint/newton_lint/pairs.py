@@ -126,5 +126,5 @@ def _unnamed(model: MjModel) -> np.ndarray:
 
 
 def keys_of(pairs: np.ndarray) -> np.ndarray:
-    """Return a number for each pair of geoms, whatever their order is."""
+    """Return a number for each pair of geoms, which does not depend on their order."""
     return (pairs.min(axis=1).astype(np.int64) << 32) + pairs.max(axis=1)

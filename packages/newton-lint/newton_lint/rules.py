@@ -188,7 +188,8 @@ def too_stiff(scene: Scene) -> Iterator[Hits]:
         damping = clamped(contacts.solimp[pair, 1]) / step
 
         def weaker(solref: Sequence[float]) -> str | None:
-            # The minimum of both solrefs counts, so a timeconst never does.
+            # The engine uses the minimum of the two solrefs, so it never uses a
+            # timeconst.
             if solref[0] > 0.0 or solref[1] > 0.0:
                 return None
             stiffness = min(-solref[0], 0.25 * damping**2)

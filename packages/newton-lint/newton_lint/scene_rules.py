@@ -105,7 +105,8 @@ def pyramid(scene: Scene) -> Iterator[Found]:
         )
         yield finding, remedy
     if steepest > STEEP:
-        # mj_makeImpedance gives this ratio of R to that of an elliptic cone (condim 3).
+        # mj_makeImpedance gives this ratio of R to the R of an elliptic cone (condim
+        # 3).
         softer = 0.5 * steepest**2 * (1.0 + steepest**2)
         finding = _scene_finding(
             scene,

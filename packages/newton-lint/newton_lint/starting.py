@@ -21,7 +21,7 @@ LEAVES = 3.0
 EARLY = 11
 """The motion must begin within this number of samples, which is 0.2 s."""
 APART_MM = 5.0
-"""An equality is reported if it is open by this at the start [mm or °]."""
+"""An equality is reported if it is at least this far open at the start [mm or °]."""
 FULL_TURN = 2.0 * math.pi
 
 

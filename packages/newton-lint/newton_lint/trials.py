@@ -180,7 +180,7 @@ class Trials:
     def finding_of(self, symptom: Symptom, index: int) -> Finding | None:
         """Return the finding of a symptom in a run with the changes that mend it."""
         finding = symptom.finding
-        # Notes are seldom read, so nothing is tried for them.
+        # Notes are seldom read, so no changes are tried for them.
         ways = symptom.ways if finding.severity != "note" else ()
         before = symptom.read(self.runs[index])
         cures: list[Cure] = []

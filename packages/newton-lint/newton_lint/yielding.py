@@ -112,8 +112,8 @@ def depths(scene: Scene, run: Run) -> Iterator[Symptom]:
             continue
         rests = run.still[bodies].all()
         lasts = min(late_depths(run, pair)) > 0.5 * depth / M
-        # The stiffness of a contact depends on the product of both numbers. That of a
-        # direct solref, which is always chosen on purpose, is large.
+        # The stiffness of a contact depends on the product of the two numbers. That of
+        # a direct solref, which is always chosen on purpose, is large.
         is_soft = contacts.solref[contact].prod() > DEFAULT_SOLREF[0]
         mu = contacts.friction[contact, 0]
         # Such a contact was chosen to be soft at first, and hard within its width.
@@ -449,7 +449,7 @@ def sagging(scene: Scene, run: Run) -> Iterator[Symptom]:
         predicted = data.efc_R[row] * force / data.efc_KBIP[row, 1]
         loads = [abs(data.qfrc_smooth[dof]), abs(data.qfrc_constraint[dof])]
         # Only creep that the law predicts is reported, under a load that is constant:
-        # both the applied and the constraint force are close to that of the row.
+        # both the applied and the constraint force are close to the force of the row.
         ratios = [rate / max(predicted, 1e-12), *(load / force for load in loads)]
         if (
             rate < SAGS

@@ -22,7 +22,8 @@ ARMATURES = {"own": "own parameter", "links": "in the links"}
 
 
 def derive(results: Results, labels: dict[str, str]) -> Section:
-    """Make the table of the models, named by their ``labels``, and its claims."""
+    """Make the table of the models, with names from ``labels``, and the claims about
+    it."""
     rows = RowsBy(results, results.rows, "model", "shake")
     models = list(dict.fromkeys(model for model, _ in rows))
     near = [rows[model, "3cm"] for model in models]

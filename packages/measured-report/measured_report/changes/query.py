@@ -197,7 +197,7 @@ def changes_in(
         split: abs(fmean(numbers[split:]) - fmean(numbers[:split]))
         for split in range(1, count)
     }
-    # The sum of squares between both parts grows as the square of these numbers.
+    # The sum of squares between the two parts grows as the square of these numbers.
     weighted = {
         split: difference * math.sqrt(split * (count - split))
         for split, difference in differences.items()

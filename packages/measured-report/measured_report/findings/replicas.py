@@ -164,7 +164,7 @@ def refused(project: Project, records: Records) -> Mapping[str, str]:
             reasons[name] = reason
     if len(reasons) == len(records):
         raise ReportError(
-            f"none of its sections belongs to this edition: {reasons_text(reasons)}"
+            f"its sections do not belong to this edition: {reasons_text(reasons)}"
         )
     return reasons
 

@@ -108,7 +108,7 @@ def test_one_of_other_code_or_packages_is_refused_in_a_line(project, kind):
     }[kind]
     with pytest.raises(
         ReportError,
-        match=f"none of its sections belongs to this edition: other {kind} \\(gap\\)",
+        match=f"its sections do not belong to this edition: other {kind} \\(gap\\)",
     ) as error:
         kept(project, again(project, "gap", **{kind: other}))
     assert "\n" not in str(error.value)
