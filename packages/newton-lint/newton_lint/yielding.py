@@ -370,7 +370,7 @@ def servos(scene: Scene, run: Run) -> Iterator[Symptom]:
         joint = model.actuator_trnid[servo, 0]
         dof = model.jnt_dofadr[joint]
         body = model.jnt_bodyid[joint]
-        # A servo that presses against a contact or a limit does not have to arrive.
+        # A servo that presses against a contact or a limit need not reach its target.
         is_blocked = abs(run.mean("qfrc_constraint")[dof]) > 1e-9
         if model.jnt_type[joint] not in (HINGE, SLIDE) or is_blocked:
             continue

@@ -18,7 +18,7 @@ from measured_report.values.results import Results, ResultsError
 PACKAGE = "report.sections"
 LAST = math.inf  # the order of sections without one, which are sorted by their names
 FACTS: Mapping[str, tuple[Any, str]] = {
-    "order": (int | float, "a number such as 125, its place on the page"),
+    "order": (int | float, "a number such as 125"),
     "first": (bool, "True or False"),
     "label": (str, "a text"),
     "labels": (Mapping, 'a dict, as {"case": "words"}'),
