@@ -75,7 +75,7 @@ class KeptSimulation(Simulation):
             (self.case.frame_count, self.state.joint_q.size), dtype=float, device=device
         )
         self.frame_count = 0
-        # The array is written on another stream than the one that created it.
+        # The array is written on a stream other than the one that created it.
         wp.synchronize_device(device)
 
     def frame(self) -> None:

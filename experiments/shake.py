@@ -83,7 +83,8 @@ def case_of(args: argparse.Namespace) -> Case:
 class Example:
     """Provide the scene to ``newton.examples.run``.
 
-    Each step runs a frame, which is then drawn. There is a test at the end.
+    Each step runs a frame, which is then drawn. A test at the end checks whether the
+    cube is still in the grasp.
     """
 
     def __init__(self, viewer, case: Case):

@@ -178,7 +178,8 @@ def run(
     The positions are sampled every SAMPLE_S [m], shape [samples, 3].
 
     Args:
-        term: Installed in MuJoCo Warp, or called by MuJoCo's C engine before it solves.
+        term: A function that installs the term in MuJoCo Warp, or that MuJoCo's C
+        engine calls before it solves.
             None leaves the engine unchanged.
 
     Raises:

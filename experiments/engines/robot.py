@@ -1,9 +1,9 @@
 """Run the shake in other engines, with the joint targets of a run in MuJoCo C.
 
 Features that one of the engines lacks are removed from all runs: gravity and with it
-the ground, different friction of the bodies, the coupling of the fingers, and friction
-in the joints. If an engine does not support armature, it is added to the links that the
-joints move.
+the ground, different friction coefficients of the bodies, the coupling of the fingers,
+and friction in the joints. If an engine does not support armature, it is added to the
+links that the joints move.
 """
 
 import tempfile

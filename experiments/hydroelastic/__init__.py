@@ -195,7 +195,7 @@ def measure_times(conditions: Conditions) -> list[dict[str, object]]:
 
 
 class Blocks:
-    """Run blocks of frames from the shake in equal worlds."""
+    """Run blocks of frames from the shake in identical worlds."""
 
     def __init__(self, is_hydroelastic: bool, world_count: int, device: wp.Device):
         gc.collect()

@@ -35,7 +35,7 @@ class Grasp:
 
     @property
     def key(self) -> tuple[object, ...]:
-        """Return what all worlds of a simulation share."""
+        """Return the settings that all worlds of a simulation share."""
         return (
             batch_key(self.case),
             self.is_hydroelastic,

@@ -269,7 +269,7 @@ def time_columns(reference: "Blocks", other: "Blocks | None") -> dict:
 
 
 class Blocks:
-    """Run blocks of frames from the shake in equal worlds."""
+    """Run blocks of frames from the shake in identical worlds."""
 
     def __init__(self, variant: box.Variant, world_count: int, device: wp.Device):
         case = replace(WEIGHTLESS, name="timed", cube_in_hand=True, frame_count=1)

@@ -136,7 +136,7 @@ def colours_of(model: Model) -> list[wp.array]:
 
 @wp.func
 def place(body: int, point: wp.vec3, body_q: wp.array[wp.transform]):
-    """Return the position in the world of a point on a body or in the world."""
+    """Return the world position of a point, which may be fixed to a body."""
     pose = wp.transform_identity()
     if body >= 0:
         pose = body_q[body]

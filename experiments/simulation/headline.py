@@ -1,6 +1,6 @@
 """Measure the headline again and write it into a file, without changing the results.
 
-The command is ``python -m experiments.simulation.headline --device cpu --json FILE``.
+Usage: ``python -m experiments.simulation.headline --device cpu --json FILE``.
 """
 
 import argparse

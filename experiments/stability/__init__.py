@@ -252,7 +252,7 @@ def exit_speed_m_s(case: Case, trace: Trace) -> float:
 
 
 def grip_force_n(trace: Trace) -> float:
-    """Return the sum of both pads' normal forces [N] at the end of the hold.
+    """Return the sum of the normal forces of the two pads [N] at the end of the hold.
 
     If the cube slides out, return the force in frame 0.
     """

@@ -292,7 +292,7 @@ def lasting_part(rows: contact_bias.Rows, contact: int, turning: float) -> float
 
 @wp.func
 def is_made_of(way: wp.vec3, normal: wp.vec3, tangent: wp.vec3) -> bool:
-    """Return whether a tangent is the part of ``way`` across the normal."""
+    """Return whether a tangent is along ``way`` projected onto the surface."""
     upright, level = wp.dot(way, normal), wp.dot(way, tangent)
     return (
         level * level > UPRIGHT * UPRIGHT

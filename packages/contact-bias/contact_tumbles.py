@@ -99,7 +99,7 @@ def measure(body: str, profile: str, device: str) -> list[dict]:
 def row_of(
     body: str, step_s: float, energies: np.ndarray, heights_m: np.ndarray
 ) -> dict[str, object]:
-    """Count pairs in which a world gains over 1 % energy, or rises higher by 1 mm.
+    """Count the worlds that gain over 1 % of energy, and the pairs that differ.
 
     Args:
         energies: Largest energy of each world relative to its start, of shape

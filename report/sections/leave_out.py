@@ -119,7 +119,7 @@ def derive(results: Results) -> Section:
         before / after,
     )
 
-    # All rows of a case have the same slip, whatever the number of worlds.
+    # All rows of a case have the same slip, for every number of worlds.
     ran = {row.case: row for row in reversed(timed.values()) if row.device == "cuda"}
     base = ran.pop(REFERENCE, results.row[REFERENCE]).slip_mm
     differences = [

@@ -120,7 +120,7 @@ def _excess(*counts: float) -> float:
 
 
 def _surprise(*energies: float) -> float:
-    """Return the largest energy with the term in pairs that gain below 1 % without it.
+    """Return the largest energy with the term in pairs that gain at most 1 % without it.
 
     The arguments alternate between energies with and without the term.
     """

@@ -113,7 +113,7 @@ SETUPS = (
     ),
     *(
         Setup(
-            f"stiff pads for {substeps} substeps",
+            f"{substeps} substeps and matching stiff pads",
             ARGUMENT,
             f"time_step/newton-elliptic/kd-1/substeps-{substeps}",
             f"step_cost/stiff/substeps-{substeps}",

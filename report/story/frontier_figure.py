@@ -180,7 +180,7 @@ def _points_in_c(sections: Sections) -> list[Point]:
 
 
 def _runs(sections: Sections, setting: str, pads: str) -> dict[int, Row]:
-    """Return the runs that keep the cube by their number of substeps."""
+    """Return the runs that keep the cube, with the number of substeps as keys."""
     rows = [
         row
         for row in sections.rows("time_step")

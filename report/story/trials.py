@@ -37,7 +37,7 @@ SETTINGS = {
     "contact_max": "room for contacts:",
     "overlap_mm": "overlap",
 }
-"""Names of columns of parameters in the tables of advice."""
+"""Short names of parameter columns in the tables of advice."""
 
 
 class Symptom(Enum):

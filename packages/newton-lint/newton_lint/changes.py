@@ -1,4 +1,4 @@
-"""Changes of a scene: where they are written, and how they are applied to a model."""
+"""Changes of a scene: their places in the files, and their application to a model."""
 
 import copy
 from collections.abc import Callable, Iterable, Mapping, Sequence
@@ -126,7 +126,8 @@ def _set(model: MjModel, change: Change, name: str, values: np.ndarray) -> None:
     if name in ("contype", "conaffinity"):
         # MuJoCo first compares the masks of bodies.
         whole = getattr(model, f"body_{name}")
-        # The tree of the midphase has no geoms that could not collide.
+        # The tree of the midphase was compiled without the geoms that could not
+        # collide.
         model.opt.disableflags |= int(mujoco.mjtDisableBit.mjDSBL_MIDPHASE)
         np.bitwise_or.at(whole, model.geom_bodyid[ids], target[ids])
 
@@ -161,7 +162,7 @@ def of_element(scene: Scene, kind: str, index: int, **attributes: str) -> Change
 
 
 def of_geom(scene: Scene, geom: int, attributes: Mapping[str, str]) -> Changes:
-    """Return changes of a geom, at the default that sets the attribute if there is one.
+    """Return changes of a geom, or of the default that sets the attribute for it.
 
     Such a change affects all geoms that have the attribute from this default.
     """
@@ -169,8 +170,8 @@ def of_geom(scene: Scene, geom: int, attributes: Mapping[str, str]) -> Changes:
     source = scene.source
     element = source.find("geom", geom)
     authored = source.authored(geom, items[0][0])
-    # Several attributes may come from several defaults, so the geom gets them all, and
-    # a priority of all geoms of a default would outrank none of them.
+    # Several attributes may come from several defaults, so all are set on the geom.
+    # A priority in a default would apply to all of its geoms, so it would not help.
     if authored in (None, element) or len(items) > 1 or "priority" in attributes:
         return (Change("geom", (geom,), items, scene.names[geom], element),)
     ids = tuple(
@@ -216,7 +217,7 @@ def of_servo(scene: Scene, servo: int, kp: float, kv: float) -> Changes:
     element = scene.source.find("actuator", servo)
     is_general = element is not None and element.tag == "general"
     if is_general:
-        # <general> has no kp and kv, but the parameters that they set.
+        # <general> does not have kp and kv, but has the parameters that they set.
         bias = f"0 {-kp:.4g} {-kv:.4g}"
         return of_element(scene, "actuator", servo, gainprm=f"{kp:.4g}", biasprm=bias)
     more = {"kv": f"{kv:.4g}"} if kv else {}

@@ -85,7 +85,7 @@ def option_of(model: mujoco.MjModel) -> Option:
 def contacts_of(model: mujoco.MjModel, engine: str = "mujoco") -> Contacts:
     """Return all pairs that may touch.
 
-    MuJoCo Warp uses the minimum of direct solrefs whatever their priorities are.
+    MuJoCo Warp uses the minimum of direct solrefs and ignores their priorities.
     """
     pairs, named = pairs_of(model)
     priority = model.geom_priority[pairs]

@@ -187,7 +187,7 @@ def lint_parser() -> Parser:
     """Return the parser of the main command."""
     parser = Parser(
         prog=PROGRAM,
-        description="Step scenes in MuJoCo for 2 s, list what goes wrong and parameters"
+        description="Step scenes in MuJoCo for 2 s, list faults and parameters"
         " that MuJoCo does not use as they are written, and recommend changes.",
     )
     add = parser.add_argument
@@ -216,7 +216,7 @@ def lint_parser() -> Parser:
     add(
         "--fix",
         action="store_true",
-        help="write the changes that do no harm, as measured, into the files",
+        help="write the recommended changes into the files",
     )
     add(
         "--dry-run",
@@ -244,7 +244,7 @@ def lint_parser() -> Parser:
         "--below",
         type=positive,
         metavar="MM/S",
-        help="speed from which creep is reported (a tenth of it in a grip); default: 1",
+        help="lowest speed of creep to report (a tenth of it in a grip); default: 1",
     )
     add(
         "--load",

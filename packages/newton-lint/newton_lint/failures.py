@@ -26,7 +26,7 @@ from newton_lint.trials import THROWN_M_S, Symptom
 LIMITED = 0.5
 """The solver is at its limit if this share of the samples uses all iterations."""
 OVERLAP_M = 1e-3
-"""An overlap at the start is reported from this depth on."""
+"""An overlap at the start is reported if it is at least this deep."""
 OVERLAP_SHARE = 0.05
 """It must also exceed this share of the radius of the smaller geom."""
 FORCE = 100.0
@@ -40,7 +40,7 @@ BOUNCY = 0.7
 RATTLES_MM_S = 5.0
 """A contact rattles if the geoms still approach or part at this speed."""
 MISSES = 5.0
-"""A bounce is wrong if its rebound is wrong by this [%]."""
+"""A bounce is wrong if the speed of the rebound is wrong by more than this [%]."""
 SHORTER = (0.5, 0.25, 0.1)
 """Shares of the time step that are tried."""
 ITERATED = ("solver", "thrown", "unstable")
@@ -185,7 +185,7 @@ def _calmed(
 
 
 def is_servo(model: MjModel) -> np.ndarray:
-    """Return for each actuator whether it pulls a joint to a position."""
+    """Return whether each actuator pulls a joint to a position."""
     gain = model.actuator_gainprm[:, 0]
     bias = model.actuator_biasprm[:, 1]
     on_joint = model.actuator_trntype == ON_JOINT
@@ -238,7 +238,7 @@ def overlapping(scene: Scene, run: Run) -> Iterator[Symptom]:
         first, second = model.body_weldid[list(bodies)].tolist()
         # filterBodyPair
         parent = model.body_weldid[model.body_parentid[second]]
-        # A base that is welded to the world here will not be once it can move.
+        # MuJoCo ignores contacts of a base with its children only if the base can move.
         is_base = is_piece and first == 0 == parent
         if jammed:
             message += (
@@ -374,7 +374,7 @@ def _misjudged(
     rebound: float,
     kept: float,
 ) -> Iterator[Symptom]:
-    """Yield a body that bounces with another energy than its damping ratio implies."""
+    """Yield a body that bounces with an energy that its damping ratio does not imply."""
 
     def error(run: Run) -> float:
         kept = _restitution(scene, run, pair, body)

@@ -13,12 +13,12 @@ from newton_lint.source import Element
 
 SEVERITIES = ("note", "warning", "error")
 LEAST = 1e-3
-"""Smaller values are printed as being below this one."""
+"""Smaller values are printed as below this one."""
 HUGE = 1e12
 """Only larger values are printed with an exponent."""
 MANY = 1000
 SHOWN = 3
-"""Names that a list has before it counts the rest."""
+"""Number of names that a list contains; the rest are only counted."""
 
 
 @dataclass(frozen=True)
@@ -31,7 +31,7 @@ class Cure:
     after: float | None = None
     unit: str = "1"
     effect: str = ""
-    """The effect in words, for changes whose effect is no reading."""
+    """The effect in words, for changes whose effect is not a reading."""
     drawback: str = ""
     """Why ``--fix`` does not write the changes, or an empty string."""
 
@@ -89,7 +89,7 @@ class Finding:
 
 
 def number(value: float, digits: int = 3) -> str:
-    """Return a value with some digits, or with all before the point if it is larger."""
+    """Return a value with some significant digits; a large one as a whole number."""
     # Three digits of 999.5 would be printed as 1e+03.
     is_long = 10.0**digits - 0.5 <= abs(value) < HUGE
     return f"{value:,.0f}" if is_long else f"{value:.{digits}g}"
@@ -102,7 +102,7 @@ def quantity(value: float, unit: str) -> str:
 
 
 def rounded(value: float, unit: str) -> str:
-    """Return a reading with its unit; small ones as being below the least one."""
+    """Return a reading with its unit, or "below" and the least printed value."""
     is_small = 0.0 < value < LEAST
     return f"below {quantity(LEAST, unit)}" if is_small else quantity(value, unit)
 
@@ -201,7 +201,7 @@ def findings_of(
 def _shared(hits: Hits, items: np.ndarray) -> Remedy:
     """Return remedies that change all of some items with equal values."""
     if len(items) > MANY and hits.shape is not None and hits.partner is not None:
-        # A few of the pairs have all the geoms.
+        # One pair for each geom is enough.
         firsts = [
             np.unique(geoms[items], return_index=True)[1]
             for geoms in (hits.shape, hits.partner)
@@ -211,7 +211,7 @@ def _shared(hits: Hits, items: np.ndarray) -> Remedy:
     shared = []
     for ways in zip(*remedies, strict=True):
         changes = (change for changes, _ in ways for change in changes)
-        # Pairs of one shape may ask for different values, but it can have only one.
+        # Pairs of one shape may need different values, but it can have only one.
         single = {(change.kind, change.subject): change for change in changes}
         shared.append((tuple(single.values()), ways[0][1]))
     return shared

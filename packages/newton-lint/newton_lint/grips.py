@@ -26,9 +26,9 @@ from newton_lint.trials import Symptom
 from newton_lint.yielding import noslip, stiffest
 
 SLIP_MM_S = 1.0
-"""By default, a body creeps if it moves at least this fast on its support."""
+"""By default, a body that moves at least this fast on its support creeps."""
 GRIPPED = 0.1
-"""In a grip, a body creeps from this share of the speed on: it is lost after a while."""
+"""In a grip, this share of the speed is enough: the body is lost after a while."""
 LEAST = 0.015
 """Friction must bear this share of the weight of a body that creeps."""
 STEADY = 0.7
@@ -124,7 +124,7 @@ def grips(
 
     Args:
         acceleration_m_s2: Acceleration that a grip has to bear besides gravity.
-        below_mm_s: Speed from which a body creeps.
+        below_mm_s: Lowest speed that counts as creep.
     """
     model = scene.model
     # Bodies that are welded to another one are counted with it. A body with children
@@ -280,7 +280,8 @@ def _sliding(
     for pad in pads:
         friction = model.geom_friction[pad].copy()
         friction[0] = mu
-        # Friction takes the larger of both geoms, so it is enough to change the pads.
+        # Contacts use the larger of the two frictions, so it is enough to change the
+        # pads.
         rougher += of_geom(scene, pad, {"friction": text_of(friction)})
     ways = [_stronger(scene, pads, share * times) for share in (1.0, 2.0, 4.0)]
     if mu <= MOST_MU:
@@ -289,7 +290,7 @@ def _sliding(
     def fall(run: Run) -> float:
         first = run.samples[0].arrays["xpos"]
         last = run.samples[-1].arrays["xpos"]
-        # The support may move by intention, so only the motion relative to it counts.
+        # The support may move on purpose, so only the motion relative to it counts.
         moved = (last - first)[body] - (last - first)[grip.support]
         return M * np.linalg.norm(moved)
 

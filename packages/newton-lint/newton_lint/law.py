@@ -1,13 +1,13 @@
 """Computes how fast a contact creeps under each integrator, cone and flag of MuJoCo C.
 
-A friction row asks for the acceleration -b v, and yields R f under its force f (MuJoCo
-documentation, "Computation", constraint model). At a steady speed these two balance the
-acceleration a that the row leaves out, such as J̇·q̇:
+A friction row has the reference acceleration -b v, and yields R f under its force f
+(MuJoCo documentation, "Computation", constraint model). At a steady speed these two
+balance the acceleration a that the row leaves out, such as J̇·q̇:
 
     b v = a + R f,    b = 2 / (dmax timeconst),    R = (1 - d) / d · w / impratio
 
-Here d is the impedance of the contact, and w is the sum of both bodies'
-body_invweight0, or (1 + μ²) times that in a row of a pyramid.
+Here d is the impedance of the contact, and w is the sum of the body_invweight0 of the
+two bodies, or (1 + μ²) times that in a row of a pyramid.
 
 With the time step h, a contact also slides by a h/2 less under integrators that move
 bodies by their new velocity, and by a h/2 more under ``discrete``. This integrator also
@@ -56,7 +56,7 @@ class Contact:
     solimp: tuple[float, ...]
     mu: float
     weight_1_kg: float
-    """Diagonal of A along a tangent: the sum of both translational invweight0."""
+    """Diagonal of A along a tangent: the sum of the two translational invweight0."""
     solreffriction: tuple[float, float] = (0.0, 0.0)
     condim: int = 3
 
@@ -106,7 +106,7 @@ def shared_slide_m_s(points: Sequence[tuple[Response, float]], load_n: float) ->
 
 
 def solref_taken(solref: Sequence[float]) -> tuple[float, float]:
-    """Return a solref as the engine uses it, which is the default if it mixes forms."""
+    """Return the solref that the engine uses: the default if it mixes both forms."""
     first, second = solref
     return DEFAULT_SOLREF if (first > 0.0) != (second > 0.0) else (first, second)
 

@@ -93,7 +93,7 @@ class Touches:
         return np.sort(self.geoms, axis=1)
 
     def between(self, pair: Sequence[int]) -> np.ndarray:
-        """Return for each contact whether it is between two geoms."""
+        """Return whether each contact is between two geoms."""
         return (self.pairs == sorted(pair)).all(axis=1)
 
 
@@ -173,7 +173,7 @@ class Run:
 
     @cached_property
     def still(self) -> np.ndarray:
-        """Return for each body whether it rests at the end of the run."""
+        """Return whether each body rests at the end of the run."""
         places = np.array([sample.arrays["xpos"] for sample in self.late])
         # A ball that rolls on the spot keeps its position, but its axes move.
         axes = np.array([sample.arrays["xmat"] for sample in self.late])
@@ -244,7 +244,7 @@ def run_of(model: MjModel, start: Start, time_s: float = SPAN_S) -> Run:
         depths.append(deepest_of(data))
         rise = np.maximum(rise, energy() - begin)
         samples.append(sample_of(model, data))
-        # A short run is still read, but no change is tried against it.
+        # A short run is still evaluated, but changes are not compared with it.
         if time.process_time() - since > BUDGET_S:
             break
     spent = time.process_time() - since
@@ -302,7 +302,7 @@ def touches_of(model: MjModel, data: MjData) -> Touches:
     frames = contact.frame[indices].reshape(-1, 3, 3)
     forces = contact_forces(model, data, indices)
     mu = np.maximum(contact.friction[indices, :2], mujoco.mjMINMU)
-    # A pyramid limits the sum of both axes, an elliptic cone their Euclidean length.
+    # A pyramid limits the sum of the two axes, an elliptic cone their Euclidean length.
     shares = np.abs(forces[:, 1:]) / mu
     is_pyramid = model.opt.cone == int(mujoco.mjtCone.mjCONE_PYRAMIDAL)
     load = shares.sum(axis=1) if is_pyramid else np.hypot(*shares.T)

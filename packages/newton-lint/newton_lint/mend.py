@@ -41,7 +41,7 @@ class Mending:
             self.outcomes[line] = self._outcome(finding, cure)
             if not self.outcomes[line]:
                 rules.append(finding.rule)
-                # Another change may do no harm any more.
+                # A change that did harm before may be harmless now.
                 self.outcomes = {
                     line: "" for line, reason in self.outcomes.items() if not reason
                 }

@@ -1,4 +1,4 @@
-"""Accounts for the motion of a stepped scene: findings with changes that mend them."""
+"""Finds faults in the motion of a stepped scene, with changes that mend them."""
 
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
@@ -22,7 +22,7 @@ from newton_lint.yielding import (
 )
 
 Rule = Callable[[Scene, Run], Iterable[Symptom]]
-"""Yields what goes wrong in a run."""
+"""Yields the symptoms of a run."""
 CAUSES = ("overlap", "apart", "keyframe", "degrees")
 """Rules on starts that jam or jerk the scene."""
 EFFECTS = (
@@ -42,10 +42,10 @@ EFFECTS = (
 def symptoms(
     scene: Scene, runs: Sequence[Run], holding: Rule = grips
 ) -> list[tuple[int, Symptom]]:
-    """Return what goes wrong in the runs of a scene, with the index of the run.
+    """Return the symptoms in the runs of a scene, each with the index of its run.
 
     Args:
-        holding: The rule on grips, with the demands on them.
+        holding: The rule on grips, with the loads that they have to bear.
     """
     always = (unstable, overlapping, misled, torn)
     settled = (
@@ -106,14 +106,14 @@ def _weight(finding: Finding) -> tuple[bool, float]:
 
 
 def _noted(symptom: Symptom, is_note: bool) -> Symptom:
-    """Return a symptom, as a note if that is asked for and its rule permits it."""
+    """Return a symptom, as a note if this is requested and its rule permits it."""
     if not is_note or symptom.finding.rule in ITERATED:
         return symptom
     return replace(symptom, finding=replace(symptom.finding, severity="note"))
 
 
 def _without_effects(items: Sequence[Finding]) -> list[Finding]:
-    """Return findings of a run, with effects of others as notes."""
+    """Return the findings of a run; those that are effects of others become notes."""
     # Overlaps that the solver leaves are not faults of the initial positions, and
     # effects of a jam are not faults of their own.
     unsolved = any(

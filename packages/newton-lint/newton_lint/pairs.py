@@ -25,7 +25,7 @@ PARAMETERS = (
 )
 """Arrays in which geoms of one kind agree."""
 MOST_PAIRS = 2_000_000
-"""Of more pairs than this, only a sample is read."""
+"""If there are more pairs than this, only a sample is read."""
 
 
 def where(mask: np.ndarray) -> list[int]:
@@ -61,12 +61,12 @@ def collidable(model: MjModel, pairs: np.ndarray) -> np.ndarray:
 
 
 def masks_of(model: MjModel) -> np.ndarray:
-    """Return the bits of both masks of each geom, which are 0 if it is only seen."""
+    """Return the bits of both masks of each geom, which are 0 if it is only visual."""
     return model.geom_contype | model.geom_conaffinity
 
 
 def kinds_of(model: MjModel, *of_bodies: np.ndarray) -> np.ndarray:
-    """Number geoms so that alike ones, also by arrays of bodies, have equal numbers."""
+    """Number geoms; those with equal parameters and bodies have equal numbers."""
     columns = [getattr(model, f"geom_{name}") for name in PARAMETERS]
     columns += [values[model.geom_bodyid] for values in of_bodies]
     return numbered(*columns)
@@ -79,7 +79,7 @@ def numbered(*columns: np.ndarray) -> np.ndarray:
 
 
 def read(model: MjModel) -> np.ndarray:
-    """Return the geoms that can collide, or a sample with each kind if they are many."""
+    """Return the geoms that can collide, or, of many, a sample with each kind."""
     geoms = np.flatnonzero(masks_of(model))
     welds = model.body_weldid[model.geom_bodyid[geoms]]
     counts = np.bincount(welds).astype(float)
@@ -126,5 +126,5 @@ def _unnamed(model: MjModel) -> np.ndarray:
 
 
 def keys_of(pairs: np.ndarray) -> np.ndarray:
-    """Return a number for each pair of geoms, whatever their order is."""
+    """Return a number for each pair of geoms, which does not depend on their order."""
     return (pairs.min(axis=1).astype(np.int64) << 32) + pairs.max(axis=1)

@@ -40,7 +40,7 @@ class Request:
     engine: Engine = field(default_factory=Engine)
     load: Load = field(default_factory=Load)
     below_mm_s: float = SLIP_MM_S
-    """The creep of a body is a finding from this speed on."""
+    """The creep of a body is a finding if it is at least this fast."""
     ignore: Collection[str] = ()
     step: bool = True
     """Whether to step the scene in MuJoCo C."""
@@ -191,7 +191,7 @@ def scene_of(target: Target, engine: Engine = MUJOCO_C) -> Scene:
     if target.model is None:
         raise TargetError(f"{target.name}: expected a MuJoCo model, got a Newton model")
     step = engine.timestep_s or target.model.opt.timestep
-    # Runs of 2 s need at least one step, and not more than can be waited for.
+    # A run of 2 s needs at least one step, and must end in an acceptable time.
     if not SHORTEST_S <= step <= LONGEST_S:
         raise TargetError(
             f"{target.name}: the time step is {step:g} s: use {SHORTEST_S:g} to"

@@ -63,7 +63,7 @@ def wandering(scene: Scene, run: Run) -> Iterator[Symptom]:
             why = f"MuJoCo finds only {points:.2g} contact points on its flat mesh"
         elif len(under) == 2 and len(own) == 1:
             hint = f"Use one geom in place of {names[0]} and {names[1]}."
-            why = "it lies on the border of two geoms, whose points shift and add up"
+            why = "it lies on the border of two geoms, whose contact points shift and add up"
         else:
             continue
         yield Symptom(

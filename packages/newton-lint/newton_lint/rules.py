@@ -27,10 +27,10 @@ from newton_lint.trials import Trials
 
 # Parameters that differ by less than this are equal.
 SAME = 1e-5
-# From this value of b h + k h²/2 on, MuJoCo's time step throws bodies off.
+# If b h + k h²/2 is at least this, MuJoCo's time step throws bodies off.
 STIFF = 1.9
 FAR = 4.0
-"""A timeconst or a friction is far from another one at this ratio."""
+"""Two timeconsts or friction coefficients are far apart at this ratio."""
 Advise = Callable[[int], Remedy]
 
 
@@ -48,7 +48,7 @@ def lint(trials: Trials) -> list[Finding]:
 
 
 def faults(scene: Scene, runs: Sequence[Run]) -> Iterator[tuple[list[Finding], Remedy]]:
-    """Yield alike findings on the parameters of a scene, with their remedies."""
+    """Yield groups of findings on the parameters of a scene, with their remedies."""
     near = scene
     if runs and not any(run.bad for run in runs):
         pairs = [pair for run in runs for pair in run.pairs]
@@ -119,7 +119,7 @@ def solimp(scene: Scene) -> Iterator[Hits]:
 
 
 def timeconst(scene: Scene) -> Iterator[Hits]:
-    """Yield timeconsts that the engine clamps, because they are short for the step."""
+    """Yield timeconsts that the engine clamps because the step is too long for them."""
     contacts = scene.contacts
     option = scene.option
     if not option.refsafe:
@@ -141,7 +141,7 @@ def timeconst(scene: Scene) -> Iterator[Hits]:
         f" because a timeconst cannot be shorter than {least}",
         unit="s",
     )
-    # Nobody wrote a timeconst that equals the default.
+    # A timeconst that equals the default was probably not chosen.
     below &= authored != DEFAULT_SOLREF[0]
 
     def advise(pair: int) -> Remedy:
@@ -188,7 +188,8 @@ def too_stiff(scene: Scene) -> Iterator[Hits]:
         damping = clamped(contacts.solimp[pair, 1]) / step
 
         def weaker(solref: Sequence[float]) -> str | None:
-            # The minimum of both solrefs counts, so a timeconst never does.
+            # The engine uses the minimum of the two solrefs, so it never uses a
+            # timeconst.
             if solref[0] > 0.0 or solref[1] > 0.0:
                 return None
             stiffness = min(-solref[0], 0.25 * damping**2)
@@ -208,9 +209,9 @@ def one_sided(scene: Scene) -> Iterator[Hits]:
     # Direct solrefs are not mixed: the engine uses the element-wise minimum.
     mixed = (contacts.named < 0) & (contacts.solref > 0.0).all(axis=1)
     ranked = contacts.geoms[contacts.outranked]
-    # A geom that meets an equal one somewhere is as stiff as written there.
+    # Where a geom touches an equally stiff one, it is as stiff as written.
     stiffest = -_largest(scene, mixed, -contacts.solref[:, 0])
-    # A geom with a priority decides on purpose.
+    # The parameters of a geom with a priority are meant to decide.
     stiffest[ranked] = 0.0
     is_stiff = (
         (authored > 0.0) & (authored * FAR <= DEFAULT_SOLREF[0]) & np.isfinite(stiffest)
@@ -242,7 +243,8 @@ def friction(scene: Scene) -> Iterator[Hits]:
         effect = "makes contacts use its friction, solref, solimp and condim"
         return [(of_geom(scene, geom, rank(scene)), effect)]
 
-    # The compiled model does not distinguish a default from the same written number.
+    # The compiled model does not distinguish a default from the same number in the
+    # file.
     yield Hits(
         Finding(
             "friction",

@@ -21,7 +21,8 @@ WEIGHTLESS = int(mujoco.mjtDisableBit.mjDSBL_GRAVITY)
 
 
 def qualified(owner: str, name: str) -> str:
-    """Return a name with that of its body, unless the body has none or the same."""
+    """Return a name with its body's name, unless the body has no name or the same
+    name."""
     return name if owner in ("", name) else f"{owner}/{name}"
 
 
@@ -76,7 +77,7 @@ class Scene:
     def colliding(self) -> int:
         """Return the number of geoms that can collide."""
         model = self.model
-        # A <pair> makes contacts whatever the masks of its geoms are.
+        # A <pair> makes contacts even if the masks of its geoms do not match.
         named = np.isin(np.arange(model.ngeom), [model.pair_geom1, model.pair_geom2])
         return np.count_nonzero(masks_of(model) | named)
 
@@ -112,7 +113,7 @@ class Scene:
 
     @cached_property
     def _indices(self) -> dict[int, int]:
-        # Numbers are hashed faster than pairs, of which there may be millions.
+        # There may be millions of pairs, and numbers are hashed faster.
         keys = keys_of(self.contacts.geoms).tolist()
         return dict(zip(keys, range(len(keys)), strict=True))
 
@@ -127,7 +128,7 @@ class Scene:
 
     @cached_property
     def counts(self) -> np.ndarray:
-        """Return for each geom whether any pair uses its own parameters."""
+        """Return whether any pair uses the parameters of each geom itself."""
         contacts = self.contacts
         counting = np.zeros(self.model.ngeom, dtype=bool)
         # mj_collide reads the parameters of a <pair> instead of those of its geoms.
@@ -138,7 +139,7 @@ class Scene:
 
     @cached_property
     def free(self) -> np.ndarray:
-        """Return for each body whether it is welded to a body with a free joint."""
+        """Return whether each body is welded to a body with a free joint."""
         model = self.model
         loose = np.zeros(model.nbody, dtype=bool)
         loose[model.jnt_bodyid[model.jnt_type == FREE]] = True

@@ -10,8 +10,7 @@ from newton_lint.pairs import OFF, masks_of, where
 from newton_lint.scene import FREE, WEIGHTLESS, Scene
 from newton_lint.warp_engine import refusal
 
-# Bodies sink visibly into a pyramidal cone from this friction on: 2 mm at 3, 100 mm at
-# 8.
+# With a pyramidal cone, bodies sink visibly at this friction: 2 mm at 3, 100 mm at 8.
 STEEP = 3.0
 FAST_M_S = 20.0
 """Damping of a free joint hardly matters if it permits this speed of fall."""
@@ -106,7 +105,8 @@ def pyramid(scene: Scene) -> Iterator[Found]:
         )
         yield finding, remedy
     if steepest > STEEP:
-        # mj_makeImpedance gives this ratio of R to that of an elliptic cone (condim 3).
+        # mj_makeImpedance gives this ratio of R to the R of an elliptic cone (condim
+        # 3).
         softer = 0.5 * steepest**2 * (1.0 + steepest**2)
         finding = _scene_finding(
             scene,

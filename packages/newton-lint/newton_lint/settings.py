@@ -38,8 +38,8 @@ def table_of(folder: Path) -> dict[str, Any]:
 def is_ignored(finding: Finding, source: Source, rules: Collection[str]) -> bool:
     """Return whether an option, or a comment in the file, ignores a finding's rule.
 
-    A comment counts for the file if it precedes the first tag, and otherwise for its
-    own line and the next one.
+    A comment applies to the whole file if it precedes the first tag, and otherwise to
+    its own line and the next one.
     """
     if finding.rule in rules or source.root is None:
         return finding.rule in rules

@@ -95,7 +95,7 @@ SECTIONS = {
     "tendon": "tendon",
     "keyframe": "key",
 }
-"""The kind of the elements of some sections, whatever their tags are."""
+"""The kind of all elements in some sections, which does not depend on their tags."""
 Placed = tuple[Element, str | None]
 """An element, and its class or its section."""
 
@@ -189,7 +189,7 @@ class Source:
         element, name = self.geoms[geom]
         if attribute in element.attributes:
             return element
-        # The first class in MJCF applies to all geoms, whatever its name is.
+        # The first class in MJCF applies to all geoms, even if it is not called main.
         main = next(iter(self._defaults.values()), [])
         for default in self._defaults.get(name, main) if name else main:
             for child in default.sections("geom"):
@@ -198,7 +198,7 @@ class Source:
         return None
 
     def option(self, attribute: str = "") -> Element | None:
-        """Return the ``<option>`` that sets an attribute, or any if no one does."""
+        """Return the ``<option>`` that sets an attribute, or else any of them."""
         options = list(self.root.sections("option")) if self.root else []
         authoring = [
             element for element in options if attribute in element.attributes

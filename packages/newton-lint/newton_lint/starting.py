@@ -21,7 +21,7 @@ LEAVES = 3.0
 EARLY = 11
 """The motion must begin within this number of samples, which is 0.2 s."""
 APART_MM = 5.0
-"""An equality is reported if it is open by this at the start [mm or °]."""
+"""An equality is reported if it is at least this far open at the start [mm or °]."""
 FULL_TURN = 2.0 * math.pi
 
 
@@ -186,11 +186,12 @@ def _joining(
     model = scene.model
     rows = data.efc_id == equality
     rows &= data.efc_type == int(mujoco.mjtConstraint.mjCNSTR_EQUALITY)
-    # The first three rows are the place of the first side less that of the second.
+    # The first three rows are the position of the first side minus that of the second.
     gap = data.efc_pos[rows][:3]
     for body, shift in zip(bodies, (-gap, gap), strict=False):
         moved = data.xpos[body] + shift
-        # Either side may move to the other one, but only a mocap body is free to.
+        # Either side could move to the other one, but only a mocap body can be placed
+        # freely.
         mocap = model.body_mocapid[body]
         if mocap < 0:
             continue

@@ -223,9 +223,7 @@ def newtons(target: str, module: str, function: str, *arguments: Any) -> Any:
             f"{target}: this needs Newton and its importers:"
             f" pip install 'newton-lint[newton]' ({_line(error)})"
         ) from error
-    except (
-        Exception
-    ) as error:  # The importers raise any kind for a file they don't know.
+    except Exception as error:  # The importers raise errors of any kind.
         raise TargetError(
             f"{target}: cannot be read: {type(error).__name__}: {_line(error)}"
         ) from error

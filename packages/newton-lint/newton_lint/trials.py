@@ -32,7 +32,7 @@ DEEPER_M = 5e-5
 FASTER = 1.2
 FASTER_M_S = 5e-3
 SLOWER = 1.8
-"""A simulated second may take this many times the solver's effort."""
+"""A change may multiply the solver's effort for a simulated second by at most this."""
 SHALLOW_M = 2e-3
 """A body whose contacts are below this depth no longer falls through."""
 FALLS_M_S = 3.0
@@ -48,13 +48,13 @@ FREES = (
     "bounce",
     "solver",
 )
-"""Rules on simulations that are only cheap because they are wrong."""
+"""Rules on simulations that take little effort only because they are wrong."""
 MOVING = ("friction", "bounce", "thrown")
-"""Rules whose changes make bodies faster, as their parameters were meant to do."""
+"""Rules whose changes make bodies faster, as intended by the parameters."""
 SINKING = ("tunnel", "slides", "through", "damping")
 """Rules on bodies that may touch something only after the change."""
 WRITTEN = ("lost", "pyramid", "solref-format", "stiff", "one-sided")
-"""Rules whose changes let contacts be as soft as they are written."""
+"""Rules whose changes make contacts as soft as they are written."""
 LEADING = ("equality", "keyframe", "limit", "servo", "apart", "degrees")
 """Rules whose changes lead to other motions, with other impacts on the way."""
 Read = Callable[[Run], float]
@@ -75,13 +75,13 @@ class Symptom:
     unit: str = ""
     """The unit of the reading, if it differs from that of the finding."""
     why: str = ""
-    """The likely cause, which is only told if a change of it helps."""
+    """The likely cause, which is printed only if changing it helps."""
 
 
 Judge = Callable[
     [Scene, Sequence[Run]], tuple[list[Finding], list[tuple[int, Symptom]]]
 ]
-"""Returns what is wrong with the parameters of a scene and, by run, with its motion."""
+"""Returns the faults in the parameters of a scene and, by run, in its motion."""
 
 
 @dataclass
@@ -118,7 +118,8 @@ class Trials:
         certain = [
             symptom.finding
             for index, symptom in symptoms
-            # What only counts if something mends it is tried on top of the changes.
+            # A symptom that counts only if something mends it is tried on top of the
+            # changes.
             if not symptom.needs_cure
             or symptom.finding.rule in self.known
             or inner.finding_of(symptom, index)
@@ -171,7 +172,7 @@ class Trials:
         )
 
     def drawback(self, variant: "Trials", finding: Finding) -> str:
-        """Return the harm that changes do because their rule is meant to do it."""
+        """Return the harm of changes whose rule is meant to make bodies faster."""
         is_meant = finding.rule in MOVING
         reasons = map(faster, self.runs, variant.runs) if is_meant else ()
         return next(filter(None, reasons), "")
@@ -179,7 +180,7 @@ class Trials:
     def finding_of(self, symptom: Symptom, index: int) -> Finding | None:
         """Return the finding of a symptom in a run with the changes that mend it."""
         finding = symptom.finding
-        # Notes are seldom read, so nothing is tried for them.
+        # Notes are seldom read, so no changes are tried for them.
         ways = symptom.ways if finding.severity != "note" else ()
         before = symptom.read(self.runs[index])
         cures: list[Cure] = []
@@ -212,7 +213,7 @@ class Trials:
         return replace(finding, cures=tuple(cures), element=element)
 
     def advised(self, group: Sequence[Finding], remedy: Remedy) -> list[Finding]:
-        """Return alike findings with the changes that do no harm from any start."""
+        """Return equal findings with the changes that do no harm from any start."""
         finding = group[0]
         scene = self.scene
         cures: list[Cure] = []
@@ -275,7 +276,7 @@ def harm(before: Sequence[Run], after: Sequence[Run], rules: Collection[str]) ->
 
 
 def _motion_harm(old: Run, new: Run, rules: Collection[str]) -> str:
-    """Return how contacts get deeper or resting bodies faster, or an empty string."""
+    """Describe how contacts get deeper or bodies faster, or return an empty string."""
     old_thrown = old.thrown_m_s.max(initial=0.0)
     new_thrown = new.thrown_m_s.max(initial=0.0)
     if new_thrown > max(FASTER * old_thrown, THROWN_M_S):
@@ -304,7 +305,7 @@ def _motion_harm(old: Run, new: Run, rules: Collection[str]) -> str:
 
 
 def faster(old: Run, new: Run) -> str:
-    """Return how the motion at the end gets faster, or an empty string."""
+    """Describe how the motion at the end gets faster, or return an empty string."""
     if new.speed <= FASTER * old.speed + FASTER_M_S:
         return ""
     return (

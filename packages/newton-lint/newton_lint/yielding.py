@@ -33,15 +33,15 @@ FAR = 5.0
 MUCH = 3.0
 """For limits of joints and tendons, this one applies instead."""
 THIN = 0.1
-"""A depth is reported from this share of the thickness of a geom on."""
+"""A depth is reported if it is at least this share of the thickness of a geom."""
 DEEP_MM = 2.0
-"""A depth is a warning from here on."""
+"""A depth of at least this is a warning."""
 PADDED = 0.5
-"""A dmin below this one makes a contact soft by intention."""
+"""A dmin below this one makes a contact soft on purpose."""
 HARD = "0.999 0.999 0.001"
 FEW_ALIKE = 3
 SAGS = 5e-3
-"""A joint creeps from this speed on [m/s or rad/s]."""
+"""A joint that is at least this fast creeps [m/s or rad/s]."""
 HELD = 0.99
 """The friction of a joint must be below this share of its frictionloss."""
 AGREES = 0.7
@@ -61,7 +61,7 @@ COUPLINGS = {
 
 
 def when(run: Run, *bodies: int) -> str:
-    """Return when a reading holds: at rest only if these bodies rest."""
+    """Return the time of a reading in words: "at rest" only if these bodies rest."""
     state = "at rest" if run.still[list(bodies)].all() else "after 2 s"
     return f"{state}{origin(run)}"
 
@@ -107,16 +107,16 @@ def depths(scene: Scene, run: Run) -> Iterator[Symptom]:
         shape, partner = (partner, thin) if is_static[0] else (thin, partner)
         lies = scene.free[bodies].sum() == 1 and model.body_weldid[bodies].min() == 0
         first = M * run.first.get(pair, 0.0)
-        # A pair that overlaps from the start on has the rule overlap.
+        # A pair that overlaps at the start is reported by the rule overlap.
         if depth <= least or (depth < 2.0 * first and not lies):
             continue
         rests = run.still[bodies].all()
         lasts = min(late_depths(run, pair)) > 0.5 * depth / M
-        # The stiffness of a contact depends on the product of both numbers. That of a
-        # direct solref, which was chosen by someone, is always large.
+        # The stiffness of a contact depends on the product of the two numbers. That of
+        # a direct solref, which is always chosen on purpose, is large.
         is_soft = contacts.solref[contact].prod() > DEFAULT_SOLREF[0]
         mu = contacts.friction[contact, 0]
-        # Someone chose a contact that is soft at first, and hard within its width.
+        # Such a contact was chosen to be soft at first, and hard within its width.
         dmin, _, width_m, *_ = contacts.solimp[contact]
         is_padded = not is_soft and dmin < PADDED and depth < M * width_m
         much = LEAST if is_soft else DEEP_MM
@@ -197,7 +197,7 @@ def _stiffening(
         for pair in sunk
         if np.array_equal(contacts.solref[pair], contacts.solref[contact])
     ]
-    # Many equal contacts have one change, and not each its own.
+    # Many equal contacts share one change instead of having one each.
     group = alike if len(alike) > FEW_ALIKE else [contact]
     yield of_contacts(scene, group, stiffer)
     yield of_contacts(scene, group, hardest)
@@ -370,7 +370,7 @@ def servos(scene: Scene, run: Run) -> Iterator[Symptom]:
         joint = model.actuator_trnid[servo, 0]
         dof = model.jnt_dofadr[joint]
         body = model.jnt_bodyid[joint]
-        # A servo that presses against a contact or a limit does not have to arrive.
+        # A servo that presses against a contact or a limit need not reach its target.
         is_blocked = abs(run.mean("qfrc_constraint")[dof]) > 1e-9
         if model.jnt_type[joint] not in (HINGE, SLIDE) or is_blocked:
             continue
@@ -449,7 +449,7 @@ def sagging(scene: Scene, run: Run) -> Iterator[Symptom]:
         predicted = data.efc_R[row] * force / data.efc_KBIP[row, 1]
         loads = [abs(data.qfrc_smooth[dof]), abs(data.qfrc_constraint[dof])]
         # Only creep that the law predicts is reported, under a load that is constant:
-        # both the applied and the constraint force are close to that of the row.
+        # both the applied and the constraint force are close to the force of the row.
         ratios = [rate / max(predicted, 1e-12), *(load / force for load in loads)]
         if (
             rate < SAGS
@@ -479,7 +479,7 @@ def sagging(scene: Scene, run: Run) -> Iterator[Symptom]:
 
 
 def passing(scene: Scene, run: Run) -> Iterator[Symptom]:
-    """Yield geoms that pass through a plate that a thicker one would stop."""
+    """Yield geoms that pass through a plate and would not if it were thicker."""
     model = scene.model
     contacts = scene.contacts
     pairs = np.concatenate([contacts.geoms, contacts.geoms[:, ::-1]])
@@ -528,7 +528,7 @@ def passing(scene: Scene, run: Run) -> Iterator[Symptom]:
 def _crossing(
     model: MjModel, pairs: np.ndarray, run: Run, inside: float = 0.0
 ) -> np.ndarray:
-    """Return for each pair of a geom and a plate whether the geom passed through.
+    """Return whether each geom passed through its plate, for pairs of a geom and a plate.
 
     Args:
         inside: Share of a geom's half extent that has to stay on its side of the plate.

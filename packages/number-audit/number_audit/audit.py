@@ -271,7 +271,7 @@ class Audit:
         operands: dict[str, Quantity] = {}
 
         def operand_name(match: re.Match[str]) -> str:
-            # A place contains characters that are not allowed in a name of Python.
+            # A place contains characters that are not allowed in a Python name.
             name = f"q{len(operands)}"
             operands[name] = self._operand(match[0])
             return name

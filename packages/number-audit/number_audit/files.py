@@ -1,4 +1,4 @@
-"""Reads whole files, and replaces them without ever leaving a part of one."""
+"""Reads whole files, and replaces them without ever leaving an incomplete one."""
 
 import os
 import shutil

@@ -136,7 +136,7 @@ Mark = NumberMark | WordMark | BrokenMark
 
 
 def line_counter(text: str) -> Callable[[int], int]:
-    """Return a function that returns the line of a position in a text."""
+    """Return a function that maps a position in a text to its line."""
     newlines = [match.start() for match in re.finditer("\n", text)]
     return lambda position: bisect(newlines, position) + 1
 

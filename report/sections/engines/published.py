@@ -125,7 +125,7 @@ def derive(results: Results) -> Section:
             agreed.append(agrees is True)
             off = results.value(
                 f"off_{name}",
-                "absolute difference between both numbers",
+                "absolute difference between the two numbers",
                 abs(ours - theirs),
             )
             within = results.chosen(

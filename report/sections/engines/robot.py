@@ -22,7 +22,8 @@ ARMATURES = {"own": "own parameter", "links": "in the links"}
 
 
 def derive(results: Results, labels: dict[str, str]) -> Section:
-    """Make the table of the models, named by their ``labels``, and its claims."""
+    """Make the table of the models, with names from ``labels``, and the claims about
+    it."""
     rows = RowsBy(results, results.rows, "model", "shake")
     models = list(dict.fromkeys(model for model, _ in rows))
     near = [rows[model, "3cm"] for model in models]
@@ -55,14 +56,14 @@ def derive(results: Results, labels: dict[str, str]) -> Section:
     slips = [cell for cell in slips if cell.value is not None]
     still = [rows[model, "held"].slip_mm for model in others]
     worst = results.value(
-        "robot_worst", "farthest slip in another engine", extreme(max, slips)
+        "robot_worst", "largest slip in another engine", extreme(max, slips)
     )
     count = results.value(
         "robot_count", "other contact models that keep the cube", cell_count(slips)
     )
     still_worst = results.value(
         "robot_worst_held",
-        "farthest slip in another engine with the arm held still",
+        "largest slip in another engine with the arm held still",
         extreme(max, still),
     )
     stiff = Sections(results.others).cell("solver", "stiff-pads-mujoco-c", "slip_mm")

@@ -119,7 +119,7 @@ def _draw_engine(axes: Axes, best: list[Row], backend: str) -> None:
                 text = f"RK4 {text}"
             write_beside(axes, text, _place(row), (3, 3), fontsize=7, color=colour)
     name = ENGINES[backend].replace("MuJoCo Warp", "Warp")
-    # The name of the faster engine stands to the left of its marks.
+    # The name of the faster engine is to the left of its marks.
     side = "right" if backend == "mujoco-c" else "left"
     write_beside(
         axes, name, _place(best[0]), (0, 12), color=colour, ha=side, fontsize=9

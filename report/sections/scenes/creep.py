@@ -156,7 +156,7 @@ def _points(results: Results, scene: str) -> Iterator[Point]:
         )
         factor = results.value(
             f"{name}_factor",
-            "larger over smaller of measured and predicted creep",
+            "ratio of measured and predicted creep, the larger over the smaller",
             combined(max, measured / predicted, predicted / measured),
         )
         yield Point(scene, measured, predicted, factor)

@@ -80,7 +80,7 @@ def number_of(cell: Quantity) -> float:
 
 
 def _nearest(lost: list[Quantity], low: Quantity, high: Quantity) -> Quantity:
-    """Return the nearest value outside of a range at which the grasp fails."""
+    """Return the failing value that is nearest to a range."""
     above = [cell for cell in lost if cell.number > high.number]
     below = [cell for cell in lost if cell.number < low.number]
     if above:

@@ -190,7 +190,7 @@ def follows(results: Results, ladder: Ladder, laws: dict) -> Claim:
     slips = [ladder.slip(*key) for key in compared]
     return _claim(
         "follows",
-        at_most(most, 10.0, "a prediction that one can use").having_read(*slips),
+        at_most(most, 10.0, "a useful prediction").having_read(*slips),
         {
             "most": most,
             "long": ladder.step(ladder.usual()[0]),

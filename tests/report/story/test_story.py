@@ -271,7 +271,7 @@ def test_a_short_step_is_advised_before_another_solver_and_a_patch(editions):
         "slip_mm",
         dict.fromkeys(SHORT_STEPS, 0.05),
     )
-    assert advised(found)[1].numbers["way"] == "stiff pads for 32 substeps"
+    assert advised(found)[1].numbers["way"] == "32 substeps and matching stiff pads"
 
 
 def test_a_solver_whose_hand_goes_farther_is_not_advised(editions):

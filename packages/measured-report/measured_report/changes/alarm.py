@@ -161,7 +161,7 @@ def _details(comparison: Comparison, say: Say) -> list[str]:
 
 
 def _counts(comparison: Comparison) -> dict[str, Counter[str]]:
-    """Return for each section how many values moved, got better and got worse."""
+    """Return how many values of each section moved, got better and got worse."""
     counts: dict[str, Counter[str]] = {}
     for move in comparison.moves:
         of_section = counts.setdefault(
@@ -316,8 +316,8 @@ def settings_text(settings: Sequence[Move]) -> str:
 
 
 def sensitivity(comparison: Comparison) -> dict[str, float]:
-    """Return for each section the smallest relative change that would be listed for
-    most of its numbers. This is the median noise of its numbers relative to their size.
+    """Return the smallest relative change that would be listed for most numbers, by
+    section. This is the median noise of its numbers relative to their size.
     """
     shares: dict[str, list[float]] = {}
     for cell in comparison.cells:
@@ -350,7 +350,7 @@ def blind_sections(comparison: Comparison) -> list[str]:
 
 
 def sensitivity_text(comparison: Comparison) -> str:
-    """Return for each section the change that would be listed, the largest first."""
+    """Return the change that would be listed in each section, the largest first."""
     shares = sensitivity(comparison)
     sections = sorted(shares, key=shares.__getitem__, reverse=True)
     texts = [f"{section} {format_share(shares[section])}" for section in sections]

@@ -174,10 +174,10 @@ class Move:
 
     @property
     def relevance(self) -> float:
-        """Return the change divided by its threshold; from 1 on, the change is large.
+        """Return the change divided by its threshold; a change of 1 or more is large.
 
-        It is infinite if a run newly fails or no longer fails, and if a setting or a named
-        number exists in only one of the editions.
+        It is infinite if a run newly fails or no longer fails, and if a setting or a
+        named number exists in only one of the editions.
         """
         if "failure" in self.column.kinds:
             return math.inf
@@ -437,7 +437,7 @@ def _scales(pairs: Sequence[Pair]) -> dict[Column, float]:
 def _with_both_sides(
     move: Move, estimates: Sequence[Estimate | None]
 ) -> tuple[list[Estimate], float, bool]:
-    """Return the estimates of both sides and the smallest difference that counts.
+    """Return the estimates of both editions and the smallest difference that counts.
 
     Also return whether this difference is chosen because the noise is not known. If the
     scatter of only one side is known, it is used for both.
@@ -489,7 +489,7 @@ def _without_chance(moves: Sequence[Move], sides: Sequence[Results]) -> list[Mov
 
 
 def _shifts(moves: Sequence[Move], sides: Sequence[Results]) -> list[Move]:
-    """Return for each column of times the change that all its rows have in common.
+    """Return the change that all rows of a column of times have in common, by column.
 
     All times of one measurement share the error of its host and card. The median of
     their changes is therefore compared with the scatter between hosts. This common

@@ -127,7 +127,7 @@ def refuse_uncalled(
 ) -> None:
     """Raise ReportError for a changed function that the runs did not call.
 
-    ``called`` contains the functions that the runs of both codes called.
+    ``called`` contains the functions that the runs of the old and the new code called.
     """
     for name, sides in changed:
         for side in sides:

@@ -46,7 +46,7 @@ class Query:
         return self.text.rpartition(".")[2]
 
     def answer(self, chapters: Chapters) -> Answer | None:
-        """Return the answer of an edition, or None if the claim cannot tell."""
+        """Return the answer of an edition, or None if the claim is undecided."""
         if self.is_claim:
             claim = self.claim(chapters)
             is_known = claim and claim.outcome.name != "unknown"
@@ -197,7 +197,7 @@ def changes_in(
         split: abs(fmean(numbers[split:]) - fmean(numbers[:split]))
         for split in range(1, count)
     }
-    # The sum of squares between both parts grows as the square of these numbers.
+    # The sum of squares between the two parts grows as the square of these numbers.
     weighted = {
         split: difference * math.sqrt(split * (count - split))
         for split, difference in differences.items()

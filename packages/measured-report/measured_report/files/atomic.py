@@ -120,8 +120,8 @@ def write_file(path: Path, content: str | bytes) -> None:
 def write_files(contents: Mapping[Path, bytes]) -> None:
     """Write several files, each in one step.
 
-    The first file is replaced last, so it can name the others: when it is there, they
-    are too. No file is replaced before all are on the disk.
+    The first file is replaced last, so it can name the others: if it exists, they exist
+    too. No file is replaced before all are on the disk.
     """
     with ExitStack() as stack:
         for path, content in contents.items():

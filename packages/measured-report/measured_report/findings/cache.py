@@ -1,4 +1,4 @@
-"""Cache derived values, which are valid while none of their inputs changes."""
+"""Cache derived values, which are valid while their inputs stay the same."""
 
 import functools
 from collections.abc import Callable, Sequence

@@ -163,7 +163,9 @@ def refused(project: Project, records: Records) -> Mapping[str, str]:
         if reason:
             reasons[name] = reason
     if len(reasons) == len(records):
-        raise ReportError(f"it has no section of this edition: {reasons_text(reasons)}")
+        raise ReportError(
+            f"its sections do not belong to this edition: {reasons_text(reasons)}"
+        )
     return reasons
 
 

@@ -18,7 +18,7 @@ from measured_report.values.results import Results, ResultsError
 PACKAGE = "report.sections"
 LAST = math.inf  # the order of sections without one, which are sorted by their names
 FACTS: Mapping[str, tuple[Any, str]] = {
-    "order": (int | float, "a number such as 125, its place on the page"),
+    "order": (int | float, "a number such as 125"),
     "first": (bool, "True or False"),
     "label": (str, "a text"),
     "labels": (Mapping, 'a dict, as {"case": "words"}'),
@@ -39,7 +39,7 @@ class Outline:
     compares: bool
     """Whether it compares releases. Its ``derive(results, releases)`` then takes them as
     well, as ``releases["1.4.0"]["friction"].results``."""
-    first: bool  # whether its page begins with it, whatever its order is
+    first: bool  # whether it is the first section of its page, regardless of its order
     label: str  # its name in figures and tables; by default the name of its file
     labels: Mapping[str, str]  # the names of its cases there, see `label_of`
     reads: tuple[str, ...]  # earlier sections whose results it reads as well
@@ -122,7 +122,7 @@ def derive_by(name: str, *inputs: Any) -> Section:
     except RecordError:
         raise
     except (ImportError, NameError) as error:
-        # The code is wrong, whatever the measurements are.
+        # The code is wrong for any measurements.
         raise ReportError(bug_of(error)) from error
     except Exception as error:
         raise ResultsError(bug_of(error)) from error

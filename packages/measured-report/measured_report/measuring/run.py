@@ -318,7 +318,7 @@ def _as_one(batch: Batch) -> Plan:
 
 
 def plausible_row(row: Mapping[str, object], columns: Schema) -> dict[str, object]:
-    """Return a row in plain Python numbers.
+    """Return a row with plain Python numbers.
 
     A number outside the range of its column becomes None, and the column with the
     ending ``_reason`` contains the reason.

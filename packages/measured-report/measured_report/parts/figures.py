@@ -64,7 +64,8 @@ STYLE: dict[str, Any] = {
     + cycler(markevery=(SPARSE,) * len(SERIES)),
 }
 
-# The width of a figure on a narrow screen [in]; a point is more than 1.3 px at 390 px.
+# The width of a figure on a narrow screen [in]. If the screen is 390 px wide, a point
+# is more than 1.3 px.
 NARROW_WIDTH = 3.6
 # The smallest text of a narrow figure [pt]; it is 9 px on a screen of 390 px.
 LEAST_SIZE = 7.0

@@ -19,9 +19,9 @@ parts can name only the numbers that Python passes to the claim, figure or table
 
 Outside of these parts, the template of a section can name ``row["north"].lean_mm``,
 ``rows``, the derived ``value.lean``, ``release``, ``table(name)``, ``figure(name)``,
-``download(name)`` and ``holds("section.claim")``. The template of a page can name
-``sections.tower.claim("leans")``, and in the same form the tables and figures of a
-section. ``measured`` contains the names of the sections with a record.
+``download(name)`` and ``holds("section.claim")``. The template of a page can
+name a claim as ``sections.tower.claim("leans")``, and the tables and figures of a
+section in the same way. ``measured`` contains the names of the sections with a record.
 """
 
 import re

@@ -61,7 +61,7 @@ def packed(
 
 
 def _written(cell: Any, column: str, schema: Schema) -> Any:
-    """Return a cell as its file contains it.
+    """Return a cell in the form in which its file stores it.
 
     A number outside the range of its column becomes None.
     """

@@ -407,8 +407,8 @@ def _several(
 
 
 def _chances(samples: SamplesByColumn, fits: Fits) -> Chances:
-    """Return for each measurement the probability of its distance from the mean of the
-    other measurements of its number; NaN if it cannot be tested.
+    """Return the probability of the distance between each measurement and the mean of
+    the other measurements of its number; NaN if it cannot be tested.
     """
     chances = {}
     for key, fit in fits.items():
@@ -433,8 +433,8 @@ def _row_chances(
 
 
 def _calibration(chances: Chances, columns: Schema) -> dict[str, tuple[int, int]]:
-    """Return for each kind the count of measurements within the predicted noise, and of
-    all measurements.
+    """Return the count of measurements within the predicted noise, and of all
+    measurements, by kind.
     """
     counts = dict.fromkeys(KINDS, (0, 0))
     for (_, column_key), numbers in chances.items():
@@ -449,7 +449,7 @@ def _calibration(chances: Chances, columns: Schema) -> dict[str, tuple[int, int]
 def _changed(
     chances: Sequence[tuple[RowKey, Any]], odd_rows: float
 ) -> list[tuple[int, int]]:
-    """Return for each measurement the count of its numbers, and the count of those that
+    """Return the count of numbers in each measurement, and the count of those that
     differ from the other measurements beyond noise. Nothing changed between
     measurements, so the second count is the number of false alarms. The rules are the
     same as in a comparison of two editions, see ``changes/moves.py``.
@@ -475,8 +475,8 @@ def _odd_rows(
     gathered: Mapping[SectionKey, _Gathered],
     outliers: Mapping[SectionKey, set[tuple[RowKey, int]]],
 ) -> dict[str, float]:
-    """Return for each section the mean number of rows in a measurement that end
-    differently from the others.
+    """Return the mean number of rows in a measurement that end differently from the
+    others, by section.
     """
     odd: Counter[str] = Counter()
     measurements: Counter[str] = Counter()

@@ -62,7 +62,7 @@ def is_absolute(column: Column) -> bool:
 
 
 def scatters(column: Column) -> bool:
-    """Return whether measurements of a column differ by chance and are compared.
+    """Return whether the scatter of a column is estimated from its measurements.
 
     The noise of a number of trials follows from the trials, not from other
     measurements.

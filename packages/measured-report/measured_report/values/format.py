@@ -160,7 +160,7 @@ def format_power(exponent: int) -> str:
 
 
 def label_of(case: str, labels: Mapping[str, str]) -> str:
-    """Return the first of ``labels`` whose pattern matches a case, with its numbers.
+    """Return the first of ``labels`` that matches a case, filled with its numbers.
 
     In a pattern, # stands for a number. Without a match, return the name of the case with
     spaces instead of hyphens and underscores.

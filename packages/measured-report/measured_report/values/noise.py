@@ -44,7 +44,7 @@ def t_quantile(share: float, freedom: float) -> float:
 
 
 def chance_of(difference: Any, error: Any, freedom: Any) -> list[float]:
-    """Return the probability that means of one true value differ by at least as much.
+    """Return the probability that two means of one true value differ by this or more.
 
     All arguments are arrays: the size of the difference, its standard error, and the
     degrees of freedom of this error. If the error is 0, any difference is certain.
@@ -139,7 +139,7 @@ class Scatter:
     slope: float  # the exponent by which the variance grows with the size
     freedom: float  # degrees of freedom of the variance for a row measured once
     rows: Mapping[Hashable, tuple[float, float]] = field(default_factory=dict)
-    """The level and the freedom of each row that was measured more than once."""
+    """The level and the degrees of freedom of rows that were measured more than once."""
     least_sizes: Mapping[Hashable, float] = field(default_factory=dict)
     """The size below which the numbers of a row scatter like a row of their own."""
     shared: float = 0.0

@@ -34,7 +34,7 @@ from measured_report.values.noise import NORMAL, SURE, WRITTEN_SHARE, Z, t_quant
 VALUES_FILE = "values.json"
 NOISE_FILE = "noise.json"  # the noise of record cells that pages print
 LEAST_TOGETHER = 3
-"""Chosen: fewer measurements do not show which part of their error times have in common."""
+"""Chosen: with fewer measurements, the shared part of the error of times is unknown."""
 POWERS = "⁰¹²³⁴⁵⁶⁷⁸⁹"
 FACTOR = re.compile(f"(/?)([^/·{POWERS}]+)([{POWERS}]?)")  # of a unit like mm/s²
 

@@ -107,7 +107,8 @@ def test_one_of_other_code_or_packages_is_refused_in_a_line(project, kind):
         "packages": {**packages, "mujoco": "9.9"},
     }[kind]
     with pytest.raises(
-        ReportError, match=f"no section of this edition: other {kind} \\(gap\\)"
+        ReportError,
+        match=f"its sections do not belong to this edition: other {kind} \\(gap\\)",
     ) as error:
         kept(project, again(project, "gap", **{kind: other}))
     assert "\n" not in str(error.value)
