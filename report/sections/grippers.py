@@ -13,6 +13,7 @@ from report.shared import (
     Results,
     Section,
     Table,
+    Value,
     at_least,
     at_most,
     cell_count,
@@ -62,7 +63,11 @@ VERDICTS = ("holds", "creeps", "drops")
 
 
 def derive(results: Results) -> Section:
-    moved = {row.case: row.moved_mm for row in rows_with(results, "moved_mm")}
+    measured = {
+        column: {row.case: row[column] for row in rows_with(results, column)}
+        for column in ("moved_mm", "creep_mm_s")
+    }
+    moved = measured["moved_mm"]
     grasps = [
         grasp
         for grasp in map("-".join, product(HANDS, MARKERS))
@@ -75,17 +80,25 @@ def derive(results: Results) -> Section:
         "far", "an object that moves this far counts as dropped", LOST_MM, "mm"
     )
 
-    def cells(*settings: str) -> list[Quantity]:
-        return [moved[f"{grasp}-{name}"] for grasp in grasps for name in settings]
+    def cells(*settings: str, column: str = "moved_mm") -> list[Quantity]:
+        found = measured[column]
+        return [found[f"{grasp}-{name}"] for grasp in grasps for name in settings]
 
-    def count(name: str, words: str, is_so: Callable[..., bool], *settings: str):
-        """Derive the number of grasps whose motions [mm] meet a condition."""
+    def count(
+        name: str,
+        words: str,
+        is_so: Callable[..., bool],
+        *settings: str,
+        column: str = "moved_mm",
+    ) -> Value:
+        """Derive the number of grasps whose numbers in a column meet a condition."""
 
         def counted(mm: Iterable[float]) -> int:
             groups = zip(*[iter(mm)] * len(settings), strict=True)
             return sum(is_so(*group) for group in groups)
 
-        return results.value(name, words, gathered(counted, cells(*settings), PLAIN))
+        found = cells(*settings, column=column)
+        return results.value(name, words, gathered(counted, found, PLAIN))
 
     def cured(published: float, other: float) -> bool:
         return other < STILL_MM <= published
@@ -103,12 +116,24 @@ def derive(results: Results) -> Section:
     lost = count("lost", "grasps that drop the object", lambda mm: mm >= LOST_MM, C)
     by_rule = count("by_rule", "grasps that hold only by the rule", cured, C, RULE)
     same = count(
-        "same", "grasps that the rule does not change", lambda a, b: a == b, C, RULE
+        "same",
+        "grasps that the rule does not change, judged by the creep at rest",
+        lambda a, b: a == b,
+        C,
+        RULE,
+        column="creep_mm_s",
     )
     by_firm = count("by_firm", "grasps that only firm pads hold", cured, C, FIRM)
     spoiled = count("spoiled", "grasps that firm pads do not hold", cured, FIRM, C)
     agreed = count(
         "agreed", "grasps with the same verdict in both engines", agrees, C, WARP
+    )
+    agreed_firm = count(
+        "agreed_firm",
+        "grasps with the same verdict in both engines and firm pads",
+        agrees,
+        FIRM,
+        FIRM_WARP,
     )
     agreed_share = share("agreed_share", agreed, every)
     before, after = (
@@ -125,7 +150,9 @@ def derive(results: Results) -> Section:
         ),
         Claim(
             "rule_cures",
-            at_least(share("rule_share", by_rule, moving), 50.0, half),
+            at_least(share("rule_share", by_rule, moving), 50.0, half).having_read(
+                same
+            ),
             {"cured": by_rule, "moving": moving, "same": same},
         ),
         Claim(
@@ -141,7 +168,8 @@ def derive(results: Results) -> Section:
         ),
         Claim(
             "engines_agree",
-            at_least(agreed_share, 80.0, "nearly all"),
+            at_least(agreed_share, 80.0, "nearly all").having_read(agreed_firm),
+            {"agreed": agreed, "firm": agreed_firm, "count": every},
         ),
     ]
     verdicts = {
@@ -169,7 +197,7 @@ def derive(results: Results) -> Section:
             "verdicts": table_of(
                 "hand", HANDS.values(), verdicts, bound=still, far=far
             ),
-            "moved": table_of("grasp", grasps, rows),
+            "moved": table_of("grasp", map(_name_of, grasps), rows),
             "costs": _costs(results),
         },
         figures={"moved": figure},
@@ -190,6 +218,11 @@ def _costs(results: Results) -> Table:
         for heading, name in settings.items()
     }
     return table_of("hand", HANDS.values(), columns)
+
+
+def _name_of(grasp: str) -> str:
+    hand, _, kind = grasp.rpartition("-")
+    return f"{HANDS[hand]}, {kind}"
 
 
 def _verdict(moved_mm: float) -> str:

@@ -1,6 +1,7 @@
 """Compare hydroelastic pads, which touch over an area, with contact points."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
+from itertools import takewhile
 
 from report.shared import (
     CAUSE_BOUND,
@@ -9,6 +10,7 @@ from report.shared import (
     PERCENT,
     Claim,
     Outcome,
+    Quantity,
     Results,
     Row,
     RowsBy,
@@ -36,7 +38,7 @@ labels = {
     "points/stiff": "points, stiff pads",
     "points/held": "points, arm held still",
     "points/plate": "points, thin plate",
-    "points/edge": "points, sharp edge",
+    "points/edge": "points, cube gripped at two edges",
     "area": "hydroelastic",
     "area/held": "hydroelastic, arm held still",
     "area/held-collide-16": "hydroelastic, arm held still, contacts found in each substep",
@@ -47,7 +49,7 @@ labels = {
     "area/kh-#": "hydroelastic, kh {}",
     "area/resolution-#": "hydroelastic, {} cells along a side",
     "area/plate": "hydroelastic, thin plate",
-    "area/edge": "hydroelastic, sharp edge",
+    "area/edge": "hydroelastic, cube gripped at two edges",
 }
 WORLDS = (1, 64)
 BYTES_PER_MB = constant(1e6, "B/MB")
@@ -113,7 +115,7 @@ def _slip_claims(results: Results) -> list[Claim]:
         departure(area.slip_mm, points.slip_mm),
     )
     same = negligible(change, results.chosen("cause_bound", *CAUSE_BOUND))
-    numbers = {"points": points.slip_mm, "area": area.slip_mm}
+    numbers = {"points": points.slip_mm, "area": area.slip_mm, "kh": area.kh_n_m3}
     claims = [Claim("same_slip", same.having_read(*numbers.values()), numbers)]
 
     def caused(name: str, row: Row) -> Value:
@@ -148,11 +150,16 @@ def _slip_claims(results: Results) -> list[Claim]:
         PERCENT * (most / least - 1),
     )
     matters = at_least(span, results.chosen("kh_bound", "a tenth", 10.0, "%"))
-    lost = [row.kh_n_m3 for row in swept if row.plain.get("dropped")]
-    softest = max(lost, key=lambda kh: kh.number, default="")
-    numbers = {"least": least, "most": most, "lost": softest}
+    numbers = {"least": least, "most": most, "lost": _lost_up_to(swept)}
     claims.append(Claim("depends_on_kh", matters, numbers))
     return claims
+
+
+def _lost_up_to(swept: Iterable[Row]) -> Quantity | str:
+    """Return the largest kh up to which every run loses the cube, or "" if there is none."""
+    softest_first = sorted(swept, key=lambda row: row.plain["kh_n_m3"])
+    lost = takewhile(lambda row: row.plain.get("dropped"), softest_first)
+    return max((row.kh_n_m3 for row in lost), key=lambda kh: kh.number, default="")
 
 
 def _edges(results: Results) -> Claim:

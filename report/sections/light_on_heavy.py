@@ -9,8 +9,8 @@ from report.shared import (
     all_of,
     at_least,
     at_most,
-    departure,
     extreme,
+    largest_size,
     table_of,
 )
 
@@ -44,7 +44,7 @@ def derive(results: Results) -> Section:
         (setting, release): results.value(
             f"off_{setting}_{release}",
             "difference from the rate with Euler, relative to the latter",
-            departure(rate, euler),
+            PERCENT * (rate / euler - 1),
         )
         for setting in SETTINGS
         for release, rate, euler in zip(
@@ -65,8 +65,8 @@ def derive(results: Results) -> Section:
     )
     cured = results.value(
         "cured_off",
-        "largest difference in the oldest release or with another setting",
-        extreme(max, right),
+        "largest absolute difference in the oldest release or with another setting",
+        largest_size(cell for cell in right if cell.value is not None),
     )
     settings = {
         name: results.chosen(name, f"given: {words}", number, unit)

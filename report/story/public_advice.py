@@ -149,12 +149,9 @@ def _solver(name: str) -> Trial:
     return Trial("newton_solvers", "warp-3cm", run, f"with {name}", names=names)
 
 
-def _hydroelastic(shape: str = "") -> Trial:
+def _hydroelastic(shape: str = "", where: str = "in the shake") -> Trial:
     names = ("contact points", "hydroelastic")
     runs = (f"points{shape}", f"area{shape}")
-    where = "in the shake"
-    if shape:
-        where = f"with the {shape.strip('/')} instead of the cube"
     return Trial("hydroelastic", *runs, where, names=names)
 
 
@@ -282,7 +279,9 @@ ADVICE = (
         (
             _pinch("recipe", "noslip", "noslip_iterations", "c", "in MuJoCo C"),
             _pinch("recipe", "noslip", "noslip_iterations", "warp", "in MuJoCo Warp"),
-            _pinch("recipe", "noslip", "noslip_iterations", "newton", "in Newton"),
+            _pinch(
+                "recipe", "noslip", "noslip_iterations", "newton", "in Newton from MJCF"
+            ),
         ),
     ),
     Advice(
@@ -381,9 +380,9 @@ ADVICE = (
         (
             Trial(
                 "upgrade",
-                "as-shipped-friction-timeconst-off",
-                "as-shipped-friction-timeconst-on",
-                names=("without it", "with it"),
+                "as-shipped-kf-off",
+                "as-shipped",
+                names=("kf below zero", "shipped kf"),
             ),
         ),
     ),
@@ -441,7 +440,11 @@ ADVICE = (
         DROPS,
         "Use hydroelastic contacts if the quality of the patch matters",
         "guide",
-        tuple(map(_hydroelastic, ("", "/plate", "/edge"))),
+        (
+            _hydroelastic(),
+            _hydroelastic("/plate", "with a thin plate"),
+            _hydroelastic("/edge", "with the cube gripped at two edges"),
+        ),
     ),
     Advice(
         "hydroelastic_pinch",

@@ -448,10 +448,13 @@ def test_the_reader_chooses_the_two_releases_that_are_compared(site, tab):
     open_page(tab, site / "compare.html")
     shown = tab.locator(".pairs > section:visible")
     assert shown.count() == 1
+    tab.wait_for_load_state("load")
+    assert tab.evaluate("scrollY") == 0, "the reader starts at the headlines"
     first, second = tab.locator(".choice select").all()
     first.select_option("1.8.0")
     second.select_option("1.4.0")
     assert shown.get_attribute("id") == "1.4.0..1.8.0"
+    assert tab.url.endswith("#1.4.0..1.8.0")
     assert shown.locator("table").bounding_box()["width"] < 1000, "a text is too long"
     head = shown.locator("tbody tr").first
     assert head.get_attribute("class") == "relevant" and "flipped" in head.inner_text()

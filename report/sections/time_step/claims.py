@@ -65,7 +65,16 @@ def is_best(results: Results, ladder: Ladder) -> Claim:
         "rule_count", "steps that were compared", cell_count(slips)
     )
     outcome = at_most(worst, 1.2, "hardly any difference in a grasp")
-    return _claim("is_best", outcome, {"worst": worst, "count": compared})
+    return _claim(
+        "is_best",
+        outcome,
+        {
+            "worst": worst,
+            "count": compared,
+            "long": ladder.step(counts[0]),
+            "short": ladder.step(counts[-1]),
+        },
+    )
 
 
 def halves(results: Results, ladder: Ladder) -> Claim:

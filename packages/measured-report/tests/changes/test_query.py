@@ -149,6 +149,18 @@ def test_rows_that_repeat_no_case_or_differ_only_in_numbers_are_said(toy):
     ]
 
 
+def test_runs_of_the_noise_section_may_repeat_a_case_of_a_section_that_was_not_measured(
+    toy, settle
+):
+    toy.measure((*ROWS, {**ROWS[1], "case": "a", "of": "loose"}))
+    settle(Changes())
+    said = "toy: case a repeats loose, which is not a case, or repeats another one"
+    assert said in gaps_of(toy)
+    toy.write("experiments/other.py", EXPERIMENT)
+    toy.write("report/sections/other.py", MODULE)
+    assert said not in gaps_of(toy)
+
+
 def test_a_number_that_a_claim_prints_and_its_test_has_not_read_is_said_when_the_site_is_built(
     toy,
 ):

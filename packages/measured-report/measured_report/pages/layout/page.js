@@ -214,6 +214,10 @@ function addChoice() {
   const show = () => {
     const [a, b] = selects.map((select) => select.value);
     for (const pair of pairs) pair.hidden = ![`${a}..${b}`, `${b}..${a}`].includes(pair.id);
+  };
+  // While a page loads, a new fragment of its address would scroll it.
+  const choose = () => {
+    show();
     const shown = pairs.find((pair) => !pair.hidden);
     if (shown) history.replaceState(null, "", `#${shown.id}`);
   };
@@ -222,7 +226,7 @@ function addChoice() {
     (named ?? pairs[0]).id.split("..").forEach((release, side) => (selects[side].value = release));
     show();
   };
-  for (const select of selects) select.addEventListener("change", show);
+  for (const select of selects) select.addEventListener("change", choose);
   addEventListener("hashchange", showNamed);
   const line = lineOf("Compare ", selects[0], " with ", selects[1]);
   line.className = "choice";
