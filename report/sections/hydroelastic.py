@@ -21,6 +21,7 @@ from report.shared import (
     at_least,
     at_most,
     by_case,
+    cell_count,
     constant,
     departure,
     extreme,
@@ -60,6 +61,7 @@ PARTS = (
     "term_remains",
     "stays_if_held",
     "depends_on_kh",
+    "holds_in_all_runs",
     "holds_edges",
     "costs",
     "grasps",
@@ -83,7 +85,12 @@ def derive(results: Results) -> Section:
     }
     return Section(
         {"grasps": by_case(rows, columns), "times": _time_table(results, timed)},
-        claims=[*_slip_claims(results), _edges(results), _cost(results, timed)],
+        claims=[
+            *_slip_claims(results),
+            _lost_runs(results, rows),
+            _edges(results),
+            _cost(results, timed),
+        ],
     )
 
 
@@ -150,6 +157,8 @@ def _slip_claims(results: Results) -> list[Claim]:
         PERCENT * (most / least - 1),
     )
     matters = at_least(span, results.chosen("kh_bound", "a tenth", 10.0, "%"))
+    if any(map(_is_lost, swept)) and not all(map(_is_lost, swept)):
+        matters = HOLDS.having_read(least, most)
     numbers = {"least": least, "most": most, "lost": _lost_up_to(swept)}
     claims.append(Claim("depends_on_kh", matters, numbers))
     return claims
@@ -158,8 +167,27 @@ def _slip_claims(results: Results) -> list[Claim]:
 def _lost_up_to(swept: Iterable[Row]) -> Quantity | str:
     """Return the largest kh up to which every run loses the cube, or "" if there is none."""
     softest_first = sorted(swept, key=lambda row: row.plain["kh_n_m3"])
-    lost = takewhile(lambda row: row.plain.get("dropped"), softest_first)
+    lost = takewhile(_is_lost, softest_first)
     return max((row.kh_n_m3 for row in lost), key=lambda kh: kh.number, default="")
+
+
+def _is_lost(row: Row) -> bool:
+    return bool(row.plain.get("dropped"))
+
+
+def _lost_runs(results: Results, rows: Iterable[Row]) -> Claim:
+    """Return whether the cube stays in all runs of the table with hydroelastic pads."""
+    runs = [row for row in rows if str(row.plain["case"]).startswith("area")]
+    lost = results.value(
+        "lost_runs",
+        "count of hydroelastic runs that lose the cube",
+        cell_count([row.kh_n_m3 for row in filter(_is_lost, runs)]),
+    )
+    count = results.value(
+        "runs", "count of hydroelastic runs", cell_count([row.kh_n_m3 for row in runs])
+    )
+    outcome = at_most(lost, 0.0, "none of them")
+    return Claim("holds_in_all_runs", outcome, {"lost": lost, "count": count})
 
 
 def _edges(results: Results) -> Claim:
@@ -174,7 +202,7 @@ def _edges(results: Results) -> Claim:
     outcome = OPPOSITE if any(lost.values()) else HOLDS
     if None in lost.values():
         outcome = Outcome("unknown", "one of these runs failed, or was not measured")
-    reads = [row.slip_mm for row in held.values()]
+    reads = [row.kh_n_m3 for row in held.values()]
     numbers = lost | {"dropped": " and ".join(dropped)}
     return Claim("holds_edges", outcome.having_read(*reads), numbers)
 

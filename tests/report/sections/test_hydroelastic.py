@@ -25,3 +25,19 @@ def test_the_page_names_a_kh_only_if_every_softer_pad_loses_the_cube(lost, large
     cells = {f"area/kh-{kh}": LOST for kh in lost}
     expected = {"depends_on_kh/lost": largest}
     assert_found("hydroelastic", GIVEN, cells, expected=expected)
+
+
+@pytest.mark.parametrize(
+    ("lost", "outcome", "count"),
+    [((), "holds", 0), (("kh-1e+11", "substeps-64", "plate"), "fails", 3)],
+)
+def test_runs_that_lose_the_cube_are_counted(lost, outcome, count):
+    cells = {f"area/{name}": LOST for name in lost}
+    given = {"area": HELD, "area/*": HELD}
+    expected = {"holds_in_all_runs": outcome, "lost_runs": count}
+    assert_found("hydroelastic", given, cells, expected=expected)
+
+
+def test_the_pressure_matters_if_the_cube_is_lost_at_one_pressure_only():
+    cells = {"area/kh-1e+11": LOST}
+    assert_found("hydroelastic", GIVEN, cells, expected={"depends_on_kh": "holds"})
