@@ -3,6 +3,7 @@
 from report.shared import Results, Section, by_case, variants_claim
 
 order = 30
+folded = True
 reads = ("reproduction",)
 label = "contact points"
 labels = {

@@ -13,6 +13,7 @@ from report.shared import (
 )
 
 order = 60
+folded = True
 label = "moving bodies"
 
 

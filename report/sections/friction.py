@@ -3,6 +3,7 @@
 from report.shared import Results, Section, variants_claim
 
 order = 40
+folded = True
 reads = ("reproduction",)
 label = "friction coefficient"
 labels = {"pad-mu-#": "pads' friction {}", "cube-mu-#": "cube's friction {}"}

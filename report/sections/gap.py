@@ -11,7 +11,8 @@ from report.shared import (
     spread,
 )
 
-order = 110
+order = 62
+folded = True
 label = "contact gap"
 labels = {
     "cube-gap-default": "default gap",

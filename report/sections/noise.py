@@ -20,6 +20,7 @@ from report.shared import (
 )
 
 order = 20
+folded = True
 page = "releases"
 label = "repeated runs"
 labels = {"as-shipped": "shipped pads", "stiff-pads": "stiff pads"}

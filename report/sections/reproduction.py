@@ -33,6 +33,7 @@ from report.shared import (
 )
 
 order = 10
+folded = True
 label = "the shake test"
 labels = {
     "as-shipped": "shipped pads",

@@ -16,6 +16,7 @@ from report.shared import (
 )
 
 order = 50
+folded = True
 reads = ("reproduction",)
 label = "solver and time step"
 labels = {

@@ -125,6 +125,9 @@ def test_every_page_fits_its_screen_and_can_be_read_by_all(site, tab):
             for file in path.parent.glob("figures/*.svg")
         }
         tab.evaluate(PUT_IN, drawings)
+        tab.evaluate(
+            "document.querySelectorAll('.fold').forEach(each => each.open = true)"
+        )
         assert (
             tab.evaluate("document.documentElement.scrollWidth")
             <= tab.viewport_size["width"]
@@ -466,3 +469,14 @@ def test_the_reader_chooses_the_two_releases_that_are_compared(site, tab):
     assert shown.get_attribute("id") == "1.5.0..1.6.1"
     first.select_option("1.6.1")
     assert shown.count() == 0
+
+
+def test_a_folded_section_opens_by_a_link_and_is_printed(site, tab):
+    is_shown = "document.querySelector('#friction .claim').checkVisibility({contentVisibilityAuto: true})"
+    open_page(tab, site / "cause.html")
+    assert not tab.evaluate(is_shown)
+    tab.emulate_media(media="print")
+    assert tab.evaluate(is_shown)
+    tab.emulate_media(media="screen")
+    tab.evaluate("location.hash = 'friction'")
+    tab.wait_for_function(is_shown)

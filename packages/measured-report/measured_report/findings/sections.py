@@ -20,6 +20,7 @@ LAST = math.inf  # the order of sections without one, which are sorted by their 
 FACTS: Mapping[str, tuple[Any, str]] = {
     "order": (int | float, "a number such as 125"),
     "first": (bool, "True or False"),
+    "folded": (bool, "True or False"),
     "label": (str, "a text"),
     "labels": (Mapping, 'a dict, as {"case": "words"}'),
     "reads": (tuple, 'a tuple, as ("noise",)'),
@@ -40,6 +41,7 @@ class Outline:
     """Whether it compares releases. Its ``derive(results, releases)`` then takes them as
     well, as ``releases["1.4.0"]["friction"].results``."""
     first: bool  # whether it is the first section of its page, regardless of its order
+    folded: bool  # whether it shows only its title until a reader opens it
     label: str  # its name in figures and tables; by default the name of its file
     labels: Mapping[str, str]  # the names of its cases there, see `label_of`
     reads: tuple[str, ...]  # earlier sections whose results it reads as well
@@ -58,6 +60,7 @@ def outline_of(section: str, report: Report | None = None) -> Outline:
     facts: dict[str, Any] = {
         "order": LAST,
         "first": False,
+        "folded": False,
         "label": label,
         "labels": {},
         "reads": (),
@@ -87,7 +90,7 @@ def outline_of(section: str, report: Report | None = None) -> Outline:
         facts["order"],
         pages[page],
         compares=facts["derive"] > 1,
-        **{fact: facts[fact] for fact in ("first", "label", "labels", "reads")},
+        **{fact: facts[fact] for fact in FACTS if fact != "order"},
     )
 
 

@@ -44,6 +44,12 @@ function decoded(hash) {
   }
 }
 
+// A link to a folded section, or to a heading within it, opens the section.
+function openNamedSection() {
+  const section = document.getElementById(decoded(location.hash))?.closest("main > section");
+  section?.querySelector(":scope > details.fold")?.setAttribute("open", "");
+}
+
 function followOldLink() {
   const name = decoded(location.hash);
   if (!name) return;
@@ -503,6 +509,7 @@ setScheme(storedScheme());
 
 document.addEventListener("DOMContentLoaded", () => {
   followOldLink();
+  openNamedSection();
   addSchemeSwitch();
   addSearch();
   markPlace();
@@ -513,3 +520,4 @@ document.addEventListener("DOMContentLoaded", () => {
   addOrigins();
 });
 addEventListener("hashchange", followOldLink);
+addEventListener("hashchange", openNamedSection);
