@@ -1,4 +1,4 @@
-"""List the suspects: their ranges, the slips, and the reasons why they are not the cause."""
+"""List and draw the suspects: their slips, and why they are not the cause."""
 
 from dataclasses import dataclass
 from typing import Any
@@ -9,7 +9,18 @@ from measured_report.findings.chapters import Chapter, Chapters
 from report.sections.gap import CASES
 from report.sections.priority import CUBE
 from report.sections.stiffness import FIX, HARDEST
-from report.shared import HOLDS, Quantity, Row, Section, table_of
+from report.shared import HOLDS, Figure, Quantity, Row, Section, table_of
+from report.shared.drawing import (
+    INK,
+    SHIPPED,
+    STIFF,
+    Drawing,
+    draw_line,
+    mark_points,
+    name_lines,
+    new_figure,
+    tick_125,
+)
 
 DAMPING = "yes: their kd sets the damping of friction"
 
@@ -110,8 +121,9 @@ SUSPECTS = (
 
 
 def derive(chapters: Chapters) -> Section:
-    """Make the table of suspects."""
+    """Make the table of suspects, and a figure with the slip of each of their runs."""
     lines: list[dict[str, Any]] = []
+    slips: dict[str, list[Quantity]] = {}
     for suspect in SUSPECTS:
         if suspect.section not in chapters:
             continue
@@ -119,6 +131,7 @@ def derive(chapters: Chapters) -> Section:
         rows = suspect.rows(chapter)
         if all(row.slip_mm.value is None for row in rows):
             continue
+        slips[suspect.name.partition(" [")[0]] = [row.slip_mm for row in rows]
         lines.append(
             {
                 "suspect": suspect.name,
@@ -131,7 +144,33 @@ def derive(chapters: Chapters) -> Section:
         )
     names = [line.pop("suspect") for line in lines]
     columns = {name: [line[name] for line in lines] for name in (lines or [{}])[0]}
-    return Section(tables={"suspects": table_of("suspect", names, columns)})
+    figures = {}
+    if "reproduction" in chapters:
+        shipped = chapters["reproduction"].results.row["as-shipped"].slip_mm
+        cells = [cell for of_suspect in slips.values() for cell in of_suspect]
+        figures["runs"] = Figure(
+            lambda: _draw(slips, shipped), [*cells, shipped], {"shipped": shipped}
+        )
+    return Section({"suspects": table_of("suspect", names, columns)}, figures)
+
+
+def _draw(slips: dict[str, list[Quantity]], shipped: Quantity) -> Drawing:
+    drawing, axes = new_figure(7.2, 3.2)
+    for line, cells in enumerate(slips.values()):
+        is_cause = line == len(slips) - 1
+        mark_points(
+            axes,
+            [(cell.value, line) for cell in cells],
+            color=STIFF if is_cause else SHIPPED,
+            marker="s" if is_cause else "o",
+            alpha=0.6,
+        )
+    ends = [-0.5, len(slips) - 0.5]
+    draw_line(axes, [shipped.value] * 2, ends, color=INK, linewidth=0.8)
+    name_lines(axes, slips)
+    axes.set(xscale="log", xlabel="slip [mm]")
+    tick_125(axes.xaxis)
+    return drawing
 
 
 def _ends(rows: list[Row], column: str) -> Quantity | Markup | str:
