@@ -151,7 +151,8 @@ def test_every_damage_to_an_edition_is_named_by_every_command(asked, place, caps
         assert unnamed == [], (name, errors)
         assert "Traceback" not in errors
     assert 'id="toy"' in asked.page
-    for number in (0, len(damaged) - 1):
+    numbers = range(len(damaged)) if IS_WEEKLY else (0, len(damaged) - 1)
+    for number in numbers:
         assert run(asked, "diff", a=f"1.6.{number}", b="1.4.0") == 1, number
     for path in damaged.values():
         if not path.is_symlink() and path.exists():
