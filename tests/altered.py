@@ -245,14 +245,19 @@ def _farther(row: Row, mean: Row, times: float) -> Row:
     return new
 
 
-def failing(records: Records, place: Place) -> list[Row]:
-    """Remove a row from each record, and make a tenth of the other runs fail."""
+def lacking(records: Records, place: Place) -> list[Row]:
+    """Remove a row from each record."""
     rows = as_measured(records, place)
     lost = Random(place[1]).randrange(len(rows))
+    return [*rows[:lost], *rows[lost + 1 :]] or rows
+
+
+def failing(records: Records, place: Place) -> list[Row]:
+    """Remove a row from each record, and make a tenth of the other runs fail."""
     chance = Random(f"0 {place[1]}")
     return [
         failed(row) if chance.random() < SHARE else row
-        for row in [*rows[:lost], *rows[lost + 1 :]] or rows
+        for row in lacking(records, place)
     ]
 
 
@@ -275,9 +280,12 @@ def failed(row: Row) -> Row:
 SCENARIOS = (
     Scenario("reversed", reversed_rows, reversed_frame),
     moving("moving-x-minus-0.05", -0.05),
+    moving("moving-x-0.05", 0.05),
     moving("moving-x-20", 20.0),
+    moving("moving-x-minus-1", -1.0),
     noisier("noise-x-60", 60.0),
     Scenario("failing", failing),
+    Scenario("lacking", lacking),
 )
 CHECKED = "reversed"
 """Scenario whose site is built, with the scenario of the newest release."""

@@ -246,6 +246,19 @@ def test_a_new_report_takes_the_uv_of_the_lock_by_its_bytes():
     assert "--require-hashes" in (SKELETON / "Makefile").read_text()
 
 
+def test_what_the_suite_samples_is_tested_each_week():
+    text = (ROOT / ".github/workflows/mutation.yml").read_text(encoding="utf-8")
+    command = text.partition("WORLDS=1000 ")[2].partition("\n      - ")[0]
+    folders = (ROOT / "tests", ROOT / "packages")
+    sampled = {
+        path.relative_to(ROOT).as_posix()
+        for path in chain(*(folder.rglob("test_*.py") for folder in folders))
+        if re.search(r"\b(IS_WEEKLY|WORLDS)\b", path.read_text(encoding="utf-8"))
+    }
+    sampled.remove(Path(__file__).relative_to(ROOT).as_posix())
+    assert len(sampled) > 5 and {*re.findall(r"\S+\.py", command)} == sampled
+
+
 def test_every_room_of_the_generator_is_mutated_each_week():
     text = (ROOT / ".github/workflows/mutation.yml").read_text(encoding="utf-8")
     rooms = re.search(r"room: \[(.*)\]", text)[1].split(", ")

@@ -318,3 +318,46 @@ def test_a_timeconst_without_refsafe_is_as_stiff_as_it_says(tmp_path, capsys):
         assert main([str(path), "--load", "1"]) == status
         assert ("error stiff" in (out := capsys.readouterr().out)) == bool(status)
         assert not status or ('solref="0.004 1"' in out and "predicted" not in out)
+
+
+FINGER = """<body name="{name}" pos="{x} 0 -.5" gravcomp="1"><joint name="{name}" type="slide" axis="{axis} 0 0" range="0 .05"/>
+<geom type="box" size=".01 .02 .02" mass=".1"/></body>"""
+SHAKEN = """<mujoco><option cone="elliptic"/><worldbody>
+<body name="arm" pos="0 0 1"><joint type="hinge" axis="0 1 0" stiffness="200"/>
+<geom type="capsule" size=".02" fromto="0 0 0 0 0 -.4" mass="1" contype="0" conaffinity="0"/>{fingers}</body>
+<body name="cube" pos="{x} 0 {z}"><freejoint/><geom type="box" size=".05 .03 .03" mass=".2"/></body></worldbody>
+<contact><exclude body1="left" body2="right"/></contact>
+<actuator><position joint="left" kp="2000" kv="50"/><position joint="right" kp="2000" kv="50"/></actuator>
+<keyframe><key qpos="{angle} .01 .01 {x} 0 {z} {w} 0 {y} 0" ctrl=".03 .03"/></keyframe></mujoco>"""
+
+
+@pytest.mark.parametrize(("angle", "falls"), [(0.1, False), (0.2, True)])
+def test_creep_in_a_shaken_grip_is_reported_even_if_no_change_helps(
+    angle, falls, tmp_path, capsys
+):
+    """Test an arm on a spring, which shakes a cube with 3 % to 14 % of the friction."""
+    fingers = FINGER.format(name="left", x=-0.07, axis=1)
+    fingers += FINGER.format(name="right", x=0.07, axis=-1)
+    text = SHAKEN.format(
+        fingers=fingers,
+        angle=angle,
+        x=-0.5 * np.sin(angle),
+        z=1.0 - 0.5 * np.cos(angle),
+        w=np.cos(angle / 2.0),
+        y=np.sin(angle / 2.0),
+    )
+    model = mujoco.MjModel.from_xml_string(text)
+    data = mujoco.MjData(model)
+    mujoco.mj_resetDataKeyframe(model, data, 0)
+    for _ in range(1000):
+        mujoco.mj_step(model, data)
+    arm, cube = model.body("arm").id, model.body("cube").id
+    distance_m = np.linalg.norm(data.xpos[cube] - data.xpos[arm])
+    assert distance_m > 0.504 and (distance_m > 0.6) == falls
+    (tmp_path / "shaken.xml").write_text(text)
+    assert main([str(tmp_path / "shaken.xml")]) == 1
+    [line] = [
+        line for line in capsys.readouterr().out.splitlines() if " slip: " in line
+    ]
+    assert "warning slip: cube creeps at " in line and "because" not in line
+    assert line.endswith("None of the tried changes helps.")

@@ -33,6 +33,8 @@ LEAST = 0.015
 """Friction must bear this share of the weight of a body that creeps."""
 STEADY = 0.7
 """A creeping body moves in one direction for this share of its path."""
+SLOWS = 0.5
+"""A body comes to rest if its speed falls below this share of the speed before."""
 ROLLS = 2.9
 """A body rolls if the trace of its rotation is below this one, which is 18°."""
 AT_THE_EDGE = 0.99
@@ -184,13 +186,12 @@ def _creeping(
     # A body that shakes has a long path but a small mean velocity.
     if speed < below_mm_s or speed < STEADY * path:
         return
-    half = len(slips) // 2
     first, last = (
-        np.linalg.norm(part.mean(axis=0)) for part in np.split(slips, [half])
+        np.linalg.norm(half.mean(axis=0)) for half in np.array_split(slips, 2)
     )
     turned = holds[0].rotation.T @ holds[-1].rotation
     # A body that comes to rest, or that rolls, does not creep.
-    if last < STEADY * first or np.trace(turned) < ROLLS:
+    if last < SLOWS * first or np.trace(turned) < ROLLS:
         return
     model = scene.model
     hold = holds[-1]
@@ -207,15 +208,16 @@ def _creeping(
             scene.bodies[body],
             "creep",
             speed,
-            f"$shape creeps at $value {relation} $against{origin(run)} because"
-            f" friction yields to its load of {number(load)} N like a damper, although"
-            f" at most {math.ceil(100.0 * hold.used)}% of the friction is used",
+            f"$shape creeps at $value {relation} $against{origin(run)}",
             against=tuple(scene.names[geom] for geom in supports),
             unit="mm/s",
         ),
         lambda run: slip_mm_s(model, run, body),
         _firmer(scene, body, supports),
-        needs_cure=True,
+        # A body that creeps in a grip is lost after a while, whatever would help.
+        needs_cure=not gripped,
+        why=f"friction yields to its load of {number(load)} N like a damper, although"
+        f" at most {math.ceil(100.0 * hold.used)}% of the friction is used",
     )
 
 

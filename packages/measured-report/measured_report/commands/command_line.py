@@ -10,6 +10,7 @@ import os
 import re
 import signal
 import sys
+import time
 from collections.abc import Callable, Iterator, Mapping
 from functools import partial
 from importlib import import_module
@@ -29,6 +30,8 @@ from measured_report.files.errors import (
 )
 from measured_report.records.code import cached_sources
 
+NO_MEMORY = "there is not enough memory"
+OLDEST = 946_684_800  # seconds from 1970 to 2000
 OWN = "report.commands"  # the package of the commands that a report defines itself
 
 
@@ -54,12 +57,26 @@ def status_of(run: Callable[[], int]) -> int:
     Print an error that the user can fix as one line.
     """
     try:
+        if time.time() < OLDEST:
+            raise UsageError(
+                "the clock of this machine shows a time before 2000: set it, because "
+                "every record would be from the future"
+            )
         status = run()
         sys.stdout.flush()
         return status
     except KeyboardInterrupt:
         print("stopped: measurements that were completed are kept", file=sys.stderr)
         return 130
+    except MemoryError as error:
+        print_line(f"{str(error) or NO_MEMORY}: close other programs")
+        return 1
+    except UnicodeEncodeError as error:
+        print_line(
+            f"{error.object[:200]} cannot be written as {error.encoding}: rename the "
+            "file or folder, or use a locale with UTF-8"
+        )
+        return 1
     except OSError as error:
         # A program that reads the output, such as head, may close it early.
         if not isinstance(error, BrokenPipeError):

@@ -21,7 +21,7 @@ from measured_report.files.atomic import (
     write_file,
 )
 from measured_report.files.errors import ReportError, UsageError, without_secrets
-from measured_report.files.git import run_git
+from measured_report.files.git import WITHOUT_HOOKS, run_git
 from measured_report.records.replicas import SUMS
 from measured_report.site.check import check_site
 
@@ -197,13 +197,18 @@ def _to_branch(copy: Path, location: str, site: Path) -> str:
         )
     address = remote
     if remote in run_in_clone("remote").splitlines():
-        address = run_in_clone("remote", "get-url", "--push", remote)
+        address = run_in_clone("remote", "get-url", "--push", "--all", remote)
+    if "\n" in address:
+        raise UsageError(
+            f"{remote} has several addresses to push to: publish to each of them with "
+            f"TARGET=git:ADDRESS#{branch}"
+        )
     if (root / address).exists():  # a relative path, which the copy would not find
         address = str((root / address).resolve())
     # Use the clone's settings to authenticate, and override settings that affect the
-    # copy.
+    # copy. They may name a folder of hooks.
     config = root / run_in_clone("rev-parse", "--git-path", "config")
-    settings = [f"include.path={config}", *OVERRIDES]
+    settings = [f"include.path={config}", *WITHOUT_HOOKS, *OVERRIDES]
     options = [option for setting in settings for option in ("-c", setting)]
     run_in_copy = partial(
         run_git, copy, *options, GIT_ALLOW_PROTOCOL=PROTOCOLS, **AUTHOR

@@ -61,7 +61,13 @@ def suggestion(name: str, names: Iterable[str]) -> str:
 
 
 def bug_of(error: BaseException) -> str:
-    """Return an error in a report's code as one line: file, line, type and message."""
+    """Return an error in a report's code as one line: file, line, type and message.
+
+    Raise the error itself if memory was insufficient.
+    """
+    if isinstance(error, MemoryError):
+        # The cache would keep this error, although the code is correct.
+        raise error
     frames = [
         (Path(frame.filename), frame.lineno)
         for frame in extract_tb(error.__traceback__)

@@ -219,6 +219,15 @@ def test_a_relative_remote_is_found_from_any_folder(
     assert git(remote, "rev-list", "--count", "gh-pages") == "1"
 
 
+def test_two_addresses_to_push_to_are_one_line(toy, remote, tmp_path):
+    root = toy.project.root
+    for address in (remote, tmp_path / "other.git"):
+        git(root, "remote", "set-url", "--add", "--push", "origin", str(address))
+    with pytest.raises(UsageError, match="origin has several addresses to push to: "):
+        publish(toy.project.site, "")
+    assert git(remote, "for-each-ref") == ""
+
+
 @pytest.mark.parametrize("name", ["www", "figures/www", ""])
 def test_the_site_is_not_published_into_itself(toy, tmp_path, name):
     (tmp_path / "alias").symlink_to(toy.project.site)
@@ -366,10 +375,16 @@ def test_publishing_is_done_beside_hooks_and_settings_and_is_seen(
 ):
     root = toy.project.root
     git(root, "tag", "-a", "mine", "-m", "mine")
-    hook = root / ".git/hooks/pre-push"
-    hook.write_text(f"#!/bin/sh\ngit fetch origin\ntouch {tmp_path}/ran\n")
-    hook.chmod(0o755)
-    for setting in ("push.recurseSubmodules only", "push.followTags true"):
+    for folder in (root / ".git/hooks", tmp_path / "hooks"):
+        folder.mkdir(exist_ok=True)
+        hook = folder / "pre-push"
+        hook.write_text(f"#!/bin/sh\ngit fetch origin\ntouch {tmp_path}/ran\n")
+        hook.chmod(0o755)
+    for setting in (
+        f"core.hooksPath {tmp_path / 'hooks'}",
+        "push.recurseSubmodules only",
+        "push.followTags true",
+    ):
         git(root, "config", *setting.split())
     monkeypatch.setenv("GIT_DIR", ".git")  # as in a hook
     publish(toy.project.site, "")
