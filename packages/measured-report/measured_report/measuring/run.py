@@ -155,20 +155,28 @@ class Section:
 
         The record would stay fresh when this file changes.
         """
+        files = self.basis.identity.files
+        root = self.project.root
+        codes = (root / file for file in files if file.endswith(".py"))
+        # The names of files of packages are relative to the package.
+        texts = [code.read_text(encoding="utf-8") for code in codes if code.exists()]
         opened = self.opened.union(OPENED, *(result.opened for result in results))
         for event, file in sorted(opened):
             path = Path(file)
             # Path.is_file would raise OSError for a long argument of a program.
             is_file = os.path.isfile(file)  # noqa: PTH113
-            if not (is_file and path.is_relative_to(self.project.root)):
-                continue
-            name = path.relative_to(self.project.root).as_posix()
+            # Packages read files outside of the report that its code does not name.
+            is_named = path.suffix and any(path.name in text for text in texts)
+            is_own = is_named or path.is_relative_to(root)
+            name = Path(os.path.relpath(file, root)).as_posix()
             # Environments and outputs can be below the root, but are not its sources.
-            is_other = re.search(r"(^|/)(\.|site-packages/|results/|site/)", name)
+            is_other = re.search(
+                r"(^|/)(\.(?!\./)|site-packages/|results/|site/)", name
+            )
             # The identity covers imported files already.
             is_module = path.suffix in (".py", ".pyc") and event != STARTED
-            is_known = is_module or name in SETTINGS
-            if not (is_other or is_known or name in self.basis.identity.files):
+            is_known = is_module or name in SETTINGS or name in files
+            if is_file and is_own and not (is_other or is_known):
                 raise ReportError(
                     f"measure reads {name}, but its record would not depend on this "
                     "file: move it to assets/ and write its path in the code, as in "

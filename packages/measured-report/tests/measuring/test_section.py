@@ -349,7 +349,8 @@ def measure(conditions):
 
 
 @pytest.mark.parametrize(
-    ("folder", "early"), [(".", ""), ("experiments", ""), ("assets", "read")]
+    ("folder", "early"),
+    [(".", ""), ("experiments", ""), ("assets", "read"), ("..", "")],
 )
 def test_a_data_file_that_a_record_would_not_depend_on_is_refused(toy, folder, early):
     toy.write(f"{folder}/data.csv", "1.5")
