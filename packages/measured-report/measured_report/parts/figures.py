@@ -213,17 +213,21 @@ def _refuse_hidden(drawing: Drawing) -> None:
         _, labels = axes.get_legend_handles_labels()
         if labels and written.isdisjoint(labels):
             raise ReportError(f"the label {labels[0]!r} is not shown: add a legend")
-        left, right = sorted(axes.get_xlim())
-        low, high = sorted(axes.get_ylim())
+        view = axes.viewLim
         for line in axes.lines:
-            if line.get_label() in labels and line.get_transform() == axes.transData:
-                x, y = line.get_data(orig=False)
-                is_outside = (y < low) | (y > high)
-                if any(is_outside & (left <= x) & (x <= right)):
-                    raise ReportError(
-                        f"the line {line.get_label()!r} leaves its axes: widen them, "
-                        "or do not draw this part"
-                    )
+            is_named = line.get_label() in labels
+            if (
+                is_named
+                and line.get_transform() == axes.transData
+                and any(
+                    view.containsx(x) and math.isfinite(y) and not view.containsy(y)
+                    for x, y in line.get_xydata()
+                )
+            ):
+                raise ReportError(
+                    f"the line {line.get_label()!r} leaves its axes: widen them, or do "
+                    "not draw this part"
+                )
 
 
 def _label_decades(axis: Axis) -> None:
