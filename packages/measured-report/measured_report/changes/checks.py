@@ -205,7 +205,8 @@ def blind_spots(edition: Edition) -> list[str]:
 
 def idle_settings(edition: Edition) -> list[str]:
     """Return a line for each setting that names a column or cell which does not exist
-    in any row. The cause may be a typing error in a pattern.
+    in any row, and for each page that does not exist. The cause may be a typing error
+    in a pattern.
     """
     if edition.left_out:
         return []
@@ -232,7 +233,14 @@ def idle_settings(edition: Edition) -> list[str]:
             for chapter in edition.chapters.values()
         )
     )
-    return [f"{FILE}: no row has {name}" for name in idle] + [
+    lines = [f"{FILE}: no row has {name}" for name in idle]
+    lines += [
+        f"{FILE}: page {page.name} has no section and is left out: set always = true, "
+        "or name the page in a section"
+        for page in settings.pages
+        if page not in edition.pages
+    ]
+    return lines + [
         f"{FILE}: packages names {name}, which is not installed: correct the name"
         for name in settings.packages
         if name not in packages

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from measured_report.editions.project import Project
 from measured_report.editions.status import records_of
-from measured_report.files.atomic import RecordError, files_in
+from measured_report.files.atomic import RecordError, files_in, short_path
 from measured_report.files.config import Report
 from measured_report.files.errors import ReportError
 from measured_report.files.groups import grouped
@@ -117,12 +117,18 @@ def replica_files(project: Project) -> list[Path]:
 
 
 def read_replicas(project: Project) -> tuple[dict[str, Records], list[str]]:
-    """Read an edition's replicas by name, and return a message for each damaged one."""
-    replicas = {}
+    """Read an edition's replicas by name.
+
+    Also return a message for each one that is damaged or a copy of another one.
+    """
+    replicas: dict[str, Records] = {}
     damaged = []
     for path in replica_files(project):
         try:
-            replicas[path.stem] = read_replica(path)
+            records = read_replica(path)
+            if records in replicas.values():
+                raise RecordError(f"{short_path(path)} is a copy of another: remove it")
+            replicas[path.stem] = records
         except RecordError as error:
             damaged.append(str(error))
     return replicas, damaged

@@ -46,17 +46,22 @@ LOCK = Path(tempfile.gettempdir()) / f"measured-report-{os.getuid()}"
 """A lock that keeps two runs of ``make`` from disturbing each other's timings."""
 
 
-OPENED: set[str] = set()  # files that this process read since its last batch began
+STARTED = "subprocess.Popen"  # the event of Python that lists a program's arguments
+OPENED: set[tuple[str, str]] = set()
+"""The files that this process read or started since it was last cleared.
+
+Each of them is a path after the event of Python that names it.
+"""
 
 
 def note_opened() -> None:
-    """Add the files that this process and its forks read from now on to ``OPENED``."""
+    """Add the files that this process and its forks open from now on to ``OPENED``."""
 
     def note(event: str, arguments: tuple[Any, ...]) -> None:
-        if event == "open" and isinstance(arguments[0], str):
-            is_written = arguments[2] & (os.O_WRONLY | os.O_RDWR)
-            if not is_written:
-                OPENED.add(os.path.abspath(arguments[0]))
+        is_written = event == "open" and arguments[2] & (os.O_WRONLY | os.O_RDWR)
+        if event in ("open", "sqlite3.connect", STARTED) and not is_written:
+            names = arguments[1] if event == STARTED else arguments[:1]
+            OPENED.update((event, os.path.abspath(str(name))) for name in names)
 
     sys.addaudithook(note)
 
@@ -84,7 +89,7 @@ class Result:
     started: str
     ended: str
     seconds: float
-    opened: frozenset[str] = frozenset()  # paths of all files that it read
+    opened: frozenset[tuple[str, str]] = frozenset()  # see ``OPENED``
     deprecated: frozenset[str] = frozenset()  # see ``deprecations``
 
 

@@ -9,6 +9,7 @@ import argparse
 import gc
 import importlib
 import inspect
+import os
 import pickle
 import re
 import signal
@@ -35,6 +36,7 @@ from measured_report.files.errors import ReportError, bug_of
 from measured_report.files.processes import KILLED
 from measured_report.measuring.batch import (
     OPENED,
+    STARTED,
     Batch,
     Plan,
     Result,
@@ -80,6 +82,8 @@ class Section:
     waiting: list[Batch] = field(default_factory=list)  # not submitted yet
     results: dict[str, Result] = field(default_factory=dict)
     killed: set[str] = field(default_factory=set)  # batches whose process was killed
+    opened: set[tuple[str, str]] = field(default_factory=set)
+    """The files that its module and its plan read in this process, see ``OPENED``."""
     is_over: bool = False
     has_failed: bool = False
 
@@ -96,12 +100,14 @@ class Section:
                 batch.name in self.results for batch in self.stage
             ):
                 values = [self.results[batch.name].value for batch in self.stage]
+                OPENED.clear()  # the records of other sections read files
                 try:
                     stage = self.plan.send(values or None)  # type: ignore[arg-type]
                     self.stage = list(stage)
                 except StopIteration as end:
                     self._write(end.value)
                     return
+                self.opened |= OPENED
                 assert all(isinstance(batch, Batch) for batch in self.stage), (
                     "measure yields something other than a Batch: return rows "
                     "instead of yielding them"
@@ -149,16 +155,28 @@ class Section:
 
         The record would stay fresh when this file changes.
         """
-        for opened in sorted(OPENED.union(*(result.opened for result in results))):
-            path = Path(opened)
-            if not path.is_relative_to(self.project.root) or not path.is_file():
-                continue
-            name = path.relative_to(self.project.root).as_posix()
+        files = self.basis.identity.files
+        root = self.project.root
+        codes = (root / file for file in files if file.endswith(".py"))
+        # The names of files of packages are relative to the package.
+        texts = [code.read_text(encoding="utf-8") for code in codes if code.exists()]
+        opened = self.opened.union(OPENED, *(result.opened for result in results))
+        for event, file in sorted(opened):
+            path = Path(file)
+            # Path.is_file would raise OSError for a long argument of a program.
+            is_file = os.path.isfile(file)  # noqa: PTH113
+            # Packages read files outside of the report that its code does not name.
+            is_named = path.suffix and any(path.name in text for text in texts)
+            is_own = is_named or path.is_relative_to(root)
+            name = Path(os.path.relpath(file, root)).as_posix()
             # Environments and outputs can be below the root, but are not its sources.
-            is_other = re.search(r"(^|/)(\.|site-packages/|results/|site/)", name)
-            # The identity covers Python files already, by the imports of the section.
-            is_known = path.suffix in (".py", ".pyc") or name in SETTINGS
-            if not (is_other or is_known or name in self.basis.identity.files):
+            is_other = re.search(
+                r"(^|/)(\.(?!\./)|site-packages/|results/|site/)", name
+            )
+            # The identity covers imported files already.
+            is_module = path.suffix in (".py", ".pyc") and event != STARTED
+            is_known = is_module or name in SETTINGS or name in files
+            if is_file and is_own and not (is_other or is_known):
                 raise ReportError(
                     f"measure reads {name}, but its record would not depend on this "
                     "file: move it to assets/ and write its path in the code, as in "
@@ -295,11 +313,11 @@ class Loop:
             section.advance()
 
 
-def section_of(
-    project: Project, basis: Basis, module: ModuleType, device: str
-) -> Section:
+def section_of(project: Project, basis: Basis, device: str) -> Section:
     """Return the section that a module measures, as one batch if it declares none."""
     name = basis.section
+    OPENED.clear()  # the modules of other sections read files, too
+    module = section_module(name)
     device = device if needs_device(name, project) else "cpu"
     # A process sees only one device of its kind, so that its number is 0.
     alias = "cpu" if device == "cpu" else f"{device}:0"
@@ -309,7 +327,14 @@ def section_of(
         plan = module.measure(conditions)
     else:
         plan = _as_one(Batch(WHOLE, module.measure, (conditions,)))
-    return Section(project=project, name=name, device=device, plan=plan, basis=basis)
+    return Section(
+        project=project,
+        name=name,
+        device=device,
+        plan=plan,
+        basis=basis,
+        opened=set(OPENED),
+    )
 
 
 def _as_one(batch: Batch) -> Plan:
@@ -397,10 +422,7 @@ def requested_sections(
     note_opened()
     gc.disable()  # garbage collection doubles the time to load a simulator
     project.report.host.be_quiet()
-    requested = [
-        section_of(project, basis, section_module(basis.section), device)
-        for basis in bases
-    ]
+    requested = [section_of(project, basis, device) for basis in bases]
     gc.freeze()
     gc.enable()
     return requested

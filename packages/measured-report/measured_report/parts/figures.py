@@ -181,6 +181,7 @@ def _svg(draw: Callable[[], Drawing], kind: str, name: str) -> str:
         drawing = draw()
         if not any(axes.has_data() for axes in getattr(drawing, "axes", ())):
             raise ReportError("its function does not return a drawing with data")
+        _refuse_hidden(drawing)
         for axes in drawing.axes:
             for line in axes.lines:
                 is_long = len(line.get_xdata()) > LONG_LINE
@@ -199,6 +200,34 @@ def _svg(draw: Callable[[], Drawing], kind: str, name: str) -> str:
     for colour, replacement in PAGE_COLOURS.items():
         svg = svg.replace(colour, replacement)
     return re.sub(r' (?:width|height)="[\d.]+pt"', "", svg, count=2)
+
+
+def _refuse_hidden(drawing: Drawing) -> None:
+    """Raise ReportError if axes do not write any label of their lines, or if a line with
+    a label is above or below its axes.
+
+    Parts of a line beside its axes can be left out on purpose.
+    """
+    written = {text.get_text() for text in drawing.findobj(Text)}
+    for axes in drawing.axes:
+        _, labels = axes.get_legend_handles_labels()
+        if labels and written.isdisjoint(labels):
+            raise ReportError(f"the label {labels[0]!r} is not shown: add a legend")
+        view = axes.viewLim
+        for line in axes.lines:
+            is_named = line.get_label() in labels
+            if (
+                is_named
+                and line.get_transform() == axes.transData
+                and any(
+                    view.containsx(x) and math.isfinite(y) and not view.containsy(y)
+                    for x, y in line.get_xydata()
+                )
+            ):
+                raise ReportError(
+                    f"the line {line.get_label()!r} leaves its axes: widen them, or do "
+                    "not draw this part"
+                )
 
 
 def _label_decades(axis: Axis) -> None:

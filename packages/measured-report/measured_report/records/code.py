@@ -35,11 +35,12 @@ WRITING = ("annotate", "set", "set_title", "suptitle", "text")
 UNREPEATABLE = re.compile(
     r"""
     (numpy\.)?random\.\w+ | (secrets|uuid)\.\w+
+    | numpy\.(fromfile|genfromtxt|load|loadtxt) | pandas\.read_\w+ | csv\.\w*[rR]eader
     | time\.(time|perf_counter|monotonic)(_ns)? | datetime\.\w+\.(now|today|utcnow)
     """,
     re.VERBOSE,
 )
-"""Functions that return something else in each run."""
+"""Functions whose results are not from records: random numbers, the time and data."""
 SEEDED = ("default_rng", "Random", "RandomState", "SeedSequence")
 """Generators of random numbers that repeat if they are called with a seed."""
 LISTS = (ast.Dict, ast.List, ast.Tuple)
@@ -223,7 +224,7 @@ def _source_of(tree: ast.Module, package: tuple[str, ...]) -> Source:
 
 
 def _random(nodes: Sequence[ast.AST], package: tuple[str, ...]) -> Iterator[int]:
-    """Yield the lines of calls that return random numbers or the time."""
+    """Yield the lines of calls that return random numbers, the time or data."""
     paths = dict(chain.from_iterable(imported_names(node, package) for node in nodes))
     for node in nodes:
         if isinstance(node, ast.Call) and isinstance(

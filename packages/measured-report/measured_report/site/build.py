@@ -87,7 +87,7 @@ def build(project: Project, address: str = "") -> Built:
 
 def _refuse_code(root: Path) -> None:
     """Raise ReportError for the first figure that draws numbers typed in the code, and
-    for numbers that differ in each build.
+    for numbers that are not from records.
     """
     for path in sorted((root / "report").rglob("*.py")):
         if re.match("_(?!_)", path.name):  # a draft
@@ -96,8 +96,8 @@ def _refuse_code(root: Path) -> None:
         source = read_source(path, name)
         for line in source.random:
             raise ReportError(
-                f"{name}:{line} differs in each build, because it uses random numbers "
-                "or the time: measure them in experiments/, or use random.Random(1)"
+                f"{name}:{line} uses numbers without a record, such as random numbers, "
+                "the time or a file: measure them in experiments/, or use random.Random(1)"
             )
         for line in source.typed:
             raise ReportError(

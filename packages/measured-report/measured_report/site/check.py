@@ -34,6 +34,14 @@ WITHOUT_END = (
 """Elements without an end tag, or whose end tag can be left out."""
 MARKUP = re.compile(r"`|<!--|\|[ :]*---|\{ \w+ \}|\{\{|\{%")
 """Markup that a page prints if it is not closed or has a mistake."""
+PICTURES = {
+    ".gif": b"GIF8",
+    ".jpeg": b"\xff\xd8",
+    ".jpg": b"\xff\xd8",
+    ".png": b"\x89PNG",
+    ".svg": b"<",
+}
+"""Bytes at the beginning of each kind of picture."""
 OUTCOMES = {"holds", "fails", "unknown"}
 FETCHING_STYLE = re.compile(r"@import|url\(\s*['\"]?(?!#|data:)", re.IGNORECASE)
 UNREADABLE = (
@@ -229,6 +237,11 @@ def _check_links(
             target in pages and fragment and fragment not in pages[target].ids
         ):
             yield f"{address} does not exist"
+        elif target.suffix.lower() in PICTURES:
+            # A byte order mark and line breaks can come first.
+            start = target.read_bytes()[:8]
+            if PICTURES[target.suffix.lower()] not in start:
+                yield f"{address} is not such a picture: save it again"
 
 
 def _parts(address: str) -> SplitResult:

@@ -193,3 +193,11 @@ def test_a_setting_that_matches_no_row_is_named_when_the_site_is_built(toy):
     ]
     assert {*idle} < {*notes}
     assert "report.toml: no row has slip_mm" not in notes
+
+
+def test_a_page_without_a_section_is_named_when_the_site_is_built(toy):
+    _, notes = build(toy.project)
+    assert [note for note in notes if " page " in note] == [
+        "report.toml: page limits has no section and is left out: set always = true, "
+        "or name the page in a section"
+    ]

@@ -127,7 +127,7 @@ def test_a_clock_that_is_put_back_turns_no_times_around(monkeypatch):
 
 
 def test_a_file_that_a_process_read_before_a_batch_does_not_belong_to_it(monkeypatch):
-    monkeypatch.setattr(batch, "OPENED", {"/read/by/another/section"})
+    monkeypatch.setattr(batch, "OPENED", {("open", "/read/by/another/section")})
     assert not measure_batch(pickle.dumps(Batch("a", int)), "cpu").opened
 
 
@@ -349,7 +349,8 @@ def measure(conditions):
 
 
 @pytest.mark.parametrize(
-    ("folder", "early"), [(".", ""), ("experiments", ""), ("assets", "read")]
+    ("folder", "early"),
+    [(".", ""), ("experiments", ""), ("assets", "read"), ("..", "")],
 )
 def test_a_data_file_that_a_record_would_not_depend_on_is_refused(toy, folder, early):
     toy.write(f"{folder}/data.csv", "1.5")
@@ -361,6 +362,39 @@ def test_a_data_file_that_a_record_would_not_depend_on_is_refused(toy, folder, e
     assert done.returncode == 1 and len(done.stderr.splitlines()) == 1, done.stderr
     name = Path(folder, "data.csv")
     assert f"measure reads {name}, but its record would not depend" in done.stderr
+
+
+SCRIPT = "tools/script.py"
+
+
+@pytest.mark.parametrize(
+    ("name", "call"),
+    [
+        (SCRIPT, f"subprocess.run([sys.executable, Path('{SCRIPT}'), 300 * 'a'])"),
+        ("data.db", "sqlite3.connect('data' + '.db')"),
+    ],
+)
+def test_a_file_that_python_does_not_open_itself_is_refused_too(toy, name, call):
+    toy.write(name, "")
+    code = READ.format(declared="assets/y.csv", read="'log.txt'", early="")
+    code = code.replace("cell =", f"{call}; cell = 1.5 #")
+    toy.write("experiments/toy.py", f"import sqlite3, subprocess, sys\n{code}")
+    done = program("-m", MODULE, "toy", "--device", "cpu", cwd=toy.project.root)
+    assert f"measure reads {name}, but its record would not depend" in done.stderr
+
+
+@pytest.mark.parametrize("early", ["", "Path(FILE).read_text()"])
+def test_a_section_can_read_a_file_that_another_one_does_not_declare(toy, early):
+    toy.write("assets/x.csv", "1.5")
+    code = READ.format(declared="assets/x.csv", read="'assets/x.csv'", early=early)
+    toy.write("experiments/reading.py", code)
+    code = READ.format(declared="assets/y.csv", read="", early="1")
+    toy.write("experiments/toy.py", code)
+    toy.write("report/sections/reading.py", "")
+    done = program(
+        "-m", MODULE, "reading", "toy", "--device", "cpu", cwd=toy.project.root
+    )
+    assert done.returncode == 0, done.stderr
 
 
 def test_a_declared_data_file_makes_its_record_stale(toy):

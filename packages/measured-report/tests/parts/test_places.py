@@ -119,6 +119,30 @@ def test_each_point_has_a_mark_unless_a_line_is_long(points, marks):
     assert found == marks if points < 1000 else 3 < found < marks
 
 
+def line_in(**settings):
+    drawing, axes = new_figure()
+    axes.plot([0.0, 1.0, 2.0], [-1.0, 1.0, 2.0], label="a line")
+    axes.set(**settings)
+    return drawing, axes
+
+
+@pytest.mark.parametrize("settings", [{"yscale": "log"}, {"ylim": (0.0, 5.0)}])
+def test_a_line_above_or_below_its_axes_is_refused(settings):
+    drawing, axes = line_in(**settings)
+    axes.legend()
+    with pytest.raises(ReportError, match="the line 'a line' leaves its axes"):
+        draw_svgs(lambda: drawing, name="a")
+
+
+def test_a_label_that_no_legend_shows_is_refused_and_a_part_of_a_line_can_be_left_out():
+    drawing, axes = line_in(xlim=(0.5, 3.0), ylim=(0.5, 3.0))
+    axes.axvline(1.0, label="a mark")
+    with pytest.raises(ReportError, match="the label 'a line' is not shown"):
+        draw_svgs(lambda: drawing, name="a")
+    axes.legend()
+    assert draw_svgs(lambda: drawing, name="a")
+
+
 def test_a_narrow_figure_has_its_panels_below_each_other_and_texts_that_can_be_read():
     seen = []
 

@@ -76,6 +76,18 @@ def kept(project: Project, *records):
     return {name: alike(tracked, records) for name, records in replicas.items()}
 
 
+def test_a_copy_of_a_replica_is_named_and_not_counted(project):
+    folder = project.results / FOLDER
+    folder.mkdir(parents=True)
+    for name, by in (("a", 1e-4), ("b", 2e-4), ("c", 1e-4)):
+        content = archive_of([again(project, "gap", by)])
+        (folder / f"{name}.tgz").write_bytes(content)
+    replicas, messages = read_replicas(project)
+    assert [*replicas] == ["a", "b"]
+    [message] = messages
+    assert message.endswith("c.tgz is a copy of another: remove it")
+
+
 def test_a_replica_is_read_as_it_was_packed(project):
     records = [again(project, section) for section in SECTIONS]
     assert archive_of(records) == archive_of(records)

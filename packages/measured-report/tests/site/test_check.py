@@ -75,6 +75,21 @@ def test_what_is_wrong_is_found(toy):
         assert any(problem in line for line in found) if problem else found == [], new
 
 
+def test_a_picture_that_is_empty_or_another_file_is_found(toy):
+    toy.build()
+    page = toy.page.replace("</main>", '<img src="x.PNG" alt="x"></main>')
+    toy.page_path.write_text(page, encoding="utf-8")
+    picture = toy.project.site / "x.PNG"
+    problem = f"{toy.page_path.name}: x.PNG is not such a picture: save it again"
+    for content, problems in {
+        b"": [problem],
+        b"<html>": [problem],
+        b"\x89PNG\r\n": [],
+    }.items():
+        picture.write_bytes(content)
+        assert check_site(toy.project.site) == problems
+
+
 UNREADABLE = {
     "index.html": b"\xff",
     "style.css": b"\xff",
