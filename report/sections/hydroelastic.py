@@ -157,8 +157,6 @@ def _slip_claims(results: Results) -> list[Claim]:
         PERCENT * (most / least - 1),
     )
     matters = at_least(span, results.chosen("kh_bound", "a tenth", 10.0, "%"))
-    if any(map(_is_lost, swept)) and not all(map(_is_lost, swept)):
-        matters = HOLDS.having_read(least, most)
     numbers = {"least": least, "most": most, "lost": _lost_up_to(swept)}
     claims.append(Claim("depends_on_kh", matters, numbers))
     return claims

@@ -36,8 +36,3 @@ def test_runs_that_lose_the_cube_are_counted(lost, outcome, count):
     given = {"area": HELD, "area/*": HELD}
     expected = {"holds_in_all_runs": outcome, "lost_runs": count}
     assert_found("hydroelastic", given, cells, expected=expected)
-
-
-def test_the_pressure_matters_if_the_cube_is_lost_at_one_pressure_only():
-    cells = {"area/kh-1e+11": LOST}
-    assert_found("hydroelastic", GIVEN, cells, expected={"depends_on_kh": "holds"})
