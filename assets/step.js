@@ -142,6 +142,8 @@ function begin(place, columns) {
   const drawn = steps.cells.filter((_, row) => others[0].cells[row] !== null && time.cells[row] !== null);
   const mark = figure ? markOn(figure, drawn.length) : () => {};
 
+  // The code of the page suits the step of its scene, and was measured. It changes only if the reader chooses another step.
+  let isChosen = false;
   const describe = () => {
     if (code) code.textContent = original;
     mark(null);
@@ -154,7 +156,7 @@ function begin(place, columns) {
     if (slip === null) return row >= 0 && texts[row] === "lost" ? "the cube is lost." : "this was not measured.";
     const kd = row < 0 ? Number((1000 / step).toPrecision(3)) : kds.cells[row];
     const ke = Number((kd ** 2 / (name.includes("pyramidal") ? 64 : 4)).toPrecision(4));
-    if (code) {
+    if (code && isChosen) {
       code.textContent = original
         .replace(/(shape_material_ke\[shape\] = )\S+/, `$1${ke}`)
         .replace(/(shape_material_kd\[shape\] = )\S+/, `$1${kd}`);
@@ -166,8 +168,12 @@ function begin(place, columns) {
     return `kd ${kd}, ke ${ke}; the cube slips ${slips}${cost}.`;
   };
   const show = () => (output.textContent = describe());
-  input.addEventListener("input", show);
-  contacts.addEventListener("change", show);
+  const choose = () => {
+    isChosen = true;
+    show();
+  };
+  input.addEventListener("input", choose);
+  contacts.addEventListener("change", choose);
   document.querySelector("#step-note").hidden = true;
   place.hidden = false;
   show();

@@ -68,6 +68,14 @@ def test_a_range_is_given_where_the_slip_is_not_proportional_to_the_step(tab):
     assert low < 0.1207 < high
 
 
+def test_the_code_changes_only_if_the_reader_chooses_a_step(tab):
+    code = "document.querySelector('main pre code').textContent"
+    before = tab.evaluate(code)
+    assert "[shape] = 250000" in before, "the measured stiff pads"
+    tab.fill("#step-ms", "2.08")
+    assert "[shape] = 250000" not in tab.evaluate(code)
+
+
 def test_a_step_that_was_not_measured_leaves_the_code_as_it_is(tab):
     original = tab.inner_text("main pre >> nth=0")
     tab.fill("#step-ms", "2")
