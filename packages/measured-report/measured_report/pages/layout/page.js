@@ -50,6 +50,12 @@ function openNamedSection() {
   section?.querySelector(":scope > details.fold")?.setAttribute("open", "");
 }
 
+// A link to the section in the address does not change the address, so the browser reports no change.
+function openAgain(event) {
+  const link = event.target.closest?.("a");
+  if (link?.hash && link.href === location.href) openNamedSection();
+}
+
 function followOldLink() {
   const name = decoded(location.hash);
   if (!name) return;
@@ -418,16 +424,16 @@ const RESULT_LIMIT = 12;
 /* Words of readers, and the words of these pages. report.toml adds the words of its field. */
 const SYNONYMS = { license: "licence", citation: "cite", repository: "licence", rerun: "measures it again" };
 
-/* A number is one word, however its thousands are separated. */
+/* A number is one word, however its thousands are separated, and so is a release such as 1.2.3. */
 function plainWords(text) {
   const joined = text.replace(/(?<=\d)[\u202f\u00a0\u2009,](?=\d{3}(?!\d))/g, "");
-  return ` ${joined.toLowerCase().replace(/[^\p{L}\p{M}\p{N}]+/gu, " ").trim()} `;
+  return ` ${joined.toLowerCase().replace(/((?!(?<=\d)\.\d)[^\p{L}\p{M}\p{N}])+/gu, " ").trim()} `;
 }
 
 function entriesOf(page, address) {
   const entries = [];
-  for (const block of page.querySelectorAll("main :is(h1, h2, h3, p, li, figcaption, th, td, pre, dt, dd), .foot p")) {
-    if (block.closest(".provenance, .source, .pairs, nav") || block.parentElement.closest("li, figcaption")) continue;
+  for (const block of page.querySelectorAll("main :is(h1, h2, h3, summary, p, li, figcaption, th, td, pre, dt, dd), .foot p")) {
+    if (block.closest(".provenance, .source, .pairs, nav") || block.matches(".fold > summary") || block.parentElement.closest("li, figcaption")) continue;
     const text = block.textContent.replace(/ #$/, "").replace(/[ \n]+/g, " ").trim();
     if (block.closest(".foot")) {
       // All pages end with the same lines, so only the lines of the front page are listed.
@@ -521,3 +527,4 @@ document.addEventListener("DOMContentLoaded", () => {
 });
 addEventListener("hashchange", followOldLink);
 addEventListener("hashchange", openNamedSection);
+addEventListener("click", openAgain);
